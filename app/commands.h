@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One function a command, one file each. They return the program's exit code.
+#pragma once
+
+#include "app/command_line.h"
+
+namespace surefoot {
+
+int listCommand(const Registry& registry, const ListRequest& request);
+int probabilitiesCommand(const Registry& registry, const ProbabilitiesRequest& request);
+int trainCommand(const Registry& registry, const TrainRequest& request);
+int windowCommand(const Registry& registry, const WindowRequest& request, int argc, char** argv);
+
+/// Prints "surefoot: …" to standard error and returns the exit code of the error.
+int fail(const Error& error);
+
+/// Writes text to standard output; an unwritable one (a full disk) is an error of its own.
+int print(const std::string& text);
+
+}  // namespace surefoot

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the program tells its caller. The README lists them; scripts rely on them.
+#pragma once
+
+#include "core/result.h"
+
+namespace surefoot {
+
+enum ExitCode : int { kDone = 0, kUsage = 2, kFile = 3, kDiverged = 4, kInterrupted = 130 };
+
+constexpr ExitCode exitCode(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::File: return kFile;
+    case ErrorKind::Diverged: return kDiverged;
+    case ErrorKind::Interrupted: return kInterrupted;
+    case ErrorKind::Usage: break;
+  }
+  return kUsage;
+}
+
+}  // namespace surefoot

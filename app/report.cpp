@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/report.h"
+
+#include <fmt/format.h>
+
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+#include "app/version.h"
+
+namespace surefoot {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+/// A mean, or null where there was nothing to average.
+Json mean(std::int64_t sum, std::int64_t count) {
+  return count > 0 ? Json(static_cast<double>(sum) / static_cast<double>(count)) : Json(nullptr);
+}
+
+Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json configurationAsJson(const Configuration& c) {
+  Json parameters = Json::object();
+  for (const auto& entry : c.parameters.all()) {
+    const Parameter& p = entry.parameter;
+    if (p.kind == Kind::Choice)
+      parameters[p.key] = formatValue(p, entry.value);
+    else if (p.kind == Kind::Integer)
+      parameters[p.key] = static_cast<std::int64_t>(entry.value);
+    else
+      parameters[p.key] = entry.value;
+  }
+  return {{"environment", c.names.environment}, {"preset", c.names.preset},     {"scenario", c.names.scenario},
+          {"agent", c.names.agent},             {"features", c.names.features}, {"policy", c.names.policy},
+          {"parameters", parameters},           {"lives", c.lives},
+          {"minutes", c.minutes ? Json(*c.minutes) : Json(nullptr)},
+          {"episodes", c.episodes ? Json(*c.episodes) : Json(nullptr)}};
+}
+
+const char* endingName(const EpisodeRow& row) {
+  if (row.ending == Ending::Truncated) return "truncated";
+  if (row.success) return "success";
+  return row.falls > 0 ? "fall" : "end";
+}
+
+/// "213.5 ± 8.9": mean and 95 % half-width (Student t over the lives); just the value for one life.
+std::string meanText(const std::vector<double>& values, int decimals) {
+  const auto n = static_cast<double>(values.size());
+  double sum = 0.0, squares = 0.0;
+  for (const double v : values) sum += v;
+  const double average = sum / n;
+  for (const double v : values) squares += (v - average) * (v - average);
+  if (values.size() < 2) return fmt::format("{:.{}f}", average, decimals);
+  const double t = boost::math::quantile(boost::math::students_t(n - 1), 0.975);
+  return fmt::format("{:.{}f} ± {:.{}f}", average, decimals, t * std::sqrt(squares / (n - 1) / n), decimals);
+}
+
+}  // namespace
+
+std::string resultAsJson(const Configuration& configuration, const std::vector<LifeResult>& lives) {
+  Json list = Json::array();
+  for (const LifeResult& r : lives) {
+    Json life = {{"life", r.life},
+                 {"episodes", r.totals.episodes},
+                 {"falls", r.totals.falls},
+                 {"successes", r.totals.successes},
+                 {"steps", r.steps},
+                 {"simulated_minutes", finite(r.simulatedSeconds / 60.0)},
+                 {"average_reward", r.totals.episodes > 0 ? finite(r.averageReward) : Json(nullptr)},
+                 {"transitions_success", mean(r.totals.successSteps, r.totals.successes)},
+                 {"transitions_failure", mean(r.totals.failureSteps, r.totals.failures)},
+                 {"states_outside", r.statesOutside},
+                 {"complete", r.complete},
+                 {"steps_per_second", finite(static_cast<double>(r.steps) / r.cpuSeconds)},
+                 {"hash", fmt::format("{:016x}", r.hash)}};
+    if (!r.divergence.empty()) life["diverged"] = r.divergence;
+    list.push_back(std::move(life));
+  }
+  const Json result = {{"version", kVersion}, {"configuration", configurationAsJson(configuration)},
+                       {"seed", configuration.seed}, {"lives", list}};
+  return result.dump(2) + "\n";
+}
+
+std::string logAsCsv(const std::vector<LifeResult>& lives, std::optional<double> stepTime) {
+  fmt::memory_buffer out;
+  const auto to = std::back_inserter(out);
+  fmt::format_to(to, "life,episode,transitions,reward,falls,ending,average_reward,steps,simulated_minutes\n");
+  for (const LifeResult& r : lives)
+    for (const EpisodeRow& row : r.rows) {
+      fmt::format_to(to, "{},{},{},{},{},{},{},{},", r.life, row.episode, row.steps, row.reward, row.falls, endingName(row),
+                     row.averageReward, row.lifeSteps);
+      if (stepTime) fmt::format_to(to, "{:.9g}", static_cast<double>(row.lifeSteps) * *stepTime / 60.0);
+      fmt::format_to(to, "\n");
+    }
+  return fmt::to_string(out);
+}
+
+std::string resultAsTable(const Configuration& c, const std::vector<LifeResult>& lives) {
+  if (lives.empty()) return "No life was started.\n";
+  const auto column = [&](auto value, int decimals) {
+    std::vector<double> values;
+    for (const LifeResult& r : lives)
+      if (const double v = value(r); std::isfinite(v)) values.push_back(v);
+    return values.empty() ? std::string("none") : meanText(values, decimals);
+  };
+  const auto ratio = [](std::int64_t sum, std::int64_t count) {
+    return count > 0 ? static_cast<double>(sum) / static_cast<double>(count) : std::nan("");
+  };
+  std::string text = fmt::format("{} {}, {}, {}, {}, seed {}: {} {}\n", c.names.environment, c.names.scenario, c.names.agent,
+                                 c.names.features, c.names.policy, c.seed, lives.size(),
+                                 lives.size() == 1 ? "life" : "lives, mean ± 95 % interval");
+  const auto row = [&](const char* name, const std::string& value) { text += fmt::format("  {:<28}{}\n", name, value); };
+  row("falls", column([](const LifeResult& r) { return static_cast<double>(r.totals.falls); }, 1));
+  row("episodes", column([](const LifeResult& r) { return static_cast<double>(r.totals.episodes); }, 1));
+  row("average reward, last 80", column([](const LifeResult& r) { return r.averageReward; }, 1));
+  row("transitions of a success", column([&](const LifeResult& r) { return ratio(r.totals.successSteps, r.totals.successes); }, 1));
+  row("transitions of a failure", column([&](const LifeResult& r) { return ratio(r.totals.failureSteps, r.totals.failures); }, 1));
+  row("simulated minutes", column([](const LifeResult& r) { return r.simulatedSeconds / 60.0; }, 2));
+  row("steps per CPU-second", column([](const LifeResult& r) { return static_cast<double>(r.steps) / r.cpuSeconds; }, 0));
+  if (lives.size() == 1) row("hash", fmt::format("{:016x}", lives[0].hash));
+  return text;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Results as text: JSON, CSV, and a table for people.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/experiment/experiment.h"
+
+namespace surefoot {
+
+/// {version, configuration, seed, lives: […]}, ending in a newline.
+std::string resultAsJson(const Configuration& configuration, const std::vector<LifeResult>& lives);
+
+/// A row an episode, with a column for the life.
+std::string logAsCsv(const std::vector<LifeResult>& lives, std::optional<double> stepTime);
+
+/// What a person wants to know: the lives' means with 95 % intervals.
+std::string resultAsTable(const Configuration& configuration, const std::vector<LifeResult>& lives);
+
+}  // namespace surefoot

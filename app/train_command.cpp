@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "app/interrupt.h"
+#include "app/report.h"
+#include "core/whole_file.h"
+
+namespace surefoot {
+
+namespace {
+
+std::string duration(double seconds) {
+  const auto s = static_cast<std::int64_t>(seconds + 0.5);
+  return s < 3600 ? fmt::format("{}:{:02}", s / 60, s % 60) : fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
+}
+
+/// One line on the terminal, drawn over again.
+class ProgressLine {
+ public:
+  explicit ProgressLine(int lives) : lives_(lives) {}
+  void show(const Progress& p) {
+    const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+    const auto filled = static_cast<std::size_t>(p.share * 24);
+    const std::string eta = p.share > 0.001 ? duration(elapsed / p.share - elapsed) : "…";
+    fmt::print(stderr, "\r[{}{}] {:3.0f} %  {} of {} lives, {} falls, {} elapsed, {} left \033[K", std::string(filled, '#'),
+               std::string(24 - filled, '.'), p.share * 100, p.livesDone, lives_, p.falls, duration(elapsed), eta);
+    std::fflush(stderr);
+  }
+  ~ProgressLine() { fmt::print(stderr, "\r\033[K"); }
+
+ private:
+  int lives_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+int trainCommand(const Registry& registry, const TrainRequest& request) {
+  const Configuration& configuration = request.configuration;
+  std::optional<WholeFile> log;
+  if (request.log) {
+    auto file = WholeFile::createNew("--log", *request.log);
+    if (!file) return fail(file.error());
+    log.emplace(std::move(*file));
+  }
+
+  RunOptions options{.jobs = request.jobs, .keepRows = log.has_value(), .interrupted = &watchForInterrupt(), .progress = {}};
+  Result<std::vector<LifeResult>> lives = std::vector<LifeResult>{};
+  {
+    std::optional<ProgressLine> line;
+    if (isatty(STDERR_FILENO)) options.progress = [&](const Progress& p) {
+      if (!line) line.emplace(configuration.lives);
+      line->show(p);
+    };
+    lives = runLives(registry, configuration, options);
+  }
+  if (!lives) return fail(lives.error());
+
+  if (log) {
+    const auto environment = makeEnvironment(registry, configuration);
+    if (!environment) return fail(environment.error());
+    if (const Status s = log->commit(logAsCsv(*lives, (*environment)->task().stepTime)); !s) return fail(s.error());
+  }
+  if (const int code = print(request.json ? resultAsJson(configuration, *lives) : resultAsTable(configuration, *lives)); code != kDone)
+    return code;
+
+  for (const LifeResult& life : *lives)
+    if (!life.divergence.empty()) return fail({life.divergence, ErrorKind::Diverged});
+  const auto complete = static_cast<int>(std::count_if(lives->begin(), lives->end(), [](const LifeResult& r) { return r.complete; }));
+  if (complete < configuration.lives)
+    return fail({fmt::format("interrupted; {} of {} lives are complete, the others end where they were.", complete,
+                             configuration.lives), ErrorKind::Interrupted});
+  return kDone;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <QApplication>
+#include <QSettings>
+#include <QTimer>
+
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "app/interrupt.h"
+#include "app/report.h"
+#include "app/version.h"
+#include "core/whole_file.h"
+#include "ui/main_window.h"
+#include "ui/session.h"
+#include "ui/theme.h"
+
+namespace surefoot {
+
+namespace {
+
+/// Qt ends the program itself where there is no display, after a message of several lines: say it in one sentence.
+void onMessage(QtMsgType type, const QMessageLogContext&, const QString& text) {
+  if (type == QtFatalMsg) {
+    std::fprintf(stderr, "surefoot: there is no display for the window; `surefoot train --minutes 9` learns without one.\n");
+    _exit(kUsage);
+  }
+  if (type == QtWarningMsg && text.contains("display")) return;
+  std::fprintf(stderr, "%s\n", qPrintable(text));
+}
+
+/// What `train` would report of the life that the window ran.
+int report(const WindowRequest& request, const Life& life, std::optional<WholeFile> log) {
+  const std::vector<LifeResult> lives = {summarise(life, 0, 0.0)};
+  if (log)
+    if (const Status s = log->commit(logAsCsv(lives, life.environment().task().stepTime)); !s) return fail(s.error());
+  if (request.json)
+    if (const int code = print(resultAsJson(request.configuration, lives)); code != kDone) return code;
+  return life.diverged() ? fail({life.divergence(), ErrorKind::Diverged}) : kDone;
+}
+
+}  // namespace
+
+int windowCommand(const Registry& registry, const WindowRequest& request, int argc, char** argv) {
+  std::optional<WholeFile> log;
+  if (request.log) {
+    auto file = WholeFile::createNew("--log", *request.log);
+    if (!file) return fail(file.error());
+    log.emplace(std::move(*file));
+  }
+  const char* platform = std::getenv("QT_QPA_PLATFORM");
+  if (!std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY") && !platform)
+    return fail({"there is no display for the window; `surefoot train --minutes 9` learns without one."});
+
+  qInstallMessageHandler(onMessage);
+  int qtArguments = 1;  // ours are not Qt's
+  static_cast<void>(argc);
+  QApplication application(qtArguments, argv);
+  QApplication::setApplicationName("Surefoot");
+  QApplication::setOrganizationName("Surefoot");
+  QApplication::setApplicationVersion(kVersion);
+  QApplication::setDesktopFileName("surefoot");
+  applyAppearance(application, static_cast<Appearance>(QSettings().value("appearance", 0).toInt()));
+
+  Session session(registry, request.configuration, log.has_value());
+  MainWindow window(session);
+  window.show();
+  session.setTurbo(request.turbo);
+  session.setRunning(true);
+
+  const std::atomic<bool>& interrupted = watchForInterrupt();
+  QTimer watch;
+  QObject::connect(&watch, &QTimer::timeout, &window, [&] {
+    if (interrupted) window.close();
+  });
+  watch.start(100);
+
+  QApplication::exec();
+  const std::unique_ptr<Life> life = session.finish();
+  const int code = report(request, *life, std::move(log));
+  return code == kDone && interrupted ? kInterrupted : code;
+}
+
+}  // namespace surefoot

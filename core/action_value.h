@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// q̂(s, a, w): the estimated action values, seen from outside a learner. A value: it can be copied while the learner
+// goes on, and the copy read on another thread.
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "core/types.h"
+
+namespace surefoot {
+
+class ActionValueFunction {
+ public:
+  virtual ~ActionValueFunction() = default;
+
+  /// Number of actions: the length of every `q` below.
+  virtual int actions() const = 0;
+  /// q ← q̂(s, ·) of one layer.
+  virtual void evaluate(std::span<const double> state, Layer layer, std::span<double> q) const = 0;
+  /// Mean over the features of s of how often each was visited (its state was updated, for any action).
+  virtual double visits(std::span<const double> state) const = 0;
+  /// Share of the features of s that were ever visited, 0 … 1.
+  virtual double familiarity(std::span<const double> state) const = 0;
+  /// out ← for every action, the mean over the features of s of a quantity that is kept per weight (eligibility).
+  virtual void average(std::span<const float> perWeight, std::span<const double> state, std::span<double> out) const = 0;
+
+  virtual std::span<const double> weights() const = 0;
+  virtual std::unique_ptr<ActionValueFunction> clone() const = 0;
+  /// Copies the content of a function of the same shape, without allocation.
+  virtual void assign(const ActionValueFunction& other) = 0;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A learner: chooses actions and learns from what comes back.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/action_value.h"
+#include "core/policy.h"
+#include "core/random.h"
+#include "core/types.h"
+
+namespace surefoot {
+
+/// One episode is start, step, step, …, then end or truncate. Used by one thread. Everything random comes from the
+/// generator handed in; looking (const) changes nothing. None of the four calls allocates or locks.
+class Agent : public Configurable {
+ public:
+  /// The first action of an episode, in state s.
+  virtual Action start(std::span<const double> state, Random& random) = 0;
+  /// Learns from the outcome of the last action and chooses the next in the state it led to. Hot.
+  virtual Action step(const Outcome& outcome, std::span<const double> state, Random& random) = 0;
+  /// Learns from a terminal outcome: the value of the state after it is 0.
+  virtual void end(const Outcome& outcome) = 0;
+  /// Learns from an outcome cut off by a time limit: the value of `state`, where it would have gone on, is estimated.
+  virtual void truncate(const Outcome& outcome, std::span<const double> state, Random& random) = 0;
+
+  /// Which layers values() can show; Sum is always among them.
+  virtual std::vector<Layer> layers() const { return {Layer::Sum}; }
+  virtual const ActionValueFunction& values() const = 0;
+  /// z for every weight, for those who look. `z` is resized.
+  virtual void eligibility(std::vector<float>& z) const = 0;
+  /// The values have left any sensible range (see kDivergedError); the life should stop.
+  virtual bool diverged() const = 0;
+  /// How many states so far lay outside the range that the features cover.
+  virtual std::int64_t statesOutside() const = 0;
+
+  /// From the next choice on. The policy must outlive its use.
+  void setPolicy(const Policy& policy) { policy_ = &policy; }
+
+ protected:
+  /// A temporal-difference error beyond this counts as divergence: rewards are at most 1e6 a step.
+  static constexpr double kDivergedError = 1e12;
+
+  const Policy* policy_ = nullptr;
+};
+
+}  // namespace surefoot

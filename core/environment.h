@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A world with a task: what a learner acts in.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/parameters.h"
+#include "core/random.h"
+#include "core/scene.h"
+#include "core/types.h"
+
+namespace surefoot {
+
+/// One coordinate of the state.
+struct StateVariable {
+  std::string key{};     ///< "pole_angle": also the name of its resolution, features.pole_angle
+  std::string title{};   ///< "pole angle"
+  std::string symbol{};  ///< "α"; a dot above is U+0307 behind the letter
+  std::string unit{};    ///< "rad"
+  double low = 0.0, high = 1.0;  ///< the range that features cover; states outside count as at the edge
+  double span = 1.0;        ///< a resolution is the number of tiles per span (thesis, section 3.1.3)
+  std::string spanText{};     ///< "2π rad": the span as a person says it
+  std::string perSpan{};    ///< "/2π": the unit of a resolution, short
+  double resolution = 1.0;  ///< default number of tiles per span
+  std::optional<double> period{};  ///< the variable wraps after this much; none: it does not
+  double viewLow = 0.0, viewHigh = 0.0;  ///< the part that a map shows at first
+};
+
+/// What can be said of a task before it starts.
+struct Task {
+  std::vector<StateVariable> state;
+  std::vector<double> actions;  ///< the physical value of every action, e.g. a torque in N m
+  std::string actionTitle;      ///< "torque"
+  std::string actionSymbol;     ///< "T"
+  std::string actionUnit;       ///< "N m"
+  std::vector<std::string> rewardTerms;      ///< names of Outcome::terms, in their order
+  std::optional<double> stepTime;            ///< [s] simulated per step; none: the task has no clock
+  double lowestReturn = -1.0, highestReturn = 1.0;  ///< reward of an episode, as far as it is bounded: axes start there
+};
+
+/// A number that the window shows below the picture.
+struct ReadOut {
+  std::string symbol, unit;
+  double value = 0.0;
+  int decimals = 2;
+};
+
+/// Used by one thread at a time. Only the calls marked "hot" are made in the learning loop; they neither allocate nor
+/// lock. All randomness comes from the generator that is handed in.
+class Environment : public Configurable {
+ public:
+  virtual const Task& task() const = 0;
+
+  /// Starts an episode in a state drawn from the start distribution.
+  virtual void reset(Random& random) = 0;
+  /// Carries out one action; reset() first, and again after an ending. Hot.
+  virtual Outcome step(Action action) = 0;
+  /// The state now; the view is valid until the next call. Hot.
+  virtual std::span<const double> state() const = 0;
+
+  /// Everything that a picture needs and the state leaves out (the position of a cart), and the last action's value.
+  virtual std::vector<double> pose() const = 0;
+  /// Draws a pose of this environment.
+  virtual void draw(std::span<const double> pose, Scene& scene) const = 0;
+  /// The numbers below the picture.
+  virtual std::vector<ReadOut> readOuts(std::span<const double> pose) const = 0;
+
+  /// Parameters were changed through declare(): from here on they hold. Called between two episodes.
+  virtual void parametersChanged() {}
+};
+
+}  // namespace surefoot

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An experiment as a value: the names of its parts, every parameter, how many lives, how long, and the master seed.
+// Configuration and seed together fix every bit of the result.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/experiment/life.h"
+#include "core/parameters.h"
+#include "core/registry.h"
+
+namespace surefoot {
+
+/// What a person chooses by name.
+struct Names {
+  std::string environment = "pendulum";
+  std::string preset = "thesis";
+  std::string scenario = "actual";
+  std::string agent = "sarsa";
+  std::string features = "tile-coder";
+  std::string policy = "epsilon-greedy";
+};
+
+/// "key=value", the value still as text.
+struct Assignment {
+  std::string key, value;
+};
+
+struct Configuration {
+  Names names;
+  Parameters parameters;  ///< complete: environment, agent, features, and every policy's
+  std::uint64_t seed = 1;
+  int lives = 1;
+  std::optional<double> minutes;          ///< simulated, a life
+  std::optional<std::int64_t> episodes;   ///< a life; whichever limit comes first ends it
+};
+
+/// Looks the names up and fills in every parameter: defaults, then the preset, then the scenario, then `assignments`.
+Result<Configuration> configure(const Registry& registry, const Names& names, const std::vector<Assignment>& assignments);
+
+/// The keys that a policy reads, e.g. "policy.epsilon".
+std::vector<std::string> policyKeys(const PolicyEntry& policy);
+
+/// A policy with its parameters from the configuration.
+Result<std::unique_ptr<Policy>> makePolicy(const Registry& registry, const std::string& name, const Parameters& parameters);
+
+/// An environment with its parameters from the configuration.
+Result<std::unique_ptr<Environment>> makeEnvironment(const Registry& registry, const Configuration& configuration);
+
+/// Life number `index` (from 0) of the experiment, ready to start.
+Result<std::unique_ptr<Life>> makeLife(const Registry& registry, const Configuration& configuration, int index, bool keepRows);
+
+}  // namespace surefoot

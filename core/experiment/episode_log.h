@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What happened in a life, an episode at a time.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/types.h"
+
+namespace surefoot {
+
+/// One finished episode.
+struct EpisodeRow {
+  std::int64_t episode = 0;   ///< from 1
+  std::int64_t steps = 0;     ///< transitions of this episode
+  std::int64_t lifeSteps = 0; ///< transitions of the life up to its end
+  double reward = 0.0;        ///< total, undiscounted
+  int falls = 0;
+  bool success = false;       ///< it ended in a success
+  Ending ending = Ending::None;
+  double averageReward = 0.0; ///< over the last 80 episodes, this one included
+};
+
+/// 64 bits over a sequence of words, in order.
+class Hash64 {
+ public:
+  void add(std::uint64_t word);
+  void add(double value);
+  std::uint64_t value() const { return state_; }
+
+ private:
+  std::uint64_t state_ = 0x5375'7265'666f'6f74ULL;
+};
+
+/// Sums over a whole life; episodes cut by the end of the life are not counted.
+struct LifeTotals {
+  std::int64_t episodes = 0, falls = 0, successes = 0, failures = 0;
+  std::int64_t successSteps = 0, failureSteps = 0;  ///< transitions of the successful and of the failed episodes
+};
+
+class EpisodeLog {
+ public:
+  static constexpr int kAverageOver = 80;  ///< episodes (thesis, section 4.2.1)
+
+  /// `keepRows`: rows() holds every episode. Otherwise memory does not grow with the life.
+  explicit EpisodeLog(bool keepRows = false) : keepRows_(keepRows) {}
+
+  /// One transition of the episode in hand.
+  void add(const Outcome& outcome) {
+    ++current_.steps;
+    current_.reward += outcome.reward;
+    current_.falls += outcome.event == Event::Fall;
+    current_.success |= outcome.event == Event::Success;
+  }
+  /// The episode in hand is over. Returns its row.
+  const EpisodeRow& finish(Ending ending, std::int64_t lifeSteps);
+
+  const LifeTotals& totals() const { return totals_; }
+  /// Mean total reward of the last 80 episodes, or of those so far; 0 before the first.
+  double averageReward() const { return last_.averageReward; }
+  const EpisodeRow& last() const { return last_; }
+  const EpisodeRow& current() const { return current_; }
+  const std::vector<EpisodeRow>& rows() const { return rows_; }
+  const Hash64& hash() const { return hash_; }
+
+ private:
+  bool keepRows_;
+  EpisodeRow current_, last_;
+  LifeTotals totals_;
+  std::array<double, kAverageOver> recent_{};  // a ring of total rewards
+  std::vector<EpisodeRow> rows_;
+  Hash64 hash_;
+};
+
+}  // namespace surefoot

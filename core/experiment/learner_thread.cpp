@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/learner_thread.h"
+
+#include <algorithm>
+
+namespace surefoot {
+
+namespace {
+constexpr int kBatch = 256;               // steps between two looks at the flags
+constexpr double kNoClockStep = 0.05;     // [s]
+constexpr auto kIdle = std::chrono::milliseconds(100);
+constexpr auto kLag = std::chrono::milliseconds(100);  // a life that fell behind (a busy machine) does not race to catch up
+
+double stepTimeOf(const Life& life) { return life.environment().task().stepTime.value_or(kNoClockStep); }
+}  // namespace
+
+LearnerThread::LearnerThread(std::unique_ptr<Life> life)
+    : life_(std::move(life)), stepTime_(stepTimeOf(*life_)), thread_([this] { run(); }) {}
+
+LearnerThread::~LearnerThread() {
+  if (thread_.joinable()) stop();
+}
+
+std::unique_ptr<Life> LearnerThread::stop() {
+  {
+    const std::lock_guard lock(mutex_);
+    stop_ = true;
+  }
+  wake_.notify_one();
+  thread_.join();
+  return std::move(life_);
+}
+
+void LearnerThread::send(Command command) {
+  {
+    const std::lock_guard lock(mutex_);
+    mailbox_.push_back(std::move(command));
+    mail_ = true;
+  }
+  wake_.notify_one();
+}
+
+void LearnerThread::want(std::atomic<bool>& flag) {
+  if (flag.exchange(true, std::memory_order_relaxed)) return;
+  wake_.notify_one();  // without the lock: a wake-up that is missed costs kIdle at most
+}
+
+void LearnerThread::run() {
+  while (!stop_.load(std::memory_order_relaxed)) {
+    if (mail_.load(std::memory_order_relaxed)) obey();
+    if (!canStep())
+      wait();
+    else if (turbo_)
+      stepFlatOut();
+    else
+      stepInPace();
+    answer();
+  }
+}
+
+void LearnerThread::wait() {
+  std::unique_lock lock(mutex_);
+  wake_.wait_for(lock, kIdle, [this] { return stop_ || mail_ || snapshotWanted_ || valuesWanted_; });
+}
+
+void LearnerThread::step() {
+  const std::int64_t before = life_->log().totals().episodes;
+  life_->step();
+  const LifeTotals& totals = life_->log().totals();
+  if (totals.episodes == before) return;
+  curve_.add(life_->log().last(), totals.falls);
+  end_.add(life_->log().last(), life_->environment().task().highestReturn);
+}
+
+void LearnerThread::stepFlatOut() {
+  for (int i = 0; i < kBatch && !life_->finished(); ++i) step();
+}
+
+void LearnerThread::stepInPace() {
+  const auto now = Clock::now();
+  if (nextStep_ + kLag < now) nextStep_ = now;
+  if (nextStep_ > now) {
+    std::unique_lock lock(mutex_);
+    wake_.wait_until(lock, std::min(nextStep_, now + kIdle), [this] { return stop_ || mail_ || snapshotWanted_ || valuesWanted_; });
+    if (Clock::now() < nextStep_) return;
+  }
+  step();
+  nextStep_ += std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(stepTime_ / pace_));
+}
+
+void LearnerThread::obey() {
+  std::vector<Command> commands;
+  {
+    const std::lock_guard lock(mutex_);
+    commands.swap(mailbox_);
+    mail_ = false;
+  }
+  for (Command& command : commands) carryOut(command);
+  snapshotWanted_ = true;  // what was asked for shows at once, paused or not
+}
+
+void LearnerThread::carryOut(Command& command) {
+  struct Visitor {
+    LearnerThread& t;
+    void operator()(SetParameter& c) const { static_cast<void>(static_cast<bool>(t.life_->set(c.key, c.value))); }
+    void operator()(SetPolicy& c) const { t.life_->setPolicy(std::move(c.policy)); }
+    void operator()(SetRunning& c) const { t.running_ = c.running; }
+    void operator()(SetPace& c) const { t.pace_ = c.pace; }
+    void operator()(SetTurbo& c) const { t.turbo_ = c.turbo; }
+    void operator()(SingleStep&) const {
+      if (!t.running_ && !t.life_->finished()) t.step();
+    }
+    void operator()(ReplaceLife& c) const {
+      t.life_ = std::move(c.life);
+      ++t.lifeNumber_;
+      t.curve_ = {};
+      t.end_ = {};
+      t.stepTime_ = stepTimeOf(*t.life_);
+      t.valuesWanted_ = true;
+    }
+  };
+  std::visit(Visitor{*this}, command);
+}
+
+void LearnerThread::answer() {
+  if (snapshotWanted_.load(std::memory_order_relaxed)) {
+    snapshotWanted_.store(false, std::memory_order_relaxed);
+    fill(snapshots_.back());
+    snapshots_.publish();
+  }
+  if (valuesWanted_.load(std::memory_order_relaxed)) {
+    valuesWanted_.store(false, std::memory_order_relaxed);
+    fill(values_.back());
+    values_.publish();
+  }
+}
+
+void LearnerThread::fill(Snapshot& s) const {
+  const Environment& environment = life_->environment();
+  s.life = lifeNumber_;
+  s.steps = life_->steps();
+  s.simulatedSeconds = life_->simulatedSeconds();
+  s.totals = life_->log().totals();
+  s.averageReward = life_->log().averageReward();
+  s.state.assign(environment.state().begin(), environment.state().end());
+  s.pose = environment.pose();
+  s.q.resize(environment.task().actions.size());
+  life_->agent().values().evaluate(s.state, Layer::Sum, s.q);
+  s.action = life_->nextAction();
+  s.running = canStep();
+  s.finished = life_->finished() && !life_->diverged();
+  s.divergence = life_->diverged() ? life_->divergence() : "";
+}
+
+void LearnerThread::fill(ValueSnapshot& s) const {
+  const ActionValueFunction& values = life_->agent().values();
+  if (s.values && s.life == lifeNumber_)
+    s.values->assign(values);
+  else
+    s.values = values.clone();
+  s.life = lifeNumber_;
+  life_->agent().eligibility(s.eligibility);
+  s.curve = curve_.points();
+  const EpisodeRow& last = life_->log().last();
+  if (last.episode > 0 && (s.curve.empty() || s.curve.back().episode != last.episode))
+    s.curve.push_back({last.episode, last.lifeSteps, life_->log().totals().falls, last.averageReward});
+  s.changes = life_->changes();
+  s.endOfLearning = end_.episode();
+  s.endOfLearningSteps = end_.lifeSteps();
+}
+
+}  // namespace surefoot

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A life on a thread of its own. Commands go in through a mailbox and are carried out between two steps; snapshots come
+// out through triple buffers, filled only when asked for. Looking changes nothing: the life takes the same course, bit
+// for bit, whoever asks and however often.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <variant>
+#include <vector>
+
+#include "core/experiment/snapshot.h"
+#include "core/experiment/triple_buffer.h"
+
+namespace surefoot {
+
+struct SetParameter { std::string key; double value; };
+struct SetPolicy { std::unique_ptr<Policy> policy; };
+struct SetRunning { bool running; };
+struct SetPace { double pace; };          ///< times real time, while turbo is off
+struct SetTurbo { bool turbo; };
+struct SingleStep {};                     ///< one step of a paused life
+struct ReplaceLife { std::unique_ptr<Life> life; };
+
+using Command = std::variant<SetParameter, SetPolicy, SetRunning, SetPace, SetTurbo, SingleStep, ReplaceLife>;
+
+/// send(), wantSnapshot(), takeSnapshot() … belong to one thread, the window's; the life to the thread in here.
+class LearnerThread {
+ public:
+  explicit LearnerThread(std::unique_ptr<Life> life);
+  ~LearnerThread();
+  LearnerThread(const LearnerThread&) = delete;
+
+  void send(Command command);
+
+  /// Asks for a fresh snapshot; take…() tells whether one has come, snapshot() is the newest taken.
+  void wantSnapshot() { want(snapshotWanted_); }
+  void wantValues() { want(valuesWanted_); }
+  bool takeSnapshot() { return snapshots_.take(); }
+  bool takeValues() { return values_.take(); }
+  const Snapshot& snapshot() const { return snapshots_.front(); }
+  const ValueSnapshot& values() const { return values_.front(); }
+
+  /// Ends the thread and hands the life over, as it is.
+  std::unique_ptr<Life> stop();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void run();
+  void wait();
+  void obey();
+  void carryOut(Command& command);
+  void stepFlatOut();
+  void stepInPace();
+  void step();
+  bool canStep() const { return running_ && !life_->finished(); }
+  void want(std::atomic<bool>& flag);
+  void answer();
+  void fill(Snapshot& snapshot) const;
+  void fill(ValueSnapshot& snapshot) const;
+
+  // The thread's own.
+  std::unique_ptr<Life> life_;
+  std::uint64_t lifeNumber_ = 1;
+  LearningCurve curve_;
+  EndOfLearning end_;
+  bool running_ = false, turbo_ = false;
+  double pace_ = 1.0;
+  double stepTime_;            // [s]; tasks without a clock take 20 steps a second
+  Clock::time_point nextStep_{};
+
+  // Shared.
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  std::vector<Command> mailbox_;        // guarded by mutex_
+  std::atomic<bool> mail_{false}, stop_{false};
+  std::atomic<bool> snapshotWanted_{true}, valuesWanted_{true};
+  TripleBuffer<Snapshot> snapshots_;
+  TripleBuffer<ValueSnapshot> values_;
+
+  std::thread thread_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/life.h"
+
+#include <fmt/format.h>
+
+#include <cassert>
+#include <limits>
+
+namespace surefoot {
+
+namespace {
+constexpr std::size_t kMostChanges = 10'000;  // a slider dragged for an hour must not fill the memory
+}
+
+Life::Life(LifeParts parts, Random world, Random policy, LifeLimits limits, bool keepRows)
+    : environment_(std::move(parts.environment)),
+      policy_(std::move(parts.policy)),
+      agent_(std::move(parts.agent)),
+      parameters_(std::move(parts.parameters)),
+      worldRandom_(world),
+      policyRandom_(policy),
+      limits_(limits),
+      log_(keepRows) {
+  agent_->setPolicy(*policy_);
+  beginEpisode();
+}
+
+void Life::beginEpisode() {
+  if (environmentChanged_) {
+    Fields fields("environment.");
+    environment_->declare(fields);
+    parameters_.apply(fields);
+    environment_->parametersChanged();
+    environmentChanged_ = false;
+  }
+  environment_->reset(worldRandom_);
+  action_ = agent_->start(environment_->state(), policyRandom_);
+  inEpisode_ = true;
+}
+
+void Life::step() {
+  if (!inEpisode_) beginEpisode();
+  const Outcome outcome = environment_->step(action_);
+  ++steps_;
+  log_.add(outcome);
+  switch (outcome.ending) {
+    case Ending::None:
+      action_ = agent_->step(outcome, environment_->state(), policyRandom_);
+      return;
+    case Ending::Terminal:
+      agent_->end(outcome);
+      break;
+    case Ending::Truncated:
+      agent_->truncate(outcome, environment_->state(), policyRandom_);
+      break;
+  }
+  log_.finish(outcome.ending, steps_);
+  inEpisode_ = false;
+}
+
+Status Life::set(std::string_view key, double value) {
+  const Parameters::Entry* entry = parameters_.find(key);
+  const double before = entry ? entry->value : 0.0;
+  if (entry && entry->parameter.when == When::NewTable)
+    return Error{fmt::format("{}: a new table is needed for it, so it holds from the next life on.", key)};
+  if (const Status s = parameters_.set(key, value); !s) return s;
+  if (value == before) return Done{};
+
+  if (entry->parameter.when == When::NextEpisode) {
+    environmentChanged_ = true;
+  } else {
+    const auto applyTo = [&](Configurable& part, const char* prefix) {
+      Fields fields(prefix);
+      part.declare(fields);
+      for (const auto& field : fields.all())
+        if (field.parameter.key == key) field.set(value);
+    };
+    applyTo(*environment_, "environment.");
+    applyTo(*policy_, "policy.");
+    applyTo(*agent_, "agent.");
+  }
+  if (!changes_.empty() && changes_.back().key == key && changes_.back().step == steps_)
+    changes_.back().after = value;
+  else if (changes_.size() < kMostChanges)
+    changes_.push_back({steps_, std::string(key), before, value});
+  return Done{};
+}
+
+void Life::setPolicy(std::unique_ptr<Policy> policy) {
+  Fields fields("policy.");
+  policy->declare(fields);
+  parameters_.apply(fields);
+  policy_ = std::move(policy);
+  agent_->setPolicy(*policy_);
+}
+
+std::string Life::divergence() const {
+  const double stepSize = parameters_.get("agent.step_size");
+  const bool accumulating = parameters_.get("agent.trace") != 0.0;
+  std::string cause = fmt::format("agent.step_size = {} is the likely cause; try a smaller one", stepSize);
+  if (accumulating)
+    cause = fmt::format("agent.trace = accumulating with agent.step_size = {} is the likely cause; try replacing traces",
+                        stepSize);
+  return fmt::format("The action values diverged at step {}, in episode {}: {}.", steps_, log_.totals().episodes + 1, cause);
+}
+
+double Life::simulatedSeconds() const {
+  const auto& stepTime = environment_->task().stepTime;
+  return stepTime ? static_cast<double>(steps_) * *stepTime : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::uint64_t Life::hash() const {
+  Hash64 hash = log_.hash();
+  for (const double w : agent_->values().weights()) hash.add(w);
+  return hash.value();
+}
+
+}  // namespace surefoot

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/parameters.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace surefoot {
+
+std::string allowedValues(const Parameter& p) {
+  switch (p.kind) {
+    case Kind::Choice: return "one of " + joinWords(p.choices, "or");
+    case Kind::Integer: return fmt::format("a whole number from {:.0f} to {:.0f}", p.low, p.high);
+    case Kind::Real: break;
+  }
+  return fmt::format("a number from {} to {}", p.low, p.high);
+}
+
+std::string formatValue(const Parameter& p, double value) {
+  if (p.kind != Kind::Choice) return fmt::format("{}", value);
+  const auto index = static_cast<std::size_t>(value);
+  return index < p.choices.size() ? p.choices[index] : fmt::format("{}", value);
+}
+
+Result<double> parseNumber(std::string_view name, std::string_view text) {
+  const Error bad{fmt::format("{}: \"{}\" is not a number; a finite decimal number is needed, such as 0.05.", name,
+                              text.substr(0, 60))};
+  double value = 0.0;
+  std::string_view digits = text;
+  if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
+  const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (code == std::errc::result_out_of_range)
+    return Error{fmt::format("{}: {} is too large or too small for a number; a finite decimal number is needed.", name,
+                             text.substr(0, 60))};
+  if (code != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value)) return bad;
+  return value;
+}
+
+Result<double> checkValue(const Parameter& p, double value) {
+  const bool whole = p.kind == Kind::Real || value == std::floor(value);
+  if (std::isfinite(value) && whole && value >= p.low && value <= p.high) return value;
+  return Error{fmt::format("{}: {} is not allowed; it takes {}.", p.key, value, allowedValues(p))};
+}
+
+Result<double> parseValue(const Parameter& p, std::string_view text) {
+  if (p.kind == Kind::Choice) {
+    const auto found = std::find(p.choices.begin(), p.choices.end(), text);
+    if (found != p.choices.end()) return static_cast<double>(found - p.choices.begin());
+    return Error{fmt::format("{}: \"{}\" is not allowed; it takes {}.", p.key, text.substr(0, 60), allowedValues(p))};
+  }
+  const Result<double> number = parseNumber(p.key, text);
+  if (!number) return Error{number.error().message + fmt::format(" Allowed is {}.", allowedValues(p))};
+  return checkValue(p, *number);
+}
+
+void Fields::real(double& member, Parameter parameter) {
+  parameter.kind = Kind::Real;
+  add({std::move(parameter), [&member] { return member; }, [&member](double value) { member = value; }});
+}
+
+void Fields::integer(int& member, Parameter parameter) {
+  parameter.kind = Kind::Integer;
+  add({std::move(parameter), [&member] { return static_cast<double>(member); },
+       [&member](double value) { member = static_cast<int>(value); }});
+}
+
+void Fields::add(Field field) {
+  Parameter& parameter = field.parameter;
+  parameter.key = prefix_ + parameter.key;
+  if (parameter.sliderLow == parameter.sliderHigh) {
+    parameter.sliderLow = parameter.low;
+    parameter.sliderHigh = parameter.high;
+  }
+  parameter.fallback = field.get();
+  fields_.push_back(std::move(field));
+}
+
+void Parameters::add(const Fields& fields) {
+  for (const Fields::Field& field : fields.all())
+    if (!find(field.parameter.key)) entries_.push_back({field.parameter, field.get()});
+}
+
+const Parameters::Entry* Parameters::find(std::string_view key) const {
+  const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.parameter.key == key; });
+  return found == entries_.end() ? nullptr : &*found;
+}
+
+Parameters::Entry* Parameters::entry(std::string_view key) {
+  return const_cast<Entry*>(static_cast<const Parameters*>(this)->find(key));
+}
+
+double Parameters::get(std::string_view key) const {
+  const Entry* entry = find(key);
+  assert(entry && "a key that no component declares");
+  return entry->value;
+}
+
+Error Parameters::unknown(std::string_view key) const {
+  std::vector<std::string> keys;
+  for (const Entry& e : entries_) keys.push_back(e.parameter.key);
+  const std::string near = nearestWord(key, keys);
+  return Error{fmt::format("{}: there is no such parameter{}; `surefoot list` names them all.", key.substr(0, 60),
+                           near.empty() ? "" : ", did you mean " + near)};
+}
+
+Status Parameters::set(std::string_view key, std::string_view text) {
+  Entry* found = entry(key);
+  if (!found) return unknown(key);
+  const Result<double> value = parseValue(found->parameter, text);
+  if (!value) return value.error();
+  found->value = *value;
+  return Done{};
+}
+
+Status Parameters::set(std::string_view key, double value) {
+  Entry* found = entry(key);
+  if (!found) return unknown(key);
+  const Result<double> checked = checkValue(found->parameter, value);
+  if (!checked) return checked.error();
+  found->value = value;
+  return Done{};
+}
+
+void Parameters::apply(const Fields& fields) const {
+  for (const Fields::Field& field : fields.all())
+    if (const Entry* entry = find(field.parameter.key)) field.set(entry->value);
+}
+
+namespace {
+std::size_t editDistance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = std::exchange(row[0], i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t substitute = diagonal + (a[i - 1] != b[j - 1]);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substitute});
+    }
+  }
+  return row.back();
+}
+}  // namespace
+
+std::string nearestWord(std::string_view word, const std::vector<std::string>& known) {
+  if (word.size() > 100) return "";
+  std::string best;
+  std::size_t bestDistance = std::max<std::size_t>(3, word.size() / 2);
+  for (const std::string& candidate : known) {
+    // The part behind the dot counts too: "temperature" is near to "policy.temperature".
+    const auto dot = candidate.find('.');
+    std::size_t distance = editDistance(word, candidate);
+    if (dot != std::string::npos) distance = std::min(distance, editDistance(word, candidate.substr(dot + 1)) + 1);
+    if (distance < bestDistance) {
+      bestDistance = distance;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+std::string joinWords(const std::vector<std::string>& words, std::string_view last) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (i > 0) text += i + 1 == words.size() ? fmt::format(" {} ", last) : ", ";
+    text += words[i];
+  }
+  return text;
+}
+
+}  // namespace surefoot

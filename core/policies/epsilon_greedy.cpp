@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/policies/epsilon_greedy.h"
+
+#include "core/policies/greedy.h"
+
+namespace surefoot {
+
+void EpsilonGreedy::probabilities(std::span<const double> q, std::span<double> pi) const {
+  const double epsilon = exploration_.epsilon;
+  shareAmongGreedy(q, 1.0 - epsilon, pi);
+  const double each = epsilon / static_cast<double>(q.size());
+  for (double& p : pi) p += each;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// ε-greedy (thesis, eq. 2.2; Sutton & Barto 2018, section 2.2): π = (1 − ε)·greedy + ε/n.
+#pragma once
+
+#include "core/policy.h"
+
+namespace surefoot {
+
+/// How often an exploratory step is taken. Shared by every policy that tells greedy from exploratory steps.
+struct Exploration {
+  double epsilon = 0.05;
+  void declare(Fields& f) {
+    f.real(epsilon, {.key = "epsilon", .title = "Exploration", .symbol = "ε", .unit = "", .low = 0.0, .high = 1.0,
+                     .sliderLow = 0.0, .sliderHigh = 0.3, .when = When::Now, .group = Group::Policy,
+                     .help = "Share of the steps that explore instead of taking the best action.",
+                     .origin = "thesis, section 3.1.4"});
+  }
+};
+
+class EpsilonGreedy final : public Policy {
+ public:
+  void declare(Fields& f) override { exploration_.declare(f); }
+  void probabilities(std::span<const double> q, std::span<double> pi) const override;
+
+ private:
+  Exploration exploration_;
+};
+
+}  // namespace surefoot

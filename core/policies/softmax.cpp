@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/policies/softmax.h"
+
+#include <algorithm>
+
+#include "core/portable_math.h"
+
+namespace surefoot {
+
+void Softmax::probabilities(std::span<const double> q, std::span<double> pi) const {
+  double best = q[0];
+  for (const double value : q) best = std::max(best, value);
+  double sum = 0.0;
+  for (std::size_t a = 0; a < q.size(); ++a) {
+    pi[a] = portableExp((q[a] - best) / settings_.temperature);
+    sum += pi[a];
+  }
+  for (double& p : pi) p /= sum;
+}
+
+}  // namespace surefoot

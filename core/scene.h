@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A picture of a world as plain shapes in metres, so that the window can draw any environment without knowing it.
+// x points right, y up, y = 0 is the floor.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace surefoot {
+
+struct Point {
+  double x = 0.0, y = 0.0;  // [m]
+};
+
+/// What a line is, not which colour it has: the theme decides that. `Body` is solid, too, but turns to the colour of
+/// falling while the window shows a fall.
+enum class Ink { Solid, Body, Outline, Quiet, Hairline, Fall };
+enum class Fill { None, Panel, Wash, Solid, Fall };
+
+struct Polyline {
+  std::vector<Point> points;
+  Ink ink = Ink::Outline;
+  double width = 1.0;  // [px]: line widths do not grow with the zoom
+  bool dashed = false;
+};
+
+struct Polygon {
+  std::vector<Point> points;
+  Fill fill = Fill::Wash;
+  Ink ink = Ink::Solid;
+  double width = 2.0;  // [px], 0: no outline
+};
+
+struct Disc {
+  Point centre;
+  double radius = 0.0;  // [m]
+  Fill fill = Fill::Panel;
+  Ink ink = Ink::Solid;
+  double width = 2.0;  // [px], 0: no outline
+};
+
+/// A torque or a force, as an arrow from `from` along x; `length` carries the sign.
+struct Arrow {
+  Point from;
+  double length = 0.0;  // [px]
+  std::string text;
+};
+
+struct Label {
+  Point at;
+  std::string text;
+  double dx = 0.0, dy = 0.0;  // [px], right and down
+  int align = 0;              // −1: ends at the point, 0: centred, 1: begins there
+  Ink ink = Ink::Quiet;
+};
+
+using Shape = std::variant<Polyline, Polygon, Disc, Arrow, Label>;
+
+struct Scene {
+  std::vector<Shape> shapes;
+  Point focus;          ///< what the camera follows, horizontally
+  double height = 0.3;  ///< [m] from the floor to the highest thing drawn: what must be seen
+  Point tip;            ///< leaves the fading trail
+  void clear() { shapes.clear(); }
+};
+
+}  // namespace surefoot

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/text.h"
+
+#include <fmt/format.h>
+
+namespace surefoot {
+
+namespace {
+std::string withMinus(std::string text) {
+  if (!text.starts_with('-')) return text;
+  const bool zero = text.find_first_of("123456789") == std::string::npos;
+  return (zero ? "" : "\u2212") + text.substr(1);
+}
+}  // namespace
+
+std::string fixedText(double value, int decimals) { return withMinus(fmt::format("{:.{}f}", value, decimals)); }
+
+std::string countText(double value) {
+  std::string text = fmt::format("{:.0f}", value);
+  const std::size_t first = text.starts_with('-') ? 1 : 0;
+  for (std::size_t i = text.size(); i > first + 3;) text.insert(i -= 3, ",");
+  return withMinus(text);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The smallest words: what passes between an environment and an agent in one step.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <span>
+
+namespace surefoot {
+
+/// An action by its index, 0 … actions − 1. The environment knows what it means (a torque, a move).
+using Action = int;
+
+/// Most actions an environment may have, and most reward terms. Buffers of these sizes live on the stack.
+inline constexpr int kMaxActions = 4096;
+inline constexpr int kMaxRewardTerms = 8;
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// How an episode ends. After Terminal the value of the next state is 0; after Truncated (a time limit) it is
+/// estimated, because the task would have gone on (Sutton & Barto 2018, section 3.3; Pardo et al. 2018).
+enum class Ending : std::uint8_t { None, Terminal, Truncated };
+
+/// What a person would call this step. A fall need not end the episode (the cliff sends the walker back).
+enum class Event : std::uint8_t { None, Success, Fall };
+
+/// The answer of an environment to one action. `terms` are the named rewards of Task::rewardTerms in their order;
+/// `reward` is their sum.
+struct Outcome {
+  double reward = 0.0;
+  Ending ending = Ending::None;
+  Event event = Event::None;
+  std::array<double, kMaxRewardTerms> terms{};
+};
+
+/// Which estimate to look at: the whole q̂, or one of the two parts that Sarsa_2Q keeps (thesis, section 6.1.2).
+enum class Layer : std::uint8_t { Sum, Positive, Negative };
+
+}  // namespace surefoot

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A file that appears whole or not at all: written beside its place under another name, synced, then renamed.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/result.h"
+
+namespace surefoot {
+
+class WholeFile {
+ public:
+  /// Claims a place for a file that does not exist yet, so that a long run does not end with nowhere to write.
+  /// `what` names it in messages: "log".
+  static Result<WholeFile> createNew(const std::string& what, const std::string& path);
+
+  WholeFile(WholeFile&& other) noexcept;
+  WholeFile(const WholeFile&) = delete;
+  WholeFile& operator=(WholeFile&&) = delete;
+  /// Without commit() nothing is left behind.
+  ~WholeFile();
+
+  /// Writes everything and gives the file its name. Call once.
+  Status commit(std::string_view content);
+
+ private:
+  WholeFile(std::string what, std::string path, std::string temporary, int descriptor)
+      : what_(std::move(what)), path_(std::move(path)), temporary_(std::move(temporary)), descriptor_(descriptor) {}
+  Error failed(int code) const;
+
+  std::string what_, path_, temporary_;
+  int descriptor_ = -1;
+};
+
+}  // namespace surefoot

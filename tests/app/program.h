@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs the program as a user would.
+#pragma once
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace surefoot {
+
+struct Finished {
+  int code = -1;
+  std::string out, err;
+};
+
+/// A folder that goes with the test.
+class Folder {
+ public:
+  Folder() {
+    std::string name = (std::filesystem::temp_directory_path() / "surefoot-XXXXXX").string();
+    path_ = mkdtemp(name.data());
+  }
+  ~Folder() { std::filesystem::remove_all(path_); }
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline std::string contentOf(const std::string& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// `arguments` as one would type them behind the program's name.
+inline Finished surefoot(const std::string& arguments) {
+  const Folder folder;
+  const std::string out = folder.file("out"), err = folder.file("err");
+  const std::string command = std::string("env -u DISPLAY -u WAYLAND_DISPLAY ") + SUREFOOT_PROGRAM + " " + arguments + " >" + out + " 2>" + err + " </dev/null";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), contentOf(out), contentOf(err)};
+}
+
+/// One sentence on standard error, nothing on standard output, the expected code, and the words in it.
+inline void expectRefusal(const std::string& arguments, int code, const std::vector<std::string>& words = {}) {
+  const Finished run = surefoot(arguments);
+  EXPECT_EQ(run.code, code) << arguments << "\n" << run.err;
+  EXPECT_EQ(run.out, "") << arguments;
+  EXPECT_TRUE(run.err.starts_with("surefoot: ")) << arguments << "\n" << run.err;
+  EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << arguments << "\n" << run.err;
+  for (const std::string& word : words) EXPECT_NE(run.err.find(word), std::string::npos) << arguments << "\n" << run.err;
+}
+
+}  // namespace surefoot

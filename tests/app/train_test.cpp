@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <sstream>
+
+#include "tests/app/program.h"
+
+namespace surefoot {
+
+using Json = nlohmann::json;
+
+namespace {
+
+Json train(const std::string& arguments) {
+  const Finished run = surefoot("train " + arguments + " --json");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(run.err, "") << "no progress in a pipe";
+  return Json::parse(run.out);
+}
+
+}  // namespace
+
+TEST(Train, JsonSaysEverythingOfEveryLife) {
+  const Json json = train("--environment pendulum --scenario actual --agent sarsa --features tile-coder --policy softmax "
+                          "--set policy.temperature=1 --seed 5 --episodes 30 --lives 3");
+  EXPECT_TRUE(json["version"].is_string());
+  EXPECT_EQ(json["seed"], 5);
+  EXPECT_EQ(json["configuration"]["policy"], "softmax");
+  EXPECT_EQ(json["configuration"]["parameters"]["policy.temperature"], 1.0);
+  EXPECT_EQ(json["configuration"]["parameters"]["agent.trace"], "replacing");
+  ASSERT_EQ(json["lives"].size(), 3u);
+  for (const Json& life : json["lives"]) {
+    EXPECT_EQ(life["episodes"], 30);
+    EXPECT_LE(life["falls"].get<int>() + life["successes"].get<int>(), 30);
+    EXPECT_NEAR(life["simulated_minutes"].get<double>(), life["steps"].get<double>() * 0.005 / 60, 1e-9);
+    EXPECT_GT(life["steps_per_second"].get<double>(), 0);
+    EXPECT_EQ(life["hash"].get<std::string>().size(), 16u);
+    for (const char* key : {"average_reward", "transitions_success", "transitions_failure"}) EXPECT_TRUE(life.contains(key));
+  }
+}
+
+TEST(Train, TheSameHashForOneAndTwoJobs) {
+  const auto hashes = [](const std::string& jobs) {
+    std::vector<std::string> list;
+    for (const Json& life : train("--lives 5 --episodes 40 --seed 9 --jobs " + jobs)["lives"]) list.push_back(life["hash"]);
+    return list;
+  };
+  EXPECT_EQ(hashes("1"), hashes("2"));
+}
+
+TEST(Train, EndsAtMinutesOrEpisodesWhicheverComesFirst) {
+  EXPECT_EQ(train("--minutes 0.5 --episodes 1000000")["lives"][0]["steps"], 6000);
+  EXPECT_EQ(train("--minutes 500 --episodes 4")["lives"][0]["episodes"], 4);
+}
+
+TEST(Train, MeansWithoutAnythingToAverageAreNull) {
+  const Json life = train("--episodes 1 --set environment.max_steps=1 --set environment.start_angle=0.2 --seed 3")["lives"][0];
+  EXPECT_TRUE(life["transitions_success"].is_null());
+  EXPECT_TRUE(life["transitions_failure"].is_null());
+}
+
+TEST(Train, TheLogHasARowAnEpisodeOfEveryLife) {
+  const Folder folder;
+  const Json json = train("--lives 2 --episodes 25 --log " + folder.file("log.csv"));
+  std::istringstream in(contentOf(folder.file("log.csv")));
+  std::string line;
+  std::getline(in, line);
+  EXPECT_EQ(line, "life,episode,transitions,reward,falls,ending,average_reward,steps,simulated_minutes");
+  int rows = 0, falls = 0;
+  while (std::getline(in, line)) {
+    std::vector<std::string> cells;
+    std::istringstream row(line);
+    for (std::string cell; std::getline(row, cell, ',');) cells.push_back(cell);
+    ASSERT_EQ(cells.size(), 9u) << line;
+    EXPECT_EQ(cells[0], std::to_string(rows / 25));
+    EXPECT_EQ(cells[1], std::to_string(rows % 25 + 1));
+    falls += std::stoi(cells[4]);
+    ++rows;
+  }
+  EXPECT_EQ(rows, 50);
+  EXPECT_EQ(falls, json["lives"][0]["falls"].get<int>() + json["lives"][1]["falls"].get<int>());
+}
+
+TEST(Train, RefusesALogThatExistsOrCannotBe) {
+  const Folder folder;
+  std::ofstream(folder.file("old.csv")) << "old";
+  expectRefusal("train --episodes 1 --log " + folder.file("old.csv"), 3, {"old.csv", "exists"});
+  EXPECT_EQ(contentOf(folder.file("old.csv")), "old");
+  expectRefusal("train --episodes 1 --log " + folder.file("none/new.csv"), 3, {"none/new.csv"});
+  expectRefusal("train --episodes 1 --log ''", 2, {"--log"});
+  expectRefusal("train --episodes 1 --log " + folder.file(""), 3);
+}
+
+TEST(Train, SaysWhenStandardOutputIsFull) {
+  const std::string command = std::string(SUREFOOT_PROGRAM) + " train --episodes 1 --json >/dev/full 2>/dev/null";
+  EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 3);
+}
+
+TEST(Train, CtrlCEndsItWithWhatWasDone) {
+  const Folder folder;
+  const std::string command = std::string("timeout -s INT 1 ") + SUREFOOT_PROGRAM + " train --minutes 900000 --lives 4 --json >" +
+                              folder.file("out") + " 2>" + folder.file("err") + "; echo $? >" + folder.file("code");
+  ASSERT_EQ(std::system(("timeout --preserve-status 20 sh -c '" + command + "'").c_str()), 0);
+  const Json json = Json::parse(contentOf(folder.file("out")));
+  EXPECT_GE(json["lives"].size(), 1u);
+  EXPECT_EQ(json["lives"][0]["complete"], false);
+  EXPECT_NE(contentOf(folder.file("err")).find("interrupted"), std::string::npos);
+}
+
+TEST(Train, DivergenceHasAnExitCodeOfItsOwn) {
+  const Finished run = surefoot("train --episodes 5000 --set agent.step_size=2 --set agent.discount=1 --set agent.trace=accumulating --json");
+  EXPECT_EQ(run.code, 4);
+  EXPECT_NE(run.err.find("agent.trace"), std::string::npos) << run.err;
+  EXPECT_TRUE(Json::parse(run.out)["lives"][0].contains("diverged"));
+}
+
+}  // namespace surefoot

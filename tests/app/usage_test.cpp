@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/app/program.h"
+
+namespace surefoot {
+
+TEST(Usage, HelpAndVersionEverywhere) {
+  for (const char* command : {"", "train", "window", "list", "probabilities"}) {
+    for (const char* option : {"--help", "-h", "--version"}) {
+      const Finished run = surefoot(std::string(command) + " " + option);
+      EXPECT_EQ(run.code, 0) << command << " " << option;
+      EXPECT_NE(run.out.find("urefoot"), std::string::npos) << command << " " << option << run.out;
+      EXPECT_EQ(run.err, "");
+    }
+  }
+}
+
+TEST(Usage, UnknownWordsNameTheNearestKnownOne) {
+  expectRefusal("trian", 2, {"train"});
+  expectRefusal("train --epsiodes 3", 2, {"--epsiodes", "--episodes"});
+  expectRefusal("train --episodes 3 extra", 2, {"extra"});
+  expectRefusal("train --episodes 3 --policy softmacks", 2, {"softmacks", "softmax"});
+  expectRefusal("train --episodes 3 --environment pendulun", 2, {"pendulum"});
+  expectRefusal("train --episodes 3 --scenario 7", 2, {"7", "actual"});
+  expectRefusal("train --episodes 3 --preset leb", 2, {"lab"});
+  expectRefusal("train --episodes 3 --agent q", 2, {"sarsa"});
+  expectRefusal("train --episodes 3 --features tiles", 2, {"tile-coder"});
+  expectRefusal("train --episodes 3 --set policy.epsilom=1", 2, {"policy.epsilon"});
+}
+
+TEST(Usage, NumbersOutOfRangeNameValueAndRange) {
+  expectRefusal("train --episodes 3 --set policy.epsilon=1.5", 2, {"policy.epsilon", "1.5", "0 to 1"});
+  expectRefusal("train --episodes 3 --set policy.epsilon=nan", 2, {"policy.epsilon", "nan"});
+  expectRefusal("train --episodes 3 --set policy.epsilon=inf", 2, {"inf"});
+  expectRefusal("train --episodes 3 --set policy.epsilon=1e999", 2, {"1e999"});
+  expectRefusal("train --episodes 3 --set policy.epsilon=", 2, {"policy.epsilon"});
+  expectRefusal("train --episodes 3 --set features.tilings=2.5", 2, {"features.tilings", "whole number"});
+  expectRefusal("train --episodes 3 --set agent.trace=fading", 2, {"agent.trace", "replacing or accumulating"});
+  expectRefusal("train --episodes 3 --set policy.epsilon", 2, {"KEY=VALUE"});
+  expectRefusal("train --episodes 3 --set =3", 2, {"KEY=VALUE"});
+  expectRefusal("train --episodes 0", 2, {"--episodes", "1 to"});
+  expectRefusal("train --episodes 1e3", 2, {"--episodes", "1e3"});
+  expectRefusal("train --minutes -1", 2, {"--minutes", "-1"});
+  expectRefusal("train --minutes 0", 2, {"--minutes"});
+  expectRefusal("train --minutes nan", 2, {"--minutes", "nan"});
+  expectRefusal("train --episodes 3 --lives 0", 2, {"--lives", "1 to"});
+  expectRefusal("train --episodes 3 --lives -2", 2, {"--lives", "-2"});
+  expectRefusal("train --episodes 3 --jobs 0", 2, {"--jobs", "1 to"});
+  expectRefusal("train --episodes 3 --seed -1", 2, {"--seed", "-1"});
+  expectRefusal("train --episodes 3 --seed 18446744073709551616", 2, {"--seed"});
+}
+
+TEST(Usage, ImpossibleCombinationsAreRefused) {
+  expectRefusal("train", 2, {"--minutes", "--episodes"});
+  expectRefusal("train --episodes 3 --policy softmax --set policy.threshold=1", 2, {"policy.threshold", "trl"});
+  expectRefusal("train --episodes 3 --set features.initial_low=3", 2, {"features.initial_low"});
+  expectRefusal("train --episodes 3 --set features.pole_angle=1000 --set features.pole_rate=1000", 2, {"weights"});
+  expectRefusal("train --episodes 3 --set policy.epsilon=0.1 --set policy.epsilon=0.2", 2, {"twice"});
+  expectRefusal("train --episodes 3 --episodes 4", 2, {"--episodes"});
+  expectRefusal("train --episodes", 2, {"--episodes"});
+  expectRefusal("window --lives 2", 2, {"--lives"});
+}
+
+TEST(Usage, WithoutADisplayTheWindowSaysSo) { expectRefusal("window", 2, {"surefoot train"}); }
+
+}  // namespace surefoot

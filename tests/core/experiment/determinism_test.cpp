@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/experiment.h"
+#include "tests/core/experiment/test_setup.h"
+
+namespace surefoot {
+
+namespace {
+
+std::vector<std::uint64_t> hashes(const Registry& r, const Configuration& c, int jobs) {
+  const auto lives = runLives(r, c, {.jobs = jobs, .keepRows = false, .interrupted = nullptr, .progress = {}});
+  EXPECT_TRUE(lives);
+  std::vector<std::uint64_t> list;
+  for (const LifeResult& life : *lives) list.push_back(life.hash);
+  return list;
+}
+
+}  // namespace
+
+TEST(Determinism, TheSameBitsForAnyNumberOfThreads) {
+  const Registry r = fullRegistry();
+  for (const PolicyEntry& policy : r.policies) {
+    Configuration c = pendulumConfiguration(r, policy.name);
+    c.lives = 6;
+    c.episodes = 120;
+    const auto one = hashes(r, c, 1);
+    ASSERT_EQ(one.size(), 6u);
+    EXPECT_EQ(one, hashes(r, c, 2)) << policy.name;
+    EXPECT_EQ(one, hashes(r, c, 7)) << policy.name;
+  }
+}
+
+// Written down once: a change of these numbers is a change of every result, and belongs into the CHANGELOG.
+TEST(Determinism, TheSameBitsOnEveryMachine) {
+  const Registry r = fullRegistry();
+  Configuration c = pendulumConfiguration(r, "softmax");
+  c.episodes = 200;
+  EXPECT_EQ(hashes(r, c, 1), (std::vector<std::uint64_t>{6960691362851578922ULL}));
+  c = pendulumConfiguration(r, "trl");
+  c.episodes = 200;
+  EXPECT_EQ(hashes(r, c, 1), (std::vector<std::uint64_t>{12101606672467255334ULL}));
+}
+
+TEST(Experiment, AnInterruptKeepsWhatIsDone) {
+  const Registry r = fullRegistry();
+  Configuration c = pendulumConfiguration(r);
+  c.lives = 1000;
+  c.minutes = 1000;
+  std::atomic<bool> interrupted{true};
+  const auto none = runLives(r, c, {.jobs = 2, .keepRows = false, .interrupted = &interrupted, .progress = {}});
+  ASSERT_TRUE(none);
+  EXPECT_TRUE(none->empty());
+
+  interrupted = false;
+  const auto some = runLives(r, c, {.jobs = 2, .keepRows = false, .interrupted = &interrupted,
+                                    .progress = [&](const Progress& p) { if (p.steps > 0) interrupted = true; }});
+  ASSERT_TRUE(some);
+  EXPECT_FALSE(some->empty());
+  for (const LifeResult& life : *some) EXPECT_FALSE(life.complete);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/whole_file.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace surefoot {
+
+namespace {
+
+class WholeFileTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (std::filesystem::temp_directory_path() / "surefoot-XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder = name;
+  }
+  void TearDown() override { std::filesystem::remove_all(folder); }
+  std::string path(const char* name) const { return (folder / name).string(); }
+  std::ptrdiff_t files() const {
+    return std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator());
+  }
+  std::filesystem::path folder;
+};
+
+}  // namespace
+
+TEST_F(WholeFileTest, AppearsWithItsWholeContent) {
+  {
+    auto file = WholeFile::createNew("--log", path("a.csv"));
+    ASSERT_TRUE(file);
+    EXPECT_FALSE(std::filesystem::exists(path("a.csv")));
+    ASSERT_TRUE(file->commit("one\ntwo\n"));
+  }
+  std::ifstream in(path("a.csv"));
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), "one\ntwo\n");
+  EXPECT_EQ(files(), 1);
+}
+
+TEST_F(WholeFileTest, WithoutCommitNothingIsLeft) {
+  { const auto file = WholeFile::createNew("--log", path("a.csv")); ASSERT_TRUE(file); }
+  EXPECT_EQ(files(), 0);
+}
+
+TEST_F(WholeFileTest, AnExistingFileIsRefusedAndKept) {
+  std::ofstream(path("a.csv")) << "old";
+  const auto file = WholeFile::createNew("--log", path("a.csv"));
+  ASSERT_FALSE(file);
+  EXPECT_EQ(file.error().kind, ErrorKind::File);
+  EXPECT_EQ(std::filesystem::file_size(path("a.csv")), 3u);
+}
+
+TEST_F(WholeFileTest, AFileThatAppearedMeanwhileIsNotOverwritten) {
+  auto file = WholeFile::createNew("--log", path("a.csv"));
+  ASSERT_TRUE(file);
+  std::ofstream(path("a.csv")) << "old";
+  EXPECT_FALSE(file->commit("new"));
+  EXPECT_EQ(std::filesystem::file_size(path("a.csv")), 3u);
+}
+
+TEST_F(WholeFileTest, AFolderThatIsNotThereIsNamed) {
+  const auto file = WholeFile::createNew("--log", path("no/such/a.csv"));
+  ASSERT_FALSE(file);
+  EXPECT_NE(file.error().message.find("no/such/a.csv"), std::string::npos);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/parameter_form.h"
+
+#include <QLineEdit>
+#include <QPushButton>
+#include <QToolButton>
+
+#include "tests/ui/window_setup.h"
+#include "ui/message_bar.h"
+#include "ui/parameter_row.h"
+#include "ui/slider.h"
+
+namespace surefoot {
+
+TEST(ParameterForm, HasARowForEveryParameter) {
+  Window w;
+  std::set<std::string> shown;
+  for (const ParameterRow* row : w.window->findChildren<ParameterRow*>()) shown.insert(row->key());
+  for (const auto& entry : w.session->configuration().parameters.all()) EXPECT_TRUE(shown.contains(entry.parameter.key)) << entry.parameter.key;
+}
+
+TEST(ParameterForm, TheSliderReachesBothEndsExactly) {
+  Window w;
+  auto* slider = w.named<Slider>("Step size");
+  slider->setValue(slider->maximum());
+  EXPECT_EQ(w.session->configuration().parameters.get("agent.step_size"), 1.0);
+  slider->setValue(slider->minimum());
+  EXPECT_EQ(w.session->configuration().parameters.get("agent.step_size"), 0.0);
+}
+
+TEST(ParameterForm, ANumberCanBeTyped) {
+  Window w;
+  auto* number = w.named<QLineEdit>("Threshold, number");
+  number->setFocus();
+  number->selectAll();
+  QTest::keyClicks(number, "-12.5");
+  QTest::keyClick(number, Qt::Key_Return);
+  EXPECT_EQ(w.session->configuration().parameters.get("policy.threshold"), -12.5);
+}
+
+TEST(ParameterForm, ATypedNumberOutOfRangeIsRefusedInASentence) {
+  Window w;
+  auto* number = w.named<QLineEdit>("Exploration, number");
+  number->setFocus();
+  number->selectAll();
+  QTest::keyClicks(number, "7");
+  QTest::keyClick(number, Qt::Key_Return);
+  EXPECT_EQ(w.session->configuration().parameters.get("policy.epsilon"), 0.05);
+  EXPECT_TRUE(w.window->messages().isVisible());
+  EXPECT_TRUE(w.window->messages().accessibleName().contains("policy.epsilon"));
+  EXPECT_EQ(number->text(), "0.05");
+}
+
+TEST(ParameterForm, AChangedRowOffersResetAndSaysSinceWhen) {
+  Window w;
+  auto* slider = w.named<Slider>("Discount");
+  slider->setValue(0);
+  auto* reset = w.named<QToolButton>("Reset Discount to its default");
+  EXPECT_TRUE(reset->isVisible());
+  QTest::mouseClick(reset, Qt::LeftButton);
+  EXPECT_EQ(w.session->configuration().parameters.get("agent.discount"), 0.98);
+  EXPECT_FALSE(reset->isVisible());
+}
+
+TEST(ParameterForm, ANewTableIsAskedForBeforeItIsMade) {
+  Window w;
+  auto* number = w.named<QLineEdit>("Tilings, number");
+  number->setFocus();
+  number->selectAll();
+  QTest::keyClicks(number, "8");
+  QTest::keyClick(number, Qt::Key_Return);
+  ASSERT_TRUE(w.window->messages().isVisible());
+  EXPECT_EQ(number->text(), "16") << "nothing has changed yet";
+  for (auto* button : w.window->messages().findChildren<QPushButton*>())
+    if (button->text() == "Start again") QTest::mouseClick(button, Qt::LeftButton);
+  EXPECT_EQ(w.session->configuration().parameters.get("features.tilings"), 8);
+  EXPECT_FALSE(w.window->messages().isVisible());
+}
+
+}  // namespace surefoot

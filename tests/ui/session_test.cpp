@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session.h"
+
+#include <QSignalSpy>
+
+#include "core/experiment/experiment.h"
+#include "tests/ui/window_setup.h"
+
+namespace surefoot {
+
+// With the window open, every panel drawn, in turbo: the same bits as headless.
+TEST(Session, TheSameHashAsHeadless) {
+  Window w("trl", 2000);
+  const auto alone = runLives(w.registry, w.configuration, {.jobs = 1, .keepRows = false, .interrupted = nullptr, .progress = {}});
+  w.session->setTurbo(true);
+  w.session->setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().finished; }, 60'000));
+  EXPECT_FALSE(w.waitFor([&] { return w.session->running(); }, 100)) << "a finished life does not run on";
+  const auto life = w.session->finish();
+  EXPECT_EQ(life->log().totals().episodes, 2000);
+  EXPECT_EQ(life->hash(), (*alone)[0].hash);
+}
+
+TEST(Session, ARestartBeginsAgainWithTheSameBits) {
+  Window w("softmax", 300);
+  w.session->setTurbo(true);
+  w.session->setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().finished; }, 60'000));
+  const LifeTotals first = w.session->snapshot().totals;
+  const auto& curve = w.session->curves().live().points;
+  ASSERT_TRUE(w.waitFor([&] { return !curve.empty() && curve.back().episode == 300; }));
+  w.session->restart();
+  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().life == 2 && w.session->snapshot().finished; }, 60'000));
+  EXPECT_EQ(w.session->snapshot().totals.falls, first.falls);
+  EXPECT_EQ(w.session->snapshot().totals.successSteps, first.successSteps);
+  EXPECT_EQ(w.session->curves().earlier().size(), 1u) << "the first life stays as a faint curve";
+}
+
+TEST(Session, AChangedParameterReachesTheLearnerAndIsNoted) {
+  Window w("epsilon-greedy");
+  ASSERT_TRUE(w.session->setParameter("policy.epsilon", 0.25));
+  ASSERT_TRUE(w.waitFor([&] { return w.session->changedAt("policy.epsilon").has_value(); }));
+  EXPECT_EQ(w.session->changedAt("policy.epsilon"), 0);
+  const auto life = w.session->finish();
+  EXPECT_EQ(life->parameters().get("policy.epsilon"), 0.25);
+}
+
+TEST(Session, AValueOutOfRangeIsRefused) {
+  Window w;
+  const Status s = w.session->setParameter("policy.epsilon", 1.5);
+  ASSERT_FALSE(s);
+  EXPECT_EQ(w.session->configuration().parameters.get("policy.epsilon"), 0.05);
+}
+
+TEST(Session, ATableParameterAsksFirst) {
+  Window w;
+  QSignalSpy spy(w.session.get(), &Session::needsNewTable);
+  ASSERT_TRUE(w.session->setParameter("features.tilings", 8));
+  ASSERT_EQ(spy.count(), 1);
+  EXPECT_EQ(w.session->configuration().parameters.get("features.tilings"), 16);
+  ASSERT_TRUE(w.session->setParameterAndRestart("features.tilings", 8));
+  EXPECT_EQ(w.session->configuration().parameters.get("features.tilings"), 8);
+  EXPECT_TRUE(w.waitFor([&] { return w.session->snapshot().life == 2; }));
+}
+
+TEST(Session, ATableThatIsTooLargeIsRefusedAndTheOldOneKept) {
+  Window w;
+  ASSERT_TRUE(w.session->setParameterAndRestart("features.pole_angle", 1000));
+  const Status s = w.session->setParameterAndRestart("features.pole_rate", 1000);
+  ASSERT_FALSE(s);
+  EXPECT_EQ(w.session->configuration().parameters.get("features.pole_rate"), 6);
+}
+
+TEST(Session, TurboShowsAWorldAtRealTime) {
+  Window w;
+  w.session->setTurbo(true);
+  w.session->setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->values() && w.session->snapshot().steps > 50'000; }));
+  EXPECT_TRUE(w.waitFor([&] { return w.session->factor() > 10; })) << "turbo is faster than real time";
+  EXPECT_EQ(w.session->shown().pose.size(), 5u);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the robot would do now: a row an action, with its value and its probability under the three policies side by side
+// (the thesis's Figure 4.1, live). The threshold of TRL is a line to drag.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QWidget>
+#include <memory>
+#include <vector>
+
+#include "core/policy.h"
+
+class QPainter;
+
+namespace surefoot {
+
+class Session;
+struct Theme;
+
+class ActionRows final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ActionRows(Session& session, QWidget* parent = nullptr);
+  QSize sizeHint() const override { return {576, 240}; }
+  QSize minimumSizeHint() const override { return {480, 200}; }
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+
+ private:
+  struct Column {
+    std::string name;
+    QString title;
+    std::unique_ptr<Policy> policy;
+    std::vector<double> pi;
+  };
+  /// Where things stand; depends on the size only.
+  struct Geometry {
+    double top, row, bottom;                 // first row, height of a row, below the last
+    double label;                            // right end of the actions' values
+    double qLeft, qRight, qNumber;           // scale of Q, right end of its number
+    double first, pitch, bar, number;        // columns of the policies: left ends, bar length, right end of the number
+  };
+
+  void rebuild();
+  void nextFrame();
+  Geometry geometry() const;
+  double xOf(double value, const Geometry& g) const;
+  double threshold() const;
+  void drawHead(QPainter& p, const Theme& t, const Geometry& g) const;
+  void drawRow(QPainter& p, const Theme& t, const Geometry& g, std::size_t action) const;
+  void drawScales(QPainter& p, const Theme& t, const Geometry& g) const;
+  void drawThreshold(QPainter& p, const Theme& t, const Geometry& g) const;
+  bool onThreshold(const QPointF& at) const;
+
+  Session& session_;
+  std::vector<Column> columns_;
+  std::vector<double> q_;
+  int chosen_ = 0;
+  double low_ = -100, high_ = 200;  // scale of Q
+  bool dragging_ = false;
+  QElapsedTimer sinceUpdate_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/live_page.h"
+
+#include <QPainter>
+#include <QProxyStyle>
+#include <QStyleOption>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "core/text.h"
+#include "ui/action_rows.h"
+#include "ui/learning_charts.h"
+#include "ui/panel.h"
+#include "ui/parameter_form.h"
+#include "ui/session.h"
+#include "ui/symbol_text.h"
+#include "ui/theme.h"
+#include "ui/value_maps.h"
+#include "ui/world_view.h"
+
+namespace surefoot {
+
+namespace {
+
+/// Separators between docks: wide enough to take hold of, one hairline to see.
+class HairlineStyle final : public QProxyStyle {
+ public:
+  int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
+    if (metric == PM_DockWidgetSeparatorExtent) return 5;
+    if (metric == PM_DockWidgetFrameWidth) return 0;
+    return QProxyStyle::pixelMetric(metric, option, widget);
+  }
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter, const QWidget* widget) const override {
+    if (element != PE_IndicatorDockWidgetResizeHandle || !widget)
+      return QProxyStyle::drawPrimitive(element, option, painter, widget);
+    const Theme& t = themeOf(*widget);
+    const QRect r = option->rect;
+    painter->fillRect(r, t.panel);
+    const bool upright = r.height() > r.width();
+    painter->fillRect(upright ? QRect(r.center().x(), r.top(), 1, r.height()) : QRect(r.left(), r.center().y(), r.width(), 1), t.hairline);
+  }
+};
+
+QToolButton* headerLink(const QString& text) {
+  auto* button = new QToolButton;
+  button->setText(text);
+  button->setAccessibleName(text);
+  button->setFont(textFont(11));
+  button->setCursor(Qt::PointingHandCursor);
+  button->setStyleSheet(QStringLiteral("QToolButton { border: none; background: transparent; padding: 2px; }"));
+  return button;
+}
+
+}  // namespace
+
+LivePage::LivePage(Session& session, QWidget* parent) : QMainWindow(parent), session_(session) {
+  setWindowFlags(Qt::Widget);
+  auto* style = new HairlineStyle;
+  style->setParent(this);
+  setStyle(style);
+  setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+  setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  setCentralWidget(makeCentre());
+
+  form_ = new ParameterForm(session_);
+  Panel* parameters = addPanel(tr("Parameters"), "parameters", form_, Qt::LeftDockWidgetArea);
+  parameters->header().setNote(tr("preset %1").arg(toText(session_.configuration().names.preset)));
+  auto* links = new QWidget;
+  auto* row = new QHBoxLayout(links);
+  row->setContentsMargins(0, 0, 4, 0);
+  row->setSpacing(2);
+  QToolButton *all = headerLink(tr("More")), *reset = headerLink(tr("Reset all"));
+  row->addWidget(all);
+  row->addWidget(reset);
+  parameters->header().addWidget(links);
+  connect(all, &QToolButton::clicked, this, [this, all, parameters] {
+    form_->setShowAll(!form_->showsAll());
+    all->setText(form_->showsAll() ? tr("Fewer") : tr("More"));
+  });
+  connect(reset, &QToolButton::clicked, form_, &ParameterForm::resetAll);
+  connect(form_, &ParameterForm::refused, this, &LivePage::refused);
+
+  Panel* actions = addPanel(tr("What the robot would do now"), "actions", new ActionRows(session_), Qt::BottomDockWidgetArea);
+  auto* maps = new ValueMaps(session_);
+  Panel* mapsPanel = addPanel(tr("Value maps"), "maps", maps, Qt::RightDockWidgetArea);
+  connect(maps, &ValueMaps::noteChanged, &mapsPanel->header(), &PanelHeader::setNote);
+  Panel* reward = addPanel(tr("Average reward"), "reward", new LearningChart(session_, LearningChart::Shows::AverageReward), Qt::RightDockWidgetArea);
+  reward->header().setNote(tr("last 80 episodes"));
+  Panel* falls = addPanel(tr("Falls"), "falls", new LearningChart(session_, LearningChart::Shows::Falls), Qt::RightDockWidgetArea);
+  falls->header().setNote(tr("cumulative; each mark on the axis is one"));
+
+  connect(&session_, &Session::stateChanged, this, [this, actions] {
+    const bool viewing = session_.turbo() && session_.running();
+    actions->header().setNote(viewing ? tr("in the state of the real-time world") : tr("in the live state"));
+  });
+  actions->header().setNote(tr("in the live state"));
+  connect(&session_, &Session::frame, this, [this] {
+    const bool viewing = session_.turbo() && session_.running();
+    const double factor = session_.factor();
+    const QString speed = toText(factor < 9.95 ? fixedText(factor, 1) : countText(factor >= 1000 ? std::round(factor / 100) * 100 : factor));
+    worldHeader_->setNote(viewing ? tr("real time, newest Q-function; the learner runs ×%1").arg(speed)
+                          : session_.running() ? tr("the learner's own, ×%1").arg(speed)
+                                               : tr("the learner's own, paused"));
+  });
+}
+
+QWidget* LivePage::makeCentre() {
+  auto* centre = new QWidget;
+  auto* column = new QVBoxLayout(centre);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  worldHeader_ = new PanelHeader(tr("World"), true, centre);
+  worldHeader_->setOnPaper(true);
+  world_ = new WorldView(session_, centre);
+  column->addWidget(worldHeader_);
+  column->addWidget(world_, 1);
+  connect(worldHeader_, &PanelHeader::fullSizeAsked, this, [this] { toggleFull(centralWidget()); });
+  return centre;
+}
+
+Panel* LivePage::addPanel(const QString& title, const QString& name, QWidget* content, Qt::DockWidgetArea area) {
+  auto* panel = new Panel(title, name, content, content != form_, this);
+  addDockWidget(area, panel);
+  panels_.push_back(panel);
+  connect(&panel->header(), &PanelHeader::fullSizeAsked, this, [this, panel] { toggleFull(panel); });
+  return panel;
+}
+
+void LivePage::toggleFull(QWidget* panel) {
+  const bool back = full_ != nullptr;
+  if (back) {
+    centralWidget()->show();
+    restoreState(before_, kLayoutVersion);
+  } else {
+    before_ = layoutState();
+    for (Panel* other : panels_) other->setVisible(other == panel);
+    centralWidget()->setVisible(panel == centralWidget());
+  }
+  full_ = back ? nullptr : panel;
+  worldHeader_->setFull(full_ == centralWidget());
+  for (Panel* p : panels_) p->header().setFull(full_ == p);
+}
+
+void LivePage::resetLayout() {
+  if (full_) toggleFull(full_);
+  const auto panel = [this](const char* name) { return findChild<Panel*>(QLatin1String(name)); };
+  for (Panel* p : panels_) {
+    p->setFloating(false);
+    p->show();
+  }
+  addDockWidget(Qt::LeftDockWidgetArea, panel("parameters"));
+  addDockWidget(Qt::BottomDockWidgetArea, panel("actions"));
+  addDockWidget(Qt::RightDockWidgetArea, panel("maps"));
+  addDockWidget(Qt::RightDockWidgetArea, panel("reward"));
+  addDockWidget(Qt::RightDockWidgetArea, panel("falls"));
+  untouched_ = true;
+  shareSpace();
+}
+
+void LivePage::shareSpace() {
+  // The columns of the 1280 px window are 264, 576 and 440; a wider one gives most to the middle.
+  const auto panel = [this](const char* name) { return findChild<Panel*>(QLatin1String(name)); };
+  const bool wide = width() >= 1800;
+  resizeDocks({panel("parameters"), panel("maps")}, {wide ? 288 : 264, wide ? 632 : 440}, Qt::Horizontal);
+  resizeDocks({panel("actions")}, {268}, Qt::Vertical);
+  resizeDocks({panel("maps"), panel("reward"), panel("falls")}, {wide ? 440 : 300, wide ? 288 : 196, wide ? 274 : 190}, Qt::Vertical);
+}
+
+bool LivePage::restoreLayout(const QByteArray& state) {
+  laidOut_ = restoreState(state, kLayoutVersion);
+  untouched_ = !laidOut_;
+  return laidOut_;
+}
+
+void LivePage::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  if (laidOut_ && untouched_ && !full_) shareSpace();
+}
+
+// What reaches the page itself and none of its panels is a separator.
+void LivePage::mousePressEvent(QMouseEvent* event) {
+  untouched_ = false;
+  QMainWindow::mousePressEvent(event);
+}
+
+void LivePage::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  if (!laidOut_) resetLayout();
+  laidOut_ = true;
+}
+
+}  // namespace surefoot

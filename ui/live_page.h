@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The Live page: the world in the middle, the panels as docks around it.
+#pragma once
+
+#include <QMainWindow>
+#include <vector>
+
+namespace surefoot {
+
+class Panel;
+class ParameterForm;
+class Session;
+class WorldView;
+
+class LivePage final : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit LivePage(Session& session, QWidget* parent = nullptr);
+  const std::vector<Panel*>& panels() const { return panels_; }
+  WorldView& world() { return *world_; }
+  /// The widths and heights of the first start.
+  void resetLayout();
+  QByteArray layoutState() const { return saveState(kLayoutVersion); }
+  bool restoreLayout(const QByteArray& state);
+
+ Q_SIGNALS:
+  void refused(const QString& sentence);
+
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+
+ private:
+  static constexpr int kLayoutVersion = 1;
+
+  Panel* addPanel(const QString& title, const QString& name, QWidget* content, Qt::DockWidgetArea area);
+  QWidget* makeCentre();
+  void toggleFull(QWidget* panel);
+  void shareSpace();
+
+  Session& session_;
+  WorldView* world_ = nullptr;
+  class PanelHeader* worldHeader_ = nullptr;
+  ParameterForm* form_ = nullptr;
+  std::vector<Panel*> panels_;
+  QWidget* full_ = nullptr;  // the panel that has the whole page
+  QByteArray before_;        // the layout to come back to
+  bool laidOut_ = false;
+  bool untouched_ = true;    // no one has moved a separator: the columns follow the width of the window
+};
+
+}  // namespace surefoot

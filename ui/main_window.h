@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window: menus, pages, toolbar, message bar, status line.
+#pragma once
+
+#include <QMainWindow>
+
+#include "ui/run_bar.h"
+
+class QAbstractButton;
+class QMenu;
+class QStackedWidget;
+
+namespace surefoot {
+
+class LivePage;
+class MessageBar;
+class Session;
+enum class Appearance;
+
+class MainWindow final : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(Session& session, QWidget* parent = nullptr);
+  LivePage& livePage() { return *live_; }
+  MessageBar& messages() { return *messages_; }
+  void setPage(int page);
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+
+ private:
+  QAction* addAction(QMenu* menu, const QString& text, const QString& tip, const QKeySequence& key);
+  void makeActions();
+  void makeMenus();
+  QWidget* makeTabs();
+  QWidget* makePlaceholder(const QString& title, const QString& words);
+  void setAppearance(Appearance appearance);
+  void restoreSettings();
+  void refresh();
+  void showShortcuts();
+  void showAbout();
+
+  Session& session_;
+  RunActions run_{};
+  RunBar* bar_ = nullptr;
+  MessageBar* messages_ = nullptr;
+  QStackedWidget* pages_ = nullptr;
+  LivePage* live_ = nullptr;
+  std::vector<QAbstractButton*> tabs_;
+  std::vector<QAction*> shortcuts_;
+  QString divergenceShown_;
+};
+
+}  // namespace surefoot

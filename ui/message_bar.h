@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One sentence over the panels, with what can be done about it. No dialog boxes.
+#pragma once
+
+#include <QWidget>
+#include <functional>
+
+class QLabel;
+class QPushButton;
+
+namespace surefoot {
+
+class MessageBar final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit MessageBar(QWidget* parent = nullptr);
+  /// Shows a sentence with only Dismiss.
+  void say(const QString& sentence);
+  /// Shows a question; `answer` is the text of the button that calls `then`.
+  void ask(const QString& sentence, const QString& answer, std::function<void()> then);
+  void dismiss();
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+
+ private:
+  QLabel* text_;
+  QPushButton *answer_, *dismiss_;
+  std::function<void()> then_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A dock with a header of our own: title, a quiet note, and a button that gives it the whole window and back.
+#pragma once
+
+#include <QDockWidget>
+
+class QAbstractButton;
+
+namespace surefoot {
+
+/// The 32 px above a panel's content. Drawn, so that every panel's baseline is the same.
+class PanelHeader final : public QWidget {
+  Q_OBJECT
+
+ public:
+  PanelHeader(const QString& title, bool canFill, QWidget* parent = nullptr);
+  void setNote(const QString& note);
+  void setFull(bool full);
+  /// The world lies on paper, all else on the panel's colour.
+  void setOnPaper(bool paper) { paper_ = paper; }
+  /// Puts a small widget at the right end, before the button.
+  void addWidget(QWidget* widget);
+  QSize sizeHint() const override { return {100, 32}; }
+  QSize minimumSizeHint() const override { return {60, 32}; }
+
+ Q_SIGNALS:
+  void fullSizeAsked();
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+  void resizeEvent(QResizeEvent*) override;
+
+ private:
+  QString title_, note_;
+  QAbstractButton* button_ = nullptr;
+  QWidget* extra_ = nullptr;
+  bool paper_ = false;
+};
+
+class Panel final : public QDockWidget {
+  Q_OBJECT
+
+ public:
+  Panel(const QString& title, const QString& name, QWidget* content, bool canFill, QWidget* parent);
+  PanelHeader& header() { return *header_; }
+
+ private:
+  PanelHeader* header_;
+};
+
+
+}  // namespace surefoot

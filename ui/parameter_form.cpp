@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/parameter_form.h"
+
+#include <QPainter>
+#include <QVBoxLayout>
+#include <set>
+
+#include "ui/parameter_row.h"
+#include "ui/session.h"
+#include "ui/symbol_text.h"
+#include "ui/theme.h"
+
+namespace surefoot {
+
+namespace {
+
+constexpr int kRoomForMore = 860;  // [px] from this height on the second rank of parameters is shown as well
+
+/// "POLICY", and when a change of what stands below takes effect, if not at once.
+class SectionHead final : public QWidget {
+ public:
+  SectionHead(const QString& title, const QString& tag, bool caution, bool first, QWidget* parent)
+      : QWidget(parent), title_(title), tag_(tag), caution_(caution), first_(first) {
+    setFixedHeight(first ? 26 : 42);
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    const Theme& t = themeOf(*this);
+    QPainter p(this);
+    if (!first_) p.fillRect(QRect(0, 7, width(), 1), t.hairline);
+    QFont font = textFont(11, 500);
+    font.setLetterSpacing(QFont::AbsoluteSpacing, 0.6);
+    p.setFont(font);
+    p.setPen(t.quiet);
+    p.drawText(QPointF(0, height() - 9), title_.toUpper());
+    p.setFont(textFont(11));
+    p.setPen(caution_ ? t.caution : t.quiet);
+    p.drawText(QRectF(0, height() - 22, width(), 18), Qt::AlignRight | Qt::AlignVCenter, tag_);
+  }
+
+ private:
+  QString title_, tag_;
+  bool caution_, first_;
+};
+
+QString titleOf(Group group) {
+  switch (group) {
+    case Group::Policy: return QObject::tr("Policy");
+    case Group::Learning: return QObject::tr("Learning");
+    case Group::Rewards: return QObject::tr("Rewards");
+    case Group::Representation: return QObject::tr("Representation");
+    case Group::Model: break;
+  }
+  return QObject::tr("Model");
+}
+
+/// The policy that alone uses a key, or "": ε belongs to ε-greedy first, whoever else uses it.
+std::string ownerOf(const Registry& registry, const std::string& key) {
+  std::vector<std::string> owners;
+  for (const PolicyEntry& entry : registry.policies)
+    for (const std::string& used : policyKeys(entry))
+      if (used == key) owners.push_back(entry.name);
+  if (owners.empty()) return "";
+  return key == "policy.below" ? "" : owners.front();
+}
+
+}  // namespace
+
+ParameterForm::ParameterForm(Session& session, QWidget* parent) : QScrollArea(parent), session_(session) {
+  setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setFrameShape(QFrame::NoFrame);
+  setMinimumWidth(264);
+  build();
+  connect(&session_, &Session::configurationChanged, this, &ParameterForm::refresh);
+  connect(&session_, &Session::valuesArrived, this, &ParameterForm::refresh);
+}
+
+void ParameterForm::build() {
+  auto* page = new QWidget;
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(12, 0, 12, 12);
+  column->setSpacing(0);
+  bool first = true;
+  for (const Group group : {Group::Policy, Group::Learning, Group::Rewards, Group::Representation, Group::Model}) {
+    const bool newTable = group == Group::Representation, nextEpisode = group == Group::Model;
+    column->addWidget(new SectionHead(titleOf(group), newTable ? tr("new table") : nextEpisode ? tr("next episode") : QString(),
+                                      newTable, first, page));
+    first = false;
+    for (const auto& entry : session_.configuration().parameters.all()) {
+      const Parameter& p = entry.parameter;
+      if (p.group != group) continue;
+      auto* row = new ParameterRow(p, ownerOf(session_.registry(), p.key), page);
+      connect(row, &ParameterRow::edited, this, &ParameterForm::edit);
+      connect(row, &ParameterRow::refused, this, &ParameterForm::refused);
+      column->addWidget(row);
+      rows_.push_back(row);
+      orders_.push_back(p.order);
+    }
+  }
+  column->addStretch(1);
+  setWidget(page);
+  chooseRows();
+  refresh();
+}
+
+void ParameterForm::setShowAll(bool all) {
+  all_ = all;
+  chooseRows();
+}
+
+void ParameterForm::chooseRows() {
+  const int most = all_ ? 3 : height() >= kRoomForMore ? 2 : 1;
+  for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i]->setVisible(orders_[i] <= most);
+}
+
+void ParameterForm::resizeEvent(QResizeEvent* event) {
+  QScrollArea::resizeEvent(event);
+  chooseRows();
+}
+
+void ParameterForm::refresh() {
+  const Configuration& c = session_.configuration();
+  const auto policy = findEntry(session_.registry().policies, "policy", c.names.policy);
+  const std::vector<std::string> keys = policyKeys(**policy);
+  const std::set<std::string> inForce(keys.begin(), keys.end());
+  for (ParameterRow* row : rows_) {
+    row->show(c.parameters.get(row->key()), session_.changedAt(row->key()));
+    row->setInForce(inForce.contains(row->key()));
+  }
+}
+
+void ParameterForm::edit(const QString& key, double value) {
+  if (const Status s = session_.setParameter(key.toStdString(), value); !s) Q_EMIT refused(toText(s.error().message));
+  refresh();
+}
+
+void ParameterForm::resetAll() {
+  for (const auto& entry : session_.configuration().parameters.all())
+    if (entry.value != entry.parameter.fallback && entry.parameter.when != When::NewTable)
+      edit(toText(entry.parameter.key), entry.parameter.fallback);
+}
+
+}  // namespace surefoot

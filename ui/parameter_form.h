@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The form of all parameters, made from their declarations.
+#pragma once
+
+#include <QScrollArea>
+#include <vector>
+
+#include "core/parameters.h"
+
+namespace surefoot {
+
+class ParameterRow;
+class Session;
+
+class ParameterForm final : public QScrollArea {
+  Q_OBJECT
+
+ public:
+  explicit ParameterForm(Session& session, QWidget* parent = nullptr);
+  /// All parameters, or only those that fit the usual window.
+  void setShowAll(bool all);
+  bool showsAll() const { return all_; }
+  QSize sizeHint() const override { return {264, 640}; }
+
+ public Q_SLOTS:
+  void resetAll();
+
+ Q_SIGNALS:
+  void refused(const QString& sentence);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  void build();
+  void refresh();
+  void chooseRows();
+  void edit(const QString& key, double value);
+
+  Session& session_;
+  bool all_ = false;
+  std::vector<ParameterRow*> rows_;
+  std::vector<int> orders_;  // [row] Parameter::order
+};
+
+}  // namespace surefoot

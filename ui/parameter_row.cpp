@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/parameter_row.h"
+
+#include <QComboBox>
+#include <QLineEdit>
+#include <QPainter>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <cmath>
+
+#include "core/text.h"
+#include "ui/slider.h"
+#include "ui/symbol_text.h"
+#include "ui/theme.h"
+
+namespace surefoot {
+
+namespace {
+constexpr int kRow = 24, kChanged = 18, kName = 20, kUnit = 28;  // [px]
+
+QString tip(const Parameter& p) {
+  const QString symbol = p.symbol.empty() ? QString() : QStringLiteral(" %1").arg(toText(p.symbol));
+  const QString unit = p.unit.empty() ? QString() : QStringLiteral(" [%1]").arg(toText(p.unit));
+  return QStringLiteral("<b>%1</b>%2%3<br>%4<br>Allowed: %5. Default: %6 (%7).")
+      .arg(toText(p.title), symbol, unit, toText(p.help).toHtmlEscaped(), toText(allowedValues(p)),
+           toText(formatValue(p, p.fallback)), toText(p.origin));
+}
+}  // namespace
+
+ParameterRow::ParameterRow(const Parameter& parameter, const std::string& policy, QWidget* parent)
+    : QWidget(parent), parameter_(parameter), policy_(policy), value_(parameter.fallback) {
+  const QString name = toText(parameter_.title);
+  setToolTip(tip(parameter_));
+  if (parameter_.kind == Kind::Choice) {
+    choice_ = new QComboBox(this);
+    for (const std::string& c : parameter_.choices) choice_->addItem(toText(c));
+    choice_->setAccessibleName(name);
+    connect(choice_, &QComboBox::activated, this, [this](int index) { Q_EMIT edited(toText(parameter_.key), index); });
+  } else {
+    slider_ = new Slider(this);
+    slider_->setAccessibleName(name);
+    number_ = new QLineEdit(this);
+    number_->setAccessibleName(tr("%1, number").arg(name));
+    number_->setFrame(false);
+    number_->setAlignment(Qt::AlignRight);
+    number_->setTextMargins(0, 0, 0, 0);
+    connect(slider_, &QSlider::valueChanged, this, &ParameterRow::sliderMoved);
+    connect(number_, &QLineEdit::editingFinished, this, &ParameterRow::numberTyped);
+  }
+  reset_ = new QToolButton(this);
+  reset_->setText(tr("Reset"));
+  reset_->setAccessibleName(tr("Reset %1 to its default").arg(name));
+  reset_->setAutoRaise(true);
+  reset_->setCursor(Qt::PointingHandCursor);
+  QFont small = textFont(11);
+  small.setUnderline(true);
+  reset_->setFont(small);
+  reset_->setStyleSheet(QStringLiteral("QToolButton { border: none; background: transparent; padding: 0; }"));
+  reset_->hide();
+  connect(reset_, &QToolButton::clicked, this, [this] { Q_EMIT edited(toText(parameter_.key), parameter_.fallback); });
+  setFixedHeight(kRow);
+}
+
+bool ParameterRow::logarithmic() const {
+  return parameter_.sliderLow > 0 && parameter_.sliderHigh / parameter_.sliderLow >= 50;
+}
+
+double ParameterRow::valueAt(int position) const {
+  const double share = static_cast<double>(position) / Slider::kSteps;
+  const double low = parameter_.sliderLow, high = parameter_.sliderHigh;
+  if (position == 0) return low;
+  if (position == Slider::kSteps) return high;
+  double value = logarithmic() ? low * std::pow(high / low, share) : low + share * (high - low);
+  // Round numbers: three digits of the range, whole numbers where the parameter has no others.
+  const double unit = parameter_.kind == Kind::Integer ? 1.0
+                      : logarithmic()                  ? std::pow(10.0, std::floor(std::log10(value)) - 1)
+                                                       : std::pow(10.0, std::floor(std::log10(high - low)) - 2);
+  value = std::round(value / unit) * unit;
+  return std::clamp(value, low, high);
+}
+
+int ParameterRow::sliderAt(double value) const {
+  const double low = parameter_.sliderLow, high = parameter_.sliderHigh;
+  const double v = std::clamp(value, low, high);
+  const double share = logarithmic() ? std::log(v / low) / std::log(high / low) : (v - low) / (high - low);
+  return static_cast<int>(std::lround(share * Slider::kSteps));
+}
+
+QString ParameterRow::textOf(double value) const {
+  QString text = QString::number(value, 'g', 6);
+  const double size = std::abs(value);
+  if (parameter_.kind == Kind::Real && size < 10 && size >= 0.01 && text.size() < 4) text = QString::number(value, 'f', 2);
+  if (text.size() > 7) text = QString::number(value, 'g', 3);
+  if (parameter_.sliderHigh >= 10 && value == std::floor(value) && size < 1e6) text = QString::number(value, 'f', 0);
+  return text.replace('-', QChar(0x2212));
+}
+
+void ParameterRow::show(double value, std::optional<std::int64_t> changedAt) {
+  value_ = value;
+  changedAt_ = value == parameter_.fallback ? std::nullopt : changedAt;
+  const bool changed = value != parameter_.fallback;
+  if (choice_) {
+    const QSignalBlocker blocker(choice_);
+    choice_->setCurrentIndex(static_cast<int>(value));
+  } else {
+    const QSignalBlocker blockSlider(slider_), blockNumber(number_);
+    if (!slider_->isSliderDown()) slider_->setValue(sliderAt(value));
+    if (!number_->hasFocus() || !number_->isModified()) number_->setText(textOf(value));
+  }
+  reset_->setVisible(changed);
+  setFixedHeight(changed ? kRow + kChanged : kRow);
+  update();
+}
+
+void ParameterRow::setInForce(bool inForce) {
+  inForce_ = inForce;
+  update();
+}
+
+void ParameterRow::sliderMoved(int position) {
+  number_->setModified(false);
+  const double value = valueAt(position);
+  if (value != value_) Q_EMIT edited(toText(parameter_.key), value);
+}
+
+void ParameterRow::numberTyped() {
+  if (!number_->isModified()) return;
+  number_->setModified(false);
+  QString text = number_->text().trimmed();
+  text.replace(QChar(0x2212), '-').replace(',', '.');
+  const Result<double> value = parseValue(parameter_, text.toStdString());
+  if (value)
+    Q_EMIT edited(toText(parameter_.key), *value);
+  else
+    Q_EMIT refused(toText(value.error().message));
+  number_->setText(textOf(value_));
+}
+
+void ParameterRow::resizeEvent(QResizeEvent*) {
+  const int w = width();
+  const int right = w - kUnit - 2;
+  if (choice_) {
+    choice_->setGeometry(w / 2, 1, w / 2, kRow - 2);
+  } else {
+    constexpr int kNumber = 46;
+    const int left = w / 2 - 9;
+    number_->setGeometry(right - kNumber, 2, kNumber, kRow - 4);
+    slider_->setGeometry(left, 0, right - kNumber - left + 2, kRow);
+  }
+  reset_->setGeometry(w - 36, kRow - 2, 36, kChanged);
+}
+
+void ParameterRow::paintEvent(QPaintEvent*) {
+  const Theme& t = themeOf(*this);
+  QPainter p(this);
+  if (!policy_.empty()) drawMarker(p, {5, kRow / 2.0}, policyLook(policy_, t), inForce_);
+  const QFont font = textFont(13);
+  p.setFont(font);
+  p.setPen(t.ink);
+  const QString title = toText(parameter_.title);
+  const double baseline = kRow / 2.0 + 4.5;
+  p.drawText(QPointF(kName, baseline), title);
+  p.setPen(t.quiet);
+  drawSymbol(p, kName + QFontMetricsF(font).horizontalAdvance(title) + 5, baseline, toText(parameter_.symbol));
+  p.setFont(textFont(11));
+  QString unit = toText(parameter_.unit);
+  if (QFontMetricsF(p.font()).horizontalAdvance(unit) > kUnit - 3) unit.remove(' ');
+  p.drawText(QPointF(width() - kUnit + 3, baseline - 0.5), unit);
+  if (!changedAt_ && value_ == parameter_.fallback) return;
+  const QString fallback = textOf(parameter_.fallback);
+  const QString text = changedAt_ ? tr("set at step %1, default %2").arg(toText(countText(static_cast<double>(*changedAt_))), fallback)
+                                  : tr("default %1").arg(fallback);
+  p.drawText(QPointF(kName, kRow + 9), text);
+}
+
+}  // namespace surefoot

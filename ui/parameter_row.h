@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One parameter in the form: marker, name and symbol, slider, number, unit; below it, once changed, since when, with the
+// default and Reset.
+#pragma once
+
+#include <QWidget>
+#include <optional>
+#include <string>
+
+#include "core/parameters.h"
+
+class QComboBox;
+class QLineEdit;
+class QToolButton;
+
+namespace surefoot {
+
+class Slider;
+
+class ParameterRow final : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `policies`: whose marker stands before the name, for a parameter that belongs to one policy.
+  ParameterRow(const Parameter& parameter, const std::string& policy, QWidget* parent = nullptr);
+
+  const std::string& key() const { return parameter_.key; }
+  /// Shows a value and since which step it holds, if it was changed.
+  void show(double value, std::optional<std::int64_t> changedAt);
+  /// Whether the marker's policy is in force.
+  void setInForce(bool inForce);
+
+ Q_SIGNALS:
+  void edited(const QString& key, double value);
+  /// The text that was typed is no allowed value: one sentence.
+  void refused(const QString& sentence);
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+  void resizeEvent(QResizeEvent*) override;
+
+ private:
+  double valueAt(int slider) const;
+  int sliderAt(double value) const;
+  QString textOf(double value) const;
+  void sliderMoved(int position);
+  void numberTyped();
+  bool logarithmic() const;
+
+  Parameter parameter_;
+  std::string policy_;
+  bool inForce_ = false;
+  double value_ = 0.0;
+  bool showing_ = false;
+  std::optional<std::int64_t> changedAt_;
+  Slider* slider_ = nullptr;
+  QLineEdit* number_ = nullptr;
+  QComboBox* choice_ = nullptr;
+  QToolButton* reset_ = nullptr;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/run_bar.h"
+
+#include <QAbstractButton>
+#include <QEvent>
+#include <QPainter>
+#include <QSignalBlocker>
+#include <QWheelEvent>
+#include <cmath>
+
+#include "core/text.h"
+#include "ui/icons.h"
+#include "ui/session.h"
+#include "ui/slider.h"
+#include "ui/symbol_text.h"
+#include "ui/theme.h"
+
+namespace surefoot {
+
+namespace {
+
+constexpr double kSlowest = 0.1, kFastest = 8.0;  // times real time
+constexpr int kButton = 32;
+
+double paceAt(int position) {
+  const double pace = kSlowest * std::pow(kFastest / kSlowest, static_cast<double>(position) / Slider::kSteps);
+  return std::abs(pace - 1.0) < 0.06 ? 1.0 : pace;  // real time is easy to hit
+}
+int positionOf(double pace) {
+  return static_cast<int>(std::lround(Slider::kSteps * std::log(pace / kSlowest) / std::log(kFastest / kSlowest)));
+}
+
+/// "×4,300", and less than ten with a decimal.
+QString factorText(double factor) {
+  const double rounded = factor >= 1000 ? std::round(factor / 100) * 100 : factor >= 100 ? std::round(factor / 10) * 10 : factor;
+  return QStringLiteral("×") + toText(factor < 9.95 ? fixedText(factor, 1) : countText(rounded));
+}
+
+/// 32 px high; filled with ink (the main one), framed with a text (turbo), or quiet.
+class BarButton final : public QAbstractButton {
+ public:
+  enum class Look { Main, Quiet, Framed };
+  BarButton(QAction* action, Icon icon, Look look, QWidget* parent) : QAbstractButton(parent), action_(action), icon_(icon), look_(look) {
+    setFocusPolicy(Qt::StrongFocus);
+    resize(look == Look::Framed ? 80 : kButton, kButton);
+    connect(this, &QAbstractButton::clicked, action, &QAction::trigger);
+    connect(action, &QAction::changed, this, [this] { refresh(); });
+    refresh();
+  }
+  void setIcon(Icon icon) {
+    icon_ = icon;
+    update();
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    const Theme& t = themeOf(*this);
+    QPainter p(this);
+    p.setRenderHint(QPainter::Antialiasing);
+    const QRectF frame = QRectF(rect()).adjusted(1, 1, -1, -1);
+    const bool pressed = isDown() || (look_ == Look::Framed && action_->isChecked());
+    QColor ink = isEnabled() ? t.ink : t.outline;
+    p.setPen(Qt::NoPen);
+    p.setBrush(Qt::NoBrush);
+    if (look_ == Look::Main) {
+      p.setBrush(t.ink);
+      ink = t.panel;
+    } else if (look_ == Look::Framed) {
+      p.setPen(QPen(pressed ? t.ink : t.outline, pressed ? 1.75 : 1));
+      if (pressed || underMouse()) p.setBrush(t.fill);
+    } else if (underMouse()) {
+      p.setBrush(t.fill);
+    }
+    p.drawRoundedRect(frame, 4, 4);
+    if (hasFocus()) {
+      p.setPen(QPen(t.accent, 2));
+      p.setBrush(Qt::NoBrush);
+      p.drawRoundedRect(frame, 4, 4);
+    }
+    if (look_ == Look::Framed) {
+      drawIcon(p, icon_, QRectF(4, 0, 24, height()), ink);
+      p.setFont(textFont(13, 500));
+      p.setPen(ink);
+      p.drawText(QRectF(28, 0, width() - 32, height()), Qt::AlignVCenter | Qt::AlignLeft, tr("Turbo"));
+    } else {
+      drawIcon(p, icon_, rect(), ink);
+    }
+  }
+
+ private:
+  void refresh() {
+    setEnabled(action_->isEnabled());
+    setAccessibleName(action_->text().remove('&'));
+    const QString shortcut = action_->shortcut().toString(QKeySequence::NativeText);
+    setToolTip(shortcut.isEmpty() ? action_->toolTip() : QStringLiteral("%1 (%2)").arg(action_->toolTip(), shortcut));
+    update();
+  }
+
+  QAction* action_;
+  Icon icon_;
+  Look look_;
+};
+
+/// A combo box with a chevron in ink: the style sheet that flattens the frame takes the arrow away.
+class BarCombo final : public QComboBox {
+ public:
+  using QComboBox::QComboBox;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override {
+    QComboBox::paintEvent(event);
+    QPainter p(this);
+    drawIcon(p, Icon::Chevron, QRectF(width() - 26, 0, 20, height()), themeOf(*this).ink);
+  }
+  void wheelEvent(QWheelEvent* event) override { event->ignore(); }
+};
+
+QIcon markerIcon(const std::string& policy, const Theme& t) {
+  QPixmap pixmap(32, 32);
+  pixmap.setDevicePixelRatio(2);
+  pixmap.fill(Qt::transparent);
+  QPainter p(&pixmap);
+  drawMarker(p, {8, 8}, policyLook(policy, t), true);
+  return pixmap;
+}
+
+}  // namespace
+
+RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
+    : QWidget(parent), session_(session), actions_(actions) {
+  setFixedHeight(48);
+  auto* run = new BarButton(actions.run, Icon::Run, BarButton::Look::Main, this);
+  buttons_ = {run, new BarButton(actions.step, Icon::Step, BarButton::Look::Quiet, this),
+              new BarButton(actions.restart, Icon::Restart, BarButton::Look::Quiet, this)};
+  pace_ = new Slider(this);
+  pace_->setAccessibleName(tr("Pace"));
+  pace_->setToolTip(tr("How fast the world runs while turbo is off: %1 to %2 times real time").arg(kSlowest).arg(kFastest));
+  pace_->setValue(positionOf(session.pace()));
+  connect(pace_, &QSlider::valueChanged, this, [this](int position) { session_.setPace(paceAt(position)); });
+  buttons_.push_back(new BarButton(actions.turbo, Icon::Turbo, BarButton::Look::Framed, this));
+
+  scenario_ = makeCombo(tr("Scenario"));
+  for (const auto& entry : session.registry().scenarios)
+    if (entry.environment == session.configuration().names.environment) {
+      scenario_->addItem(toText(entry.title), toText(entry.name));
+      scenario_->setItemData(scenario_->count() - 1, toText(entry.help), Qt::ToolTipRole);
+    }
+  connect(scenario_, &QComboBox::activated, this, [this](int i) { session_.setScenario(scenario_->itemData(i).toString().toStdString()); });
+  agent_ = makeCombo(tr("Learning rule"));
+  for (const auto& entry : session.registry().agents) agent_->addItem(toText(entry.title), toText(entry.name));
+  policy_ = makeCombo(tr("Policy"));
+  for (const auto& entry : session.registry().policies) {
+    policy_->addItem(toText(entry.title), toText(entry.name));
+    policy_->setItemData(policy_->count() - 1, toText(entry.help), Qt::ToolTipRole);
+  }
+  connect(policy_, &QComboBox::activated, this, [this](int i) { session_.setPolicy(policy_->itemData(i).toString().toStdString()); });
+
+  connect(&session_, &Session::stateChanged, this, [this, run] {
+    run->setIcon(session_.running() ? Icon::Pause : Icon::Run);
+    refresh();
+  });
+  connect(&session_, &Session::configurationChanged, this, &RunBar::refresh);
+  connect(&session_, &Session::frame, this, [this] { update(); });
+  styleCombos();
+  refresh();
+}
+
+QComboBox* RunBar::makeCombo(const QString& name) {
+  auto* combo = new BarCombo(this);
+  combo->setAccessibleName(name);
+  combo->setToolTip(name);
+  return combo;
+}
+
+void RunBar::styleCombos() {
+  const Theme& t = themeOf(*this);
+  const QString style = QStringLiteral(
+      "QComboBox { border: 1px solid %1; border-radius: 4px; padding: 0 8px; background: %2; color: %3; }"
+      "QComboBox:focus { border: 2px solid %4; padding: 0 7px; }"
+      "QComboBox::drop-down { border: none; width: 18px; } QComboBox::down-arrow { image: none; }"
+      "QComboBox QAbstractItemView { background: %2; color: %3; selection-background-color: %5; selection-color: %3;"
+      " border: 1px solid %1; }")
+      .arg(t.outline.name(), t.panel.name(), t.ink.name(), t.accent.name(), t.fill.name());
+  for (QComboBox* combo : {scenario_, agent_, policy_}) combo->setStyleSheet(style);
+  for (int i = 0; i < policy_->count(); ++i) policy_->setItemIcon(i, markerIcon(policy_->itemData(i).toString().toStdString(), t));
+}
+
+void RunBar::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) styleCombos();
+}
+
+void RunBar::changePace(int notches) { pace_->setValue(pace_->value() + notches * Slider::kSteps / 20); }
+
+void RunBar::refresh() {
+  const Names& names = session_.configuration().names;
+  const auto select = [](QComboBox& combo, const std::string& name) {
+    const QSignalBlocker blocker(combo);
+    combo.setCurrentIndex(combo.findData(toText(name)));
+  };
+  select(*scenario_, names.scenario);
+  select(*agent_, names.agent);
+  select(*policy_, names.policy);
+  if (!pace_->isSliderDown()) {
+    const QSignalBlocker blocker(pace_);
+    if (paceAt(pace_->value()) != session_.pace()) pace_->setValue(positionOf(session_.pace()));
+  }
+  update();
+}
+
+void RunBar::layOut() {
+  int x = 8;
+  for (int i = 0; i < 3; ++i, x += 40) buttons_[static_cast<std::size_t>(i)]->move(x, 8);
+  x += 64 - 1;
+  pace_->setGeometry(x, 12, 106, 24);
+  paceLabel_ = x + 112;
+  buttons_[3]->move(static_cast<int>(paceLabel_) + 24 + 20, 8);
+  factorLabel_ = buttons_[3]->x() + 88;
+  x = static_cast<int>(factorLabel_) + 68;
+  for (QComboBox* combo : {scenario_, agent_, policy_}) {
+    const int w = combo == scenario_ ? 148 : combo == policy_ ? 116 : 96;
+    combo->setGeometry(x, 8, w, kButton);
+    x += w + 8;
+  }
+}
+
+void RunBar::paintEvent(QPaintEvent*) {
+  const Theme& t = themeOf(*this);
+  QPainter p(this);
+  p.fillRect(rect(), t.panel);
+  p.fillRect(QRect(0, height() - 1, width(), 1), t.hairline);
+  for (const int x : {buttons_[2]->geometry().right() + 16, scenario_->x() - 11}) p.fillRect(QRect(x, 12, 1, 24), t.hairline);
+  p.setFont(textFont(13));
+  p.setPen(t.quiet);
+  p.drawText(QRectF(pace_->x() - 44, 8, 40, kButton), Qt::AlignVCenter | Qt::AlignRight, tr("Pace"));
+  p.setPen(t.ink);
+  const double pace = session_.pace();
+  p.drawText(QRectF(paceLabel_, 8, 40, kButton), Qt::AlignVCenter, QStringLiteral("%1×").arg(pace < 9.95 && pace != 1.0 ? QString::number(pace, 'f', 1) : QString::number(pace, 'f', 0)));
+  if (session_.running() && session_.factor() > 0)
+    p.drawText(QRectF(factorLabel_, 8, 64, kButton), Qt::AlignVCenter, factorText(session_.factor()));
+
+  // Falls large; from the right: "episodes", its number, "falls", its number.
+  double right = width() - 12;
+  const auto put = [&](const QString& text, int pixels, int weight, const QColor& colour, double baseline, double gap) {
+    p.setFont(textFont(pixels, weight));
+    p.setPen(colour);
+    const double w = symbolWidth(p.font(), text);
+    if (right - w < policy_->geometry().right() + 12) return;
+    drawSymbol(p, right - w, baseline, text);
+    right -= w + gap;
+  };
+  const LifeTotals& totals = session_.snapshot().totals;
+  put(tr("episodes"), 11, 400, t.quiet, 30, 6);
+  put(toText(countText(static_cast<double>(totals.episodes))), 13, 500, t.ink, 30, 20);
+  put(tr("falls"), 11, 400, t.quiet, 30, 7);
+  put(toText(countText(static_cast<double>(totals.falls))), 24, 500, t.fallText, 30, 0);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The toolbar: run, step, restart; pace and turbo; scenario, learning rule and policy; falls and episodes.
+#pragma once
+
+#include <QAction>
+#include <QComboBox>
+#include <QWidget>
+
+namespace surefoot {
+
+class Session;
+class Slider;
+struct Theme;
+
+/// The actions that toolbar, menu and shortcuts share.
+struct RunActions {
+  QAction *run, *step, *restart, *turbo, *faster, *slower;
+};
+
+class RunBar final : public QWidget {
+  Q_OBJECT
+
+ public:
+  RunBar(Session& session, const RunActions& actions, QWidget* parent = nullptr);
+  QSize sizeHint() const override { return {1280, 48}; }
+  /// One notch up or down the slider.
+  void changePace(int notches);
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+  void resizeEvent(QResizeEvent*) override { layOut(); }
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void layOut();
+  void refresh();
+  void styleCombos();
+  QComboBox* makeCombo(const QString& name);
+
+  Session& session_;
+  RunActions actions_;
+  std::vector<QWidget*> buttons_;
+  Slider* pace_;
+  QComboBox *scenario_, *agent_, *policy_;
+  double paceLabel_ = 0, factorLabel_ = 0;  // left ends [px]
+};
+
+}  // namespace surefoot

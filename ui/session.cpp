@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace surefoot {
+
+namespace {
+constexpr int kFrame = 16;          // [ms]
+constexpr int kValuesEvery = 100;   // [ms]
+constexpr int kFlash = 200;         // [ms]
+}  // namespace
+
+Session::Session(const Registry& registry, Configuration configuration, bool keepRows, QObject* parent)
+    : QObject(parent), registry_(registry), configuration_(std::move(configuration)), keepRows_(keepRows) {
+  auto life = makeFirstLife();
+  assert(life && "the configuration was checked before");
+  learner_ = std::make_unique<LearnerThread>(std::move(*life));
+  makeViewer();
+  timer_.setTimerType(Qt::PreciseTimer);
+  connect(&timer_, &QTimer::timeout, this, &Session::tick);
+  timer_.start(kFrame);
+  clock_.start();
+  sinceValues_.start();
+}
+
+Session::~Session() = default;
+
+Result<std::unique_ptr<Life>> Session::makeFirstLife() const { return makeLife(registry_, configuration_, 0, keepRows_); }
+
+void Session::makeViewer() {
+  auto environment = makeEnvironment(registry_, configuration_);
+  auto policy = makePolicy(registry_, configuration_.names.policy, configuration_.parameters);
+  assert(environment && policy);
+  viewer_ = std::make_unique<Viewer>(std::move(*environment), std::move(*policy),
+                                     deriveSeed(configuration_.seed, 0, Stream::Viewer));
+}
+
+const ValueSnapshot* Session::values() const {
+  const ValueSnapshot& v = learner_->values();
+  return v.values && v.life == lifeSent_ ? &v : nullptr;
+}
+
+double Session::factor() const { return stepsPerSecond_ * task().stepTime.value_or(0.0); }
+
+std::optional<std::int64_t> Session::changedAt(const std::string& key) const {
+  const ValueSnapshot* v = values();
+  if (!v) return std::nullopt;
+  for (auto change = v->changes.rbegin(); change != v->changes.rend(); ++change)
+    if (change->key == key) return change->step;
+  return std::nullopt;
+}
+
+void Session::tick() {
+  const double seconds = static_cast<double>(clock_.nsecsElapsed()) * 1e-9;
+  clock_.restart();
+  learner_->takeSnapshot();
+  learner_->wantSnapshot();
+  if (learner_->takeValues() && values()) {
+    curves_.update(configuration_.names.policy, values()->curve);
+    Q_EMIT valuesArrived();
+  }
+  if (sinceValues_.elapsed() >= kValuesEvery) {
+    sinceValues_.restart();
+    learner_->wantValues();
+  }
+  if (snapshot().life != lifeShown_) {
+    lifeShown_ = snapshot().life;
+    stepsBefore_ = fallsBefore_ = 0;
+    stepsPerSecond_ = speedSeconds_ = 0;
+  }
+  if (running_ && runFinished()) {
+    running_ = false;
+    learner_->send(SetRunning{false});
+    Q_EMIT stateChanged();
+  }
+  speedSeconds_ += seconds;
+  measureSpeed();
+  show(seconds);
+  Q_EMIT frame();
+}
+
+void Session::measureSpeed() {
+  constexpr double kOver = 0.5;  // [s]
+  if (speedSeconds_ < kOver) return;
+  stepsPerSecond_ = static_cast<double>(snapshot().steps - stepsBefore_) / speedSeconds_;
+  stepsBefore_ = snapshot().steps;
+  speedSeconds_ = 0;
+}
+
+void Session::show(double seconds) {
+  const bool viewing = turbo_ && running_ && values();
+  std::int64_t falls = snapshot().totals.falls;
+  if (viewing) {
+    viewer_->advance(seconds, *values()->values);
+    shown_.state.assign(viewer_->environment().state().begin(), viewer_->environment().state().end());
+    shown_.pose = viewer_->pose();
+    shown_.q = viewer_->q();
+    shown_.action = viewer_->action();
+    falls = viewer_->falls();
+  } else {
+    shown_.state = snapshot().state;
+    shown_.pose = snapshot().pose;
+    shown_.q = snapshot().q;
+    shown_.action = snapshot().action;
+  }
+  if (falls == fallsBefore_ + 1) sinceFall_.start();  // one fall; a jump by many is a change of the world shown
+  fallsBefore_ = falls;
+  shown_.flash = sinceFall_.isValid() && sinceFall_.elapsed() < kFlash;
+}
+
+void Session::setRunning(bool running) {
+  if (running && runFinished()) return;
+  running_ = running;
+  learner_->send(SetRunning{running});
+  Q_EMIT stateChanged();
+}
+
+void Session::setTurbo(bool turbo) {
+  turbo_ = turbo;
+  learner_->send(SetTurbo{turbo});
+  Q_EMIT stateChanged();
+}
+
+void Session::setPace(double pace) {
+  pace_ = pace;
+  learner_->send(SetPace{pace});
+  Q_EMIT stateChanged();
+}
+
+void Session::stepOnce() {
+  if (running_) setRunning(false);
+  learner_->send(SingleStep{});
+}
+
+void Session::adopt(std::unique_ptr<Life> life) {
+  const bool wasFinished = runFinished();
+  curves_.archive();
+  makeViewer();
+  learner_->send(ReplaceLife{std::move(life)});
+  ++lifeSent_;
+  if (wasFinished) setRunning(true);
+  Q_EMIT lifeReplaced();
+}
+
+void Session::restart() {
+  auto life = makeFirstLife();
+  assert(life && "every change was checked when it was made");
+  adopt(std::move(*life));
+}
+
+Status Session::setParameter(const std::string& key, double value) {
+  const Parameters::Entry* entry = configuration_.parameters.find(key);
+  if (entry && entry->parameter.when == When::NewTable && value != entry->value) {
+    const auto checked = checkValue(entry->parameter, value);
+    if (!checked) return checked.error();
+    Q_EMIT needsNewTable(QString::fromStdString(key), value);
+    return Done{};
+  }
+  if (const Status s = configuration_.parameters.set(key, value); !s) return s;
+  learner_->send(SetParameter{key, value});
+  const auto apply = [&](Configurable& part, const char* prefix) {
+    Fields fields(prefix);
+    part.declare(fields);
+    configuration_.parameters.apply(fields);
+  };
+  apply(viewer_->policy(), "policy.");
+  if (key.starts_with("environment.")) makeViewer();
+  Q_EMIT configurationChanged();
+  return Done{};
+}
+
+Status Session::setParameterAndRestart(const std::string& key, double value) {
+  Configuration changed = configuration_;
+  if (const Status s = changed.parameters.set(key, value); !s) return s;
+  auto life = makeLife(registry_, changed, 0, keepRows_);
+  if (!life) return life.error();
+  configuration_ = std::move(changed);
+  adopt(std::move(*life));
+  Q_EMIT configurationChanged();
+  return Done{};
+}
+
+void Session::setPolicy(const std::string& name) {
+  auto forLearner = makePolicy(registry_, name, configuration_.parameters);
+  auto forViewer = makePolicy(registry_, name, configuration_.parameters);
+  if (!forLearner || !forViewer) return;
+  configuration_.names.policy = name;
+  learner_->send(SetPolicy{std::move(*forLearner)});
+  viewer_->setPolicy(std::move(*forViewer));
+  Q_EMIT configurationChanged();
+}
+
+void Session::setScenario(const std::string& name) {
+  const auto entry = findEntry(registry_.scenarios, "scenario", name);
+  if (!entry) return;
+  configuration_.names.scenario = name;
+  for (const auto& [key, value] : (*entry)->values)
+    if (!setParameter(key, value)) return;
+  Q_EMIT configurationChanged();
+}
+
+std::unique_ptr<Life> Session::finish() {
+  timer_.stop();
+  return learner_->stop();
+}
+
+}  // namespace surefoot

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the window is about: a configuration, the life that runs, and the newest snapshots of it. Turns what a person does
+// into commands for the learner's thread, and its snapshots into signals.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+#include <memory>
+#include <optional>
+
+#include "core/experiment/configuration.h"
+#include "core/experiment/learner_thread.h"
+#include "ui/run_curves.h"
+#include "ui/viewer.h"
+
+namespace surefoot {
+
+/// What the panels show: the learner's world, or in turbo the viewer's.
+struct Shown {
+  std::vector<double> state, pose, q;
+  Action action = 0;
+  bool flash = false;  ///< it fell within the last 200 ms
+};
+
+class Session final : public QObject {
+  Q_OBJECT
+
+ public:
+  Session(const Registry& registry, Configuration configuration, bool keepRows, QObject* parent = nullptr);
+  ~Session() override;
+
+  const Registry& registry() const { return registry_; }
+  const Configuration& configuration() const { return configuration_; }
+  const Environment& environment() const { return viewer_->environment(); }
+  const Task& task() const { return viewer_->environment().task(); }
+
+  const Snapshot& snapshot() const { return learner_->snapshot(); }
+  /// nullptr until the first has come.
+  const ValueSnapshot* values() const;
+  const Shown& shown() const { return shown_; }
+  /// Curves of this life and of those before it.
+  const RunCurves& curves() const { return curves_; }
+
+  bool running() const { return running_; }
+  bool turbo() const { return turbo_; }
+  double pace() const { return pace_; }
+  /// Learning steps per second of wall-clock time, as measured.
+  double stepsPerSecond() const { return stepsPerSecond_; }
+  /// How many times faster than real time; 0 where the task has no clock.
+  double factor() const;
+  /// The step at which a parameter was last changed, if it was.
+  std::optional<std::int64_t> changedAt(const std::string& key) const;
+  /// The life has reached its limit, or diverged.
+  bool runFinished() const {
+    return snapshot().life == lifeSent_ && (snapshot().finished || !snapshot().divergence.empty());
+  }
+
+  void setRunning(bool running);
+  void setTurbo(bool turbo);
+  void setPace(double pace);
+  void stepOnce();
+  /// A new life with the present configuration and the same seed; the old one stays as a faint curve.
+  void restart();
+  /// Changes a parameter of the running life, or, if it needs a new table, asks for a restart first (needsNewTable).
+  Status setParameter(const std::string& key, double value);
+  /// The same, with the new life at once.
+  Status setParameterAndRestart(const std::string& key, double value);
+  void setPolicy(const std::string& name);
+  void setScenario(const std::string& name);
+
+  /// Ends the learner's thread; the life as it is.
+  std::unique_ptr<Life> finish();
+
+ Q_SIGNALS:
+  void frame();            ///< about 60 times a second
+  void valuesArrived();    ///< at most ten times a second
+  void stateChanged();     ///< running, turbo, pace
+  void configurationChanged();
+  void lifeReplaced();
+  void needsNewTable(const QString& key, double value);
+
+ private:
+  void tick();
+  void show(double seconds);
+  void measureSpeed();
+  void makeViewer();
+  Result<std::unique_ptr<Life>> makeFirstLife() const;
+  void adopt(std::unique_ptr<Life> life);
+
+  const Registry& registry_;
+  Configuration configuration_;
+  bool keepRows_;
+  std::unique_ptr<LearnerThread> learner_;
+  std::unique_ptr<Viewer> viewer_;
+  Shown shown_;
+  RunCurves curves_;
+  QTimer timer_;
+  QElapsedTimer clock_, sinceValues_, sinceFall_;
+  bool running_ = false, turbo_ = false;
+  double pace_ = 1.0;
+  double stepsPerSecond_ = 0.0;
+  std::int64_t stepsBefore_ = 0, fallsBefore_ = 0;
+  double speedSeconds_ = 0.0;
+  std::uint64_t lifeSent_ = 1, lifeShown_ = 0;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/slider.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <cmath>
+
+#include "ui/theme.h"
+
+namespace surefoot {
+
+namespace {
+constexpr double kMargin = 9;  // room for the focus ring [px]
+}
+
+Slider::Slider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
+  setRange(0, kSteps);
+  setSingleStep(kSteps / 100);
+  setPageStep(kSteps / 10);
+  setFocusPolicy(Qt::StrongFocus);
+}
+
+double Slider::knob() const { return kMargin + (width() - 2 * kMargin) * (value() - minimum()) / (maximum() - minimum()); }
+
+void Slider::paintEvent(QPaintEvent*) {
+  const Theme& t = themeOf(*this);
+  QPainter p(this);
+  p.setRenderHint(QPainter::Antialiasing);
+  const double y = height() / 2.0, x = knob();
+  p.setPen(QPen(t.track, 3, Qt::SolidLine, Qt::RoundCap));
+  p.drawLine(QPointF(kMargin, y), QPointF(width() - kMargin, y));
+  p.setPen(QPen(isEnabled() ? t.ink : t.outline, 3, Qt::SolidLine, Qt::RoundCap));
+  p.drawLine(QPointF(kMargin, y), QPointF(x, y));
+  if (hasFocus()) {
+    p.setPen(QPen(t.accent, 2));
+    p.setBrush(Qt::NoBrush);
+    p.drawEllipse(QPointF(x, y), 8, 8);
+  }
+  p.setPen(QPen(isEnabled() ? t.ink : t.outline, 1.5));
+  p.setBrush(t.panel);
+  p.drawEllipse(QPointF(x, y), 5.25, 5.25);
+}
+
+void Slider::follow(const QMouseEvent& event) {
+  const double share = (event.position().x() - kMargin) / (width() - 2 * kMargin);
+  setValue(minimum() + static_cast<int>(std::lround(share * (maximum() - minimum()))));
+}
+
+void Slider::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return;
+  setSliderDown(true);
+  follow(*event);
+}
+
+void Slider::mouseMoveEvent(QMouseEvent* event) {
+  if (isSliderDown()) follow(*event);
+}
+
+void Slider::mouseReleaseEvent(QMouseEvent*) { setSliderDown(false); }
+
+// A wheel that scrolls the form must not turn a parameter on its way.
+void Slider::wheelEvent(QWheelEvent* event) { event->ignore(); }
+
+}  // namespace surefoot

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/status_line.h"
+
+#include <QPainter>
+#include <cmath>
+
+#include "core/text.h"
+#include "ui/session.h"
+#include "ui/symbol_text.h"
+#include "ui/theme.h"
+
+namespace surefoot {
+
+StatusLine::StatusLine(Session& session, QWidget* parent) : QWidget(parent), session_(session) {
+  setFixedHeight(24);
+  setAccessibleName(tr("State of the life"));
+  connect(&session_, &Session::frame, this, &StatusLine::refresh);
+}
+
+QStringList StatusLine::segments() const {
+  const Snapshot& s = session_.snapshot();
+  QStringList list;
+  if (!std::isnan(s.simulatedSeconds)) list << tr("%1 min simulated").arg(toText(fixedText(s.simulatedSeconds / 60, 2)));
+  list << tr("%1 steps").arg(toText(countText(static_cast<double>(s.steps))));
+  const double speed = session_.stepsPerSecond();
+  if (session_.running())
+    list << (speed >= 1e5 ? tr("%1 M steps/s").arg(toText(fixedText(speed / 1e6, 2))) : tr("%1 steps/s").arg(toText(countText(speed))));
+  const Parameters& p = session_.configuration().parameters;
+  if (s.totals.successes > 0 && p.find("environment.goal_reward")) {
+    // eq. 4.1: threshold = γ^n*·R_goal, n* the mean transitions of the successful episodes so far.
+    const double n = static_cast<double>(s.totals.successSteps) / static_cast<double>(s.totals.successes);
+    const double threshold = std::pow(p.get("agent.discount"), n) * p.get("environment.goal_reward");
+    list << tr("n* %1 → rule-of-thumb threshold %2").arg(toText(fixedText(n, 0)), toText(fixedText(threshold, 0)));
+  }
+  list << tr("seed %1").arg(session_.configuration().seed);
+  return list;
+}
+
+QString StatusLine::state() const {
+  const ValueSnapshot* v = session_.values();
+  QString text = v && v->endOfLearning > 0 ? tr("learning ended at episode %1").arg(toText(countText(static_cast<double>(v->endOfLearning)))) : QString();
+  if (session_.snapshot().finished) text = tr("the life is complete") + (text.isEmpty() ? "" : "; " + text);
+  else if (!session_.running()) text = tr("paused") + (text.isEmpty() ? "" : "; " + text);
+  return text;
+}
+
+void StatusLine::refresh() {
+  const QStringList now = segments();
+  const QString nowState = state();
+  if (now == segments_ && nowState == state_) return;
+  segments_ = now;
+  state_ = nowState;
+  update();
+}
+
+void StatusLine::paintEvent(QPaintEvent*) {
+  const Theme& t = themeOf(*this);
+  QPainter p(this);
+  p.fillRect(rect(), t.panel);
+  p.fillRect(QRect(0, 0, width(), 1), t.hairline);
+  p.setFont(textFont(11));
+  p.setPen(t.quiet);
+  const double stateWidth = symbolWidth(p.font(), state_);
+  drawSymbol(p, QRectF(0, 0, width() - 12, height()), Qt::AlignRight, state_);
+  double x = 12;
+  for (const QString& segment : segments_) {
+    const double w = symbolWidth(p.font(), segment);
+    if (x + w > width() - stateWidth - 32) break;
+    if (x > 12) p.fillRect(QRectF(x - 12, 6, 1, 12), t.hairline);
+    p.setPen(t.quiet);
+    drawSymbol(p, QRectF(x, 0, w, height()), Qt::AlignLeft, segment);
+    x += w + 24;
+  }
+}
+
+}  // namespace surefoot

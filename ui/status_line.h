@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The line at the foot: simulated time, steps, speed, rule of thumb, seed; at the right the state of learning.
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+
+namespace surefoot {
+
+class Session;
+
+class StatusLine final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit StatusLine(Session& session, QWidget* parent = nullptr);
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+
+ private:
+  void refresh();
+  QStringList segments() const;
+  QString state() const;
+
+  Session& session_;
+  QStringList segments_;
+  QString state_;
+};
+
+}  // namespace surefoot

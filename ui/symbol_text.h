@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Text with dotted letters (α̇, β̇). Combining dots stand in the wrong place in most fonts, so the dot is drawn.
+#pragma once
+
+#include <QPainter>
+#include <QString>
+#include <string>
+
+#include "ui/theme.h"
+
+namespace surefoot {
+
+/// Width of the text, a U+0307 counting nothing [px].
+double symbolWidth(const QFont& font, const QString& text);
+
+/// Draws with the painter's pen and font; x, y are the left end of the baseline.
+void drawSymbol(QPainter& painter, double x, double y, const QString& text);
+
+/// Draws the text in a rectangle, aligned as Qt::AlignLeft, AlignHCenter or AlignRight, centred vertically.
+void drawSymbol(QPainter& painter, const QRectF& where, Qt::Alignment alignment, const QString& text);
+
+/// A policy's marker in a circle of about 4 px around the point; filled: in force.
+void drawMarker(QPainter& painter, QPointF centre, const PolicyLook& look, bool filled);
+
+inline QString toText(const std::string& text) { return QString::fromStdString(text); }
+
+}  // namespace surefoot

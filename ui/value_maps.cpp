@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/value_maps.h"
+
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/text.h"
+#include "ui/session.h"
+#include "ui/symbol_text.h"
+
+namespace surefoot {
+
+namespace {
+constexpr double kLeft = 47, kTop = 24, kUnder = 48;  // gutters [px]
+constexpr int kCell = 3, kSmallCell = 2;              // [px]
+constexpr double kFamiliar = 0.25;                    // share of the active tiles below which a state counts as never visited
+constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
+
+/// A round number for ticks: about `count` of them in the range.
+double tickStep(double range, int count) {
+  const double raw = range / count, power = std::pow(10.0, std::floor(std::log10(raw)));
+  for (const double m : {1.0, 2.0, 5.0})
+    if (m * power >= raw) return m * power;
+  return 10 * power;
+}
+}  // namespace
+
+ValueMaps::ValueMaps(Session& session, QWidget* parent) : QWidget(parent), session_(session) {
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  connect(&session_, &Session::valuesArrived, this, &ValueMaps::recompute);
+  connect(&session_, &Session::lifeReplaced, this, [this] { any_ = false; update(); });
+}
+
+ValueMaps::Geometry ValueMaps::geometry() const {
+  const double room = std::min((width() - 145.0) / 1.5, height() - kTop - kUnder);
+  const double m = std::floor(std::max(room, 60.0) / kCell) * kCell;
+  const double s = std::floor((m - 28) / 2 / kSmallCell) * kSmallCell;
+  Geometry g;
+  g.big = QRectF(kLeft, kTop, m, m);
+  g.bigBar = QRectF(g.big.right() + 8, kTop, 10, m);
+  const double x = g.big.right() + 60;
+  g.upper = QRectF(x, kTop, s, s);
+  g.upperBar = QRectF(x + s + 8, kTop, 10, s);
+  g.lower = QRectF(x, kTop + m - s, s, s);
+  g.lowerBar = QRectF(x + s + 8, kTop + m - s, 10, s);
+  return g;
+}
+
+void ValueMaps::recompute() {
+  const ValueSnapshot* v = session_.values();
+  if (!isVisible() || !v || session_.task().state.size() < 2 || session_.shown().state.empty()) return;
+  const Task& task = session_.task();
+  const bool dark = themeOf(*this).dark;
+  const Geometry g = geometry();
+  slice_.at = session_.shown().state;
+  qScale_ = {MapScale::Kind::Diverging, std::min(task.lowestReturn, -1.0), std::max(task.highestReturn, 1.0)};
+  eligibilityScale_ = {MapScale::Kind::Positive, 0, 1};
+
+  const ActionValueFunction& values = *v->values;
+  std::vector<double> q(static_cast<std::size_t>(values.actions()));
+  const auto best = [&q] { return *std::max_element(q.begin(), q.end()); };
+  const auto known = [&](std::span<const double> s) { return values.familiarity(s) >= kFamiliar; };
+  q_.compute(task, slice_, static_cast<int>(g.big.width()) / kCell, qScale_, [&](std::span<const double> s) {
+    if (!known(s)) return kNever;
+    values.evaluate(s, Layer::Sum, q);
+    return best();
+  }, dark);
+
+  const int cells = static_cast<int>(g.upper.width()) / kSmallCell;
+  double most = 10;
+  visits_.compute(task, slice_, cells, visitScale_, [&](std::span<const double> s) {
+    most = std::max(most, values.visits(s));
+    return known(s) ? values.visits(s) : kNever;
+  }, dark);
+  visitScale_ = {MapScale::Kind::Viridis, 1, std::pow(10.0, std::ceil(std::log10(most)))};  // settles with the next picture
+  eligibility_.compute(task, slice_, cells, eligibilityScale_, [&](std::span<const double> s) {
+    if (!known(s)) return kNever;
+    values.average(v->eligibility, s, q);
+    return best();
+  }, dark);
+  any_ = true;
+  Q_EMIT noteChanged(note());
+  update();
+}
+
+QString ValueMaps::note() const {
+  const auto& variables = session_.task().state;
+  QString text = tr("best action,  %1 × %2").arg(toText(variables[0].symbol), toText(variables[1].symbol));
+  for (std::size_t d = 2; d < variables.size() && d < slice_.at.size(); ++d)
+    text += tr(",  %1 live %2").arg(toText(variables[d].symbol), toText(fixedText(slice_.at[d], 1)));
+  return text;
+}
+
+void ValueMaps::drawAxes(QPainter& p, const QRectF& m, const Theme& t) const {
+  const StateVariable &x = session_.task().state[0], &y = session_.task().state[1];
+  p.setFont(textFont(11));
+  const double xStep = tickStep(x.viewHigh - x.viewLow, 4), yStep = tickStep(y.viewHigh - y.viewLow, 6);
+  const auto text = [](double v, double step) { return toText(fixedText(v, step < 1 ? 1 : 0)); };
+  for (double v = std::ceil(x.viewLow / xStep) * xStep; v <= x.viewHigh; v += xStep) {
+    const double at = m.left() + (v - x.viewLow) / (x.viewHigh - x.viewLow) * m.width();
+    p.setPen(QPen(t.outline, 1));
+    p.drawLine(QPointF(at, m.bottom()), QPointF(at, m.bottom() + 4));
+    p.setPen(t.quiet);
+    drawSymbol(p, QRectF(at - 30, m.bottom() + 4, 60, 16), Qt::AlignHCenter, text(v, xStep));
+  }
+  for (double v = std::ceil(y.viewLow / yStep) * yStep; v <= y.viewHigh; v += yStep) {
+    const double at = m.bottom() - (v - y.viewLow) / (y.viewHigh - y.viewLow) * m.height();
+    p.setPen(QPen(t.outline, 1));
+    p.drawLine(QPointF(m.left() - 4, at), QPointF(m.left(), at));
+    p.setPen(t.quiet);
+    drawSymbol(p, QRectF(m.left() - 47, at - 8, 40, 16), Qt::AlignRight, text(v, yStep));
+  }
+  const auto title = [](const StateVariable& v) {
+    return QStringLiteral("%1 %2 [%3]").arg(toText(v.title), toText(v.symbol), toText(v.unit));
+  };
+  drawSymbol(p, QRectF(m.left(), m.bottom() + 22, m.width(), 16), Qt::AlignHCenter, title(x));
+  p.save();
+  p.translate(m.left() - 40, m.center().y());
+  p.rotate(-90);
+  drawSymbol(p, QRectF(-100, -8, 200, 16), Qt::AlignHCenter, title(y));
+  p.restore();
+}
+
+void ValueMaps::paintEvent(QPaintEvent*) {
+  const Theme& t = themeOf(*this);
+  QPainter p(this);
+  p.fillRect(rect(), t.panel);
+  if (session_.task().state.size() < 2) {
+    p.setFont(textFont(11));
+    p.setPen(t.quiet);
+    p.drawText(rect(), Qt::AlignCenter, tr("A map needs two state variables; this environment has one."));
+    return;
+  }
+  const Geometry g = geometry();
+  const std::vector<double>& live = session_.shown().state;
+  p.setFont(textFont(13, 500));
+  p.setPen(t.ink);
+  p.drawText(QPointF(g.big.left(), kTop - 8), QStringLiteral("Q"));
+  p.drawText(QPointF(g.upper.left(), kTop - 8), tr("Visits"));
+  p.drawText(QPointF(g.lower.left(), g.lower.top() - 8), tr("Eligibility"));
+  if (!any_) {
+    p.setFont(textFont(11));
+    p.setPen(t.quiet);
+    p.drawText(g.big, Qt::AlignCenter | Qt::TextWordWrap, tr("The map appears with the first steps."));
+    return;
+  }
+  const Task& task = session_.task();
+  q_.draw(p, g.big, t, task, live, 6);
+  visits_.draw(p, g.upper, t, task, live, 4);
+  eligibility_.draw(p, g.lower, t, task, live, 4);
+  const double half = qScale_.high / 2;
+  const double qNumbers[] = {qScale_.low, qScale_.low / 2, 0, half, qScale_.high};
+  ValueMap::drawBar(p, g.bigBar, qScale_, t, qNumbers);
+  const double middle = std::pow(10.0, std::floor(std::log10(visitScale_.high) / 2));
+  const double visitNumbers[] = {1, middle, visitScale_.high};
+  ValueMap::drawBar(p, g.upperBar, visitScale_, t, visitNumbers);
+  const double eligibilityNumbers[] = {0, 0.5, 1};
+  ValueMap::drawBar(p, g.lowerBar, eligibilityScale_, t, eligibilityNumbers);
+  drawAxes(p, g.big, t);
+
+  const QRectF key(g.lower.left(), g.lower.bottom() + 25, 16, 10);
+  p.save();
+  p.setClipRect(key);
+  p.setRenderHint(QPainter::Antialiasing);
+  p.setPen(QPen(t.outline, 1));
+  for (int x = -12; x < 18; x += 5) p.drawLine(QPointF(key.left() + x, key.bottom()), QPointF(key.left() + x + 10, key.top()));
+  p.restore();
+  p.setPen(QPen(t.outline, 1));
+  p.drawRect(key);
+  p.setFont(textFont(11));
+  p.setPen(t.quiet);
+  p.drawText(QPointF(key.right() + 6, key.bottom() - 0.5), tr("never visited"));
+}
+
+}  // namespace surefoot
