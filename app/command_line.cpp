@@ -24,7 +24,9 @@ struct TrainOptions {
 
 void addOption(CLI::App& app, const std::string& name, std::optional<std::string>& value, const std::string& help,
                const std::string& type) {
-  app.add_option_function<std::string>(name, [&value](const std::string& text) { value = text; }, help)->type_name(type);
+  app.add_option_function<std::string>(
+         name, [&value](const std::string& text) { value = text; }, help)
+      ->type_name(type);
 }
 
 void addTrainOptions(CLI::App& app, TrainOptions& o) {
@@ -38,7 +40,9 @@ void addTrainOptions(CLI::App& app, TrainOptions& o) {
   choice("--features", o.names.features, "representation of the state");
   choice("--policy", o.names.policy, "action-selection rule");
   app.add_option("--set", o.assignments, "a parameter, e.g. policy.temperature=1; may be repeated")
-      ->type_name("KEY=VALUE")->expected(1)->take_all();
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all();
   addOption(app, "--seed", o.seed, "master seed, 0 to 18446744073709551615 [1]", "N");
   addOption(app, "--minutes", o.minutes, "length of a life in simulated minutes", "T");
   addOption(app, "--episodes", o.episodes, "length of a life in episodes; whichever comes first ends it", "N");
@@ -52,7 +56,8 @@ Result<std::int64_t> parseCount(const std::string& option, const std::string& te
   std::int64_t value = 0;
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (code == std::errc{} && end == text.data() + text.size() && value >= 1 && value <= most) return value;
-  return Error{fmt::format("{}: \"{}\" is not allowed; it takes a whole number from 1 to {}.", option, text.substr(0, 60), most)};
+  return Error{fmt::format("{}: \"{}\" is not allowed; it takes a whole number from 1 to {}.", option,
+                           text.substr(0, 60), most)};
 }
 
 Result<std::uint64_t> parseSeed(const std::string& text) {
@@ -79,7 +84,8 @@ Result<std::vector<Assignment>> parseAssignments(const std::vector<std::string>&
 }
 
 /// A key of a policy that is not the chosen one would have no effect: a slip worth a word.
-Status checkPolicyKeys(const Registry& registry, const std::string& policy, const std::vector<Assignment>& assignments) {
+Status checkPolicyKeys(const Registry& registry, const std::string& policy,
+                       const std::vector<Assignment>& assignments) {
   const auto chosen = findEntry(registry.policies, "--policy", policy);
   if (!chosen) return chosen.error();
   const std::vector<std::string> used = policyKeys(**chosen);
@@ -91,7 +97,8 @@ Status checkPolicyKeys(const Registry& registry, const std::string& policy, cons
       if (std::find(keys.begin(), keys.end(), a.key) != keys.end()) owners.push_back(entry.name);
     }
     if (!owners.empty())
-      return Error{fmt::format("{}: the policy {} does not use it; it belongs to {}.", a.key, policy, joinWords(owners))};
+      return Error{
+          fmt::format("{}: the policy {} does not use it; it belongs to {}.", a.key, policy, joinWords(owners))};
   }
   return Done{};
 }
@@ -142,8 +149,10 @@ Result<std::vector<double>> parseQ(const std::string& text) {
   std::vector<double> q;
   for (std::size_t begin = 0; begin <= text.size();) {
     const std::size_t end = std::min(text.find(',', begin), text.size());
-    const auto value = parseNumber(fmt::format("--q, value {}", q.size() + 1), std::string_view(text).substr(begin, end - begin));
-    if (!value) return text.empty() ? Error{"--q: the list is empty; action values are needed, such as 1,2,3."} : value.error();
+    const auto value =
+        parseNumber(fmt::format("--q, value {}", q.size() + 1), std::string_view(text).substr(begin, end - begin));
+    if (!value)
+      return text.empty() ? Error{"--q: the list is empty; action values are needed, such as 1,2,3."} : value.error();
     q.push_back(*value);
     begin = end + 1;
   }
@@ -158,7 +167,8 @@ Error unexpected(const CLI::App& app, const std::string& word) {
   if (word.starts_with('-')) {
     for (const CLI::Option* option : app.get_options()) known.push_back(option->get_name());
   } else {
-    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) known.push_back(command->get_name());
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+      known.push_back(command->get_name());
   }
   const std::string name = word.substr(0, word.find('='));
   const std::string near = nearestWord(name, known);
@@ -175,7 +185,8 @@ std::string oneLine(std::string text) {
 }  // namespace
 
 Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv) {
-  CLI::App app{"Surefoot: reinforcement learning that avoids falling. Without a command it opens the window.", "surefoot"};
+  CLI::App app{"Surefoot: reinforcement learning that avoids falling. Without a command it opens the window.",
+               "surefoot"};
   app.set_version_flag("--version", std::string("surefoot ") + kVersion, "print the version");
   app.set_help_flag("-h,--help", "print this help");
   app.require_subcommand(0, 1);
@@ -194,10 +205,16 @@ Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv
   windowCommand->add_flag("--turbo", windowOptions.turbo, "learn flat out from the start");
   CLI::App* listCommand = app.add_subcommand("list", "name everything that can be chosen or set");
   listCommand->add_flag("--json", list.json, "as JSON");
-  CLI::App* probabilitiesCommand = app.add_subcommand("probabilities", "the probability of every action, given its value");
+  CLI::App* probabilitiesCommand =
+      app.add_subcommand("probabilities", "the probability of every action, given its value");
   addOption(*probabilitiesCommand, "--q", q, "action values, separated by commas", "Q1,Q2,…");
-  probabilitiesCommand->add_option("--policy", policy, "action-selection rule")->type_name("NAME")->capture_default_str();
-  probabilitiesCommand->add_option("--set", assignments, "a parameter of the policy")->type_name("KEY=VALUE")->expected(1)->take_all();
+  probabilitiesCommand->add_option("--policy", policy, "action-selection rule")
+      ->type_name("NAME")
+      ->capture_default_str();
+  probabilitiesCommand->add_option("--set", assignments, "a parameter of the policy")
+      ->type_name("KEY=VALUE")
+      ->expected(1)
+      ->take_all();
   probabilitiesCommand->add_flag("--json", probabilities.json, "as JSON");
   for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
     command->set_help_flag("-h,--help", "print this help");
@@ -219,7 +236,8 @@ Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv
   const auto chosen = app.get_subcommands();
   if (const auto extras = app.remaining(false); !extras.empty()) return unexpected(app, extras.front());
   if (!chosen.empty())
-    if (const auto extras = chosen.front()->remaining(false); !extras.empty()) return unexpected(*chosen.front(), extras.front());
+    if (const auto extras = chosen.front()->remaining(false); !extras.empty())
+      return unexpected(*chosen.front(), extras.front());
 
   if (!chosen.empty() && chosen.front() == listCommand) return Request(list);
   if (!chosen.empty() && chosen.front() == trainCommand) {

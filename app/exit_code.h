@@ -10,10 +10,14 @@ enum ExitCode : int { kDone = 0, kUsage = 2, kFile = 3, kDiverged = 4, kInterrup
 
 constexpr ExitCode exitCode(ErrorKind kind) {
   switch (kind) {
-    case ErrorKind::File: return kFile;
-    case ErrorKind::Diverged: return kDiverged;
-    case ErrorKind::Interrupted: return kInterrupted;
-    case ErrorKind::Usage: break;
+    case ErrorKind::File:
+      return kFile;
+    case ErrorKind::Diverged:
+      return kDiverged;
+    case ErrorKind::Interrupted:
+      return kInterrupted;
+    case ErrorKind::Usage:
+      break;
   }
   return kUsage;
 }

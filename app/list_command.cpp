@@ -27,16 +27,20 @@ Parameters allParameters(const Registry& registry) {
     all.add(fields);
     for (const AgentEntry& agent : registry.agents)
       for (const FeatureEntry& features : registry.features)
-        static_cast<void>(static_cast<bool>(agent.declare(environment->task(), features.name, all)));  // a misfit adds nothing
+        static_cast<void>(
+            static_cast<bool>(agent.declare(environment->task(), features.name, all)));  // a misfit adds nothing
   }
   return all;
 }
 
 const char* whenName(When when) {
   switch (when) {
-    case When::Now: return "now";
-    case When::NextEpisode: return "next episode";
-    case When::NewTable: break;
+    case When::Now:
+      return "now";
+    case When::NextEpisode:
+      return "next episode";
+    case When::NewTable:
+      break;
   }
   return "new table";
 }
@@ -83,10 +87,11 @@ std::string table(const Parameters& parameters) {
   std::string text = "parameters (--set KEY=VALUE)\n";
   for (const auto& entry : parameters.all()) {
     const Parameter& p = entry.parameter;
-    const std::string range = p.kind == Kind::Choice ? joinWords(p.choices, "or") : fmt::format("{} … {}", p.low, p.high);
+    const std::string range =
+        p.kind == Kind::Choice ? joinWords(p.choices, "or") : fmt::format("{} … {}", p.low, p.high);
     std::string name = p.symbol.empty() ? p.key : fmt::format("{} ({})", p.key, p.symbol);
-    text += fmt::format("  {:<32} default {} {}, {}, applies {}\n      {} Default: {}.\n", name, formatValue(p, p.fallback), p.unit,
-                        range, whenName(p.when), p.help, p.origin);
+    text += fmt::format("  {:<32} default {} {}, {}, applies {}\n      {} Default: {}.\n", name,
+                        formatValue(p, p.fallback), p.unit, range, whenName(p.when), p.help, p.origin);
   }
   return text;
 }
@@ -98,9 +103,12 @@ int listCommand(const Registry& r, const ListRequest& request) {
   if (request.json) {
     Json list = Json::array();
     for (const auto& entry : parameters.all()) list.push_back(describe(entry));
-    const Json json = {{"environments", describe(r.environments)}, {"features", describe(r.features)},
-                       {"agents", describe(r.agents)},             {"policies", describe(r.policies)},
-                       {"presets", describe(r.presets)},           {"scenarios", describe(r.scenarios)},
+    const Json json = {{"environments", describe(r.environments)},
+                       {"features", describe(r.features)},
+                       {"agents", describe(r.agents)},
+                       {"policies", describe(r.policies)},
+                       {"presets", describe(r.presets)},
+                       {"scenarios", describe(r.scenarios)},
                        {"parameters", list}};
     return print(json.dump(2) + "\n");
   }

@@ -27,7 +27,8 @@ int probabilitiesCommand(const Registry& registry, const ProbabilitiesRequest& r
     return print(json.dump() + "\n");
   }
   std::string text = fmt::format("{:>6}  {:>12}  {:>12}\n", "action", "Q", "probability");
-  for (std::size_t a = 0; a < pi.size(); ++a) text += fmt::format("{:>6}  {:>12.6g}  {:>12.6g}\n", a, request.q[a], pi[a]);
+  for (std::size_t a = 0; a < pi.size(); ++a)
+    text += fmt::format("{:>6}  {:>12.6g}  {:>12.6g}\n", a, request.q[a], pi[a]);
   return print(text);
 }
 

@@ -21,7 +21,9 @@ Json mean(std::int64_t sum, std::int64_t count) {
   return count > 0 ? Json(static_cast<double>(sum) / static_cast<double>(count)) : Json(nullptr);
 }
 
-Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+Json finite(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
 
 Json configurationAsJson(const Configuration& c) {
   Json parameters = Json::object();
@@ -34,9 +36,14 @@ Json configurationAsJson(const Configuration& c) {
     else
       parameters[p.key] = entry.value;
   }
-  return {{"environment", c.names.environment}, {"preset", c.names.preset},     {"scenario", c.names.scenario},
-          {"agent", c.names.agent},             {"features", c.names.features}, {"policy", c.names.policy},
-          {"parameters", parameters},           {"lives", c.lives},
+  return {{"environment", c.names.environment},
+          {"preset", c.names.preset},
+          {"scenario", c.names.scenario},
+          {"agent", c.names.agent},
+          {"features", c.names.features},
+          {"policy", c.names.policy},
+          {"parameters", parameters},
+          {"lives", c.lives},
           {"minutes", c.minutes ? Json(*c.minutes) : Json(nullptr)},
           {"episodes", c.episodes ? Json(*c.episodes) : Json(nullptr)}};
 }
@@ -80,8 +87,10 @@ std::string resultAsJson(const Configuration& configuration, const std::vector<L
     if (!r.divergence.empty()) life["diverged"] = r.divergence;
     list.push_back(std::move(life));
   }
-  const Json result = {{"version", kVersion}, {"configuration", configurationAsJson(configuration)},
-                       {"seed", configuration.seed}, {"lives", list}};
+  const Json result = {{"version", kVersion},
+                       {"configuration", configurationAsJson(configuration)},
+                       {"seed", configuration.seed},
+                       {"lives", list}};
   return result.dump(2) + "\n";
 }
 
@@ -91,8 +100,8 @@ std::string logAsCsv(const std::vector<LifeResult>& lives, std::optional<double>
   fmt::format_to(to, "life,episode,transitions,reward,falls,ending,average_reward,steps,simulated_minutes\n");
   for (const LifeResult& r : lives)
     for (const EpisodeRow& row : r.rows) {
-      fmt::format_to(to, "{},{},{},{},{},{},{},{},", r.life, row.episode, row.steps, row.reward, row.falls, endingName(row),
-                     row.averageReward, row.lifeSteps);
+      fmt::format_to(to, "{},{},{},{},{},{},{},{},", r.life, row.episode, row.steps, row.reward, row.falls,
+                     endingName(row), row.averageReward, row.lifeSteps);
       if (stepTime) fmt::format_to(to, "{:.9g}", static_cast<double>(row.lifeSteps) * *stepTime / 60.0);
       fmt::format_to(to, "\n");
     }
@@ -110,17 +119,22 @@ std::string resultAsTable(const Configuration& c, const std::vector<LifeResult>&
   const auto ratio = [](std::int64_t sum, std::int64_t count) {
     return count > 0 ? static_cast<double>(sum) / static_cast<double>(count) : std::nan("");
   };
-  std::string text = fmt::format("{} {}, {}, {}, {}, seed {}: {} {}\n", c.names.environment, c.names.scenario, c.names.agent,
-                                 c.names.features, c.names.policy, c.seed, lives.size(),
+  std::string text = fmt::format("{} {}, {}, {}, {}, seed {}: {} {}\n", c.names.environment, c.names.scenario,
+                                 c.names.agent, c.names.features, c.names.policy, c.seed, lives.size(),
                                  lives.size() == 1 ? "life" : "lives, mean ± 95 % interval");
-  const auto row = [&](const char* name, const std::string& value) { text += fmt::format("  {:<28}{}\n", name, value); };
+  const auto row = [&](const char* name, const std::string& value) {
+    text += fmt::format("  {:<28}{}\n", name, value);
+  };
   row("falls", column([](const LifeResult& r) { return static_cast<double>(r.totals.falls); }, 1));
   row("episodes", column([](const LifeResult& r) { return static_cast<double>(r.totals.episodes); }, 1));
   row("average reward, last 80", column([](const LifeResult& r) { return r.averageReward; }, 1));
-  row("transitions of a success", column([&](const LifeResult& r) { return ratio(r.totals.successSteps, r.totals.successes); }, 1));
-  row("transitions of a failure", column([&](const LifeResult& r) { return ratio(r.totals.failureSteps, r.totals.failures); }, 1));
+  row("transitions of a success",
+      column([&](const LifeResult& r) { return ratio(r.totals.successSteps, r.totals.successes); }, 1));
+  row("transitions of a failure",
+      column([&](const LifeResult& r) { return ratio(r.totals.failureSteps, r.totals.failures); }, 1));
   row("simulated minutes", column([](const LifeResult& r) { return r.simulatedSeconds / 60.0; }, 2));
-  row("steps per CPU-second", column([](const LifeResult& r) { return static_cast<double>(r.steps) / r.cpuSeconds; }, 0));
+  row("steps per CPU-second",
+      column([](const LifeResult& r) { return static_cast<double>(r.steps) / r.cpuSeconds; }, 0));
   if (lives.size() == 1) row("hash", fmt::format("{:016x}", lives[0].hash));
   return text;
 }

@@ -16,7 +16,8 @@ namespace {
 
 std::string duration(double seconds) {
   const auto s = static_cast<std::int64_t>(seconds + 0.5);
-  return s < 3600 ? fmt::format("{}:{:02}", s / 60, s % 60) : fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
+  return s < 3600 ? fmt::format("{}:{:02}", s / 60, s % 60)
+                  : fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
 }
 
 /// One line on the terminal, drawn over again.
@@ -27,8 +28,9 @@ class ProgressLine {
     const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     const auto filled = static_cast<std::size_t>(p.share * 24);
     const std::string eta = p.share > 0.001 ? duration(elapsed / p.share - elapsed) : "…";
-    fmt::print(stderr, "\r[{}{}] {:3.0f} %  {} of {} lives, {} falls, {} elapsed, {} left \033[K", std::string(filled, '#'),
-               std::string(24 - filled, '.'), p.share * 100, p.livesDone, lives_, p.falls, duration(elapsed), eta);
+    fmt::print(stderr, "\r[{}{}] {:3.0f} %  {} of {} lives, {} falls, {} elapsed, {} left \033[K",
+               std::string(filled, '#'), std::string(24 - filled, '.'), p.share * 100, p.livesDone, lives_, p.falls,
+               duration(elapsed), eta);
     std::fflush(stderr);
   }
   ~ProgressLine() { fmt::print(stderr, "\r\033[K"); }
@@ -49,14 +51,16 @@ int trainCommand(const Registry& registry, const TrainRequest& request) {
     log.emplace(std::move(*file));
   }
 
-  RunOptions options{.jobs = request.jobs, .keepRows = log.has_value(), .interrupted = &watchForInterrupt(), .progress = {}};
+  RunOptions options{
+      .jobs = request.jobs, .keepRows = log.has_value(), .interrupted = &watchForInterrupt(), .progress = {}};
   Result<std::vector<LifeResult>> lives = std::vector<LifeResult>{};
   {
     std::optional<ProgressLine> line;
-    if (isatty(STDERR_FILENO)) options.progress = [&](const Progress& p) {
-      if (!line) line.emplace(configuration.lives);
-      line->show(p);
-    };
+    if (isatty(STDERR_FILENO))
+      options.progress = [&](const Progress& p) {
+        if (!line) line.emplace(configuration.lives);
+        line->show(p);
+      };
     lives = runLives(registry, configuration, options);
   }
   if (!lives) return fail(lives.error());
@@ -66,15 +70,18 @@ int trainCommand(const Registry& registry, const TrainRequest& request) {
     if (!environment) return fail(environment.error());
     if (const Status s = log->commit(logAsCsv(*lives, (*environment)->task().stepTime)); !s) return fail(s.error());
   }
-  if (const int code = print(request.json ? resultAsJson(configuration, *lives) : resultAsTable(configuration, *lives)); code != kDone)
+  if (const int code = print(request.json ? resultAsJson(configuration, *lives) : resultAsTable(configuration, *lives));
+      code != kDone)
     return code;
 
   for (const LifeResult& life : *lives)
     if (!life.divergence.empty()) return fail({life.divergence, ErrorKind::Diverged});
-  const auto complete = static_cast<int>(std::count_if(lives->begin(), lives->end(), [](const LifeResult& r) { return r.complete; }));
+  const auto complete =
+      static_cast<int>(std::count_if(lives->begin(), lives->end(), [](const LifeResult& r) { return r.complete; }));
   if (complete < configuration.lives)
     return fail({fmt::format("interrupted; {} of {} lives are complete, the others end where they were.", complete,
-                             configuration.lives), ErrorKind::Interrupted});
+                             configuration.lives),
+                 ErrorKind::Interrupted});
   return kDone;
 }
 

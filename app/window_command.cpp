@@ -23,7 +23,8 @@ namespace {
 /// Qt ends the program itself where there is no display, after a message of several lines: say it in one sentence.
 void onMessage(QtMsgType type, const QMessageLogContext&, const QString& text) {
   if (type == QtFatalMsg) {
-    std::fprintf(stderr, "surefoot: there is no display for the window; `surefoot train --minutes 9` learns without one.\n");
+    std::fprintf(stderr,
+                 "surefoot: there is no display for the window; `surefoot train --minutes 9` learns without one.\n");
     _exit(kUsage);
   }
   if (type == QtWarningMsg && text.contains("display")) return;

@@ -23,7 +23,8 @@ class ActionValueFunction {
   /// Share of the features of s that were ever visited, 0 … 1.
   virtual double familiarity(std::span<const double> state) const = 0;
   /// out ← for every action, the mean over the features of s of a quantity that is kept per weight (eligibility).
-  virtual void average(std::span<const float> perWeight, std::span<const double> state, std::span<double> out) const = 0;
+  virtual void average(std::span<const float> perWeight, std::span<const double> state,
+                       std::span<double> out) const = 0;
 
   virtual std::span<const double> weights() const = 0;
   virtual std::unique_ptr<ActionValueFunction> clone() const = 0;

@@ -17,28 +17,28 @@ namespace surefoot {
 
 /// One coordinate of the state.
 struct StateVariable {
-  std::string key{};     ///< "pole_angle": also the name of its resolution, features.pole_angle
-  std::string title{};   ///< "pole angle"
-  std::string symbol{};  ///< "α"; a dot above is U+0307 behind the letter
-  std::string unit{};    ///< "rad"
-  double low = 0.0, high = 1.0;  ///< the range that features cover; states outside count as at the edge
-  double span = 1.0;        ///< a resolution is the number of tiles per span (thesis, section 3.1.3)
-  std::string spanText{};     ///< "2π rad": the span as a person says it
-  std::string perSpan{};    ///< "/2π": the unit of a resolution, short
-  double resolution = 1.0;  ///< default number of tiles per span
-  std::optional<double> period{};  ///< the variable wraps after this much; none: it does not
+  std::string key{};                     ///< "pole_angle": also the name of its resolution, features.pole_angle
+  std::string title{};                   ///< "pole angle"
+  std::string symbol{};                  ///< "α"; a dot above is U+0307 behind the letter
+  std::string unit{};                    ///< "rad"
+  double low = 0.0, high = 1.0;          ///< the range that features cover; states outside count as at the edge
+  double span = 1.0;                     ///< a resolution is the number of tiles per span (thesis, section 3.1.3)
+  std::string spanText{};                ///< "2π rad": the span as a person says it
+  std::string perSpan{};                 ///< "/2π": the unit of a resolution, short
+  double resolution = 1.0;               ///< default number of tiles per span
+  std::optional<double> period{};        ///< the variable wraps after this much; none: it does not
   double viewLow = 0.0, viewHigh = 0.0;  ///< the part that a map shows at first
 };
 
 /// What can be said of a task before it starts.
 struct Task {
   std::vector<StateVariable> state;
-  std::vector<double> actions;  ///< the physical value of every action, e.g. a torque in N m
-  std::string actionTitle;      ///< "torque"
-  std::string actionSymbol;     ///< "T"
-  std::string actionUnit;       ///< "N m"
-  std::vector<std::string> rewardTerms;      ///< names of Outcome::terms, in their order
-  std::optional<double> stepTime;            ///< [s] simulated per step; none: the task has no clock
+  std::vector<double> actions;                      ///< the physical value of every action, e.g. a torque in N m
+  std::string actionTitle;                          ///< "torque"
+  std::string actionSymbol;                         ///< "T"
+  std::string actionUnit;                           ///< "N m"
+  std::vector<std::string> rewardTerms;             ///< names of Outcome::terms, in their order
+  std::optional<double> stepTime;                   ///< [s] simulated per step; none: the task has no clock
   double lowestReturn = -1.0, highestReturn = 1.0;  ///< reward of an episode, as far as it is bounded: axes start there
 };
 

@@ -11,9 +11,12 @@ namespace surefoot {
 
 std::string allowedValues(const Parameter& p) {
   switch (p.kind) {
-    case Kind::Choice: return "one of " + joinWords(p.choices, "or");
-    case Kind::Integer: return fmt::format("a whole number from {:.0f} to {:.0f}", p.low, p.high);
-    case Kind::Real: break;
+    case Kind::Choice:
+      return "one of " + joinWords(p.choices, "or");
+    case Kind::Integer:
+      return fmt::format("a whole number from {:.0f} to {:.0f}", p.low, p.high);
+    case Kind::Real:
+      break;
   }
   return fmt::format("a number from {} to {}", p.low, p.high);
 }
@@ -83,7 +86,8 @@ void Parameters::add(const Fields& fields) {
 }
 
 const Parameters::Entry* Parameters::find(std::string_view key) const {
-  const auto found = std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.parameter.key == key; });
+  const auto found =
+      std::find_if(entries_.begin(), entries_.end(), [&](const Entry& e) { return e.parameter.key == key; });
   return found == entries_.end() ? nullptr : &*found;
 }
 

@@ -3,7 +3,7 @@
 //
 //   struct SoftmaxSettings {
 //     double temperature = 1.0;
-//     void declare(Fields& f) { f.real(temperature, {.key = "temperature", .symbol = "τ", .low = 1e-6, .high = 1e6, …}); }
+//     void declare(Fields& f) { f.real(temperature, {.key = "temperature", .low = 1e-6, .high = 1e6, …}); }
 //   };
 //
 // The member initialiser is the default. Command line, form, file, validation and manual are all made from the list.

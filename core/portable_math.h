@@ -10,8 +10,8 @@
 namespace surefoot {
 
 /// eˣ to about 1 unit in the last place, from additions and multiplications only (compiled with -ffp-contract=off).
-/// Method: x = k·ln 2 + r with abs(r) ≤ ½ ln 2, the Taylor polynomial of degree 13 for eʳ (remainder < 5e-18), times 2ᵏ.
-/// Under- and overflow give 0 and infinity; NaN gives NaN.
+/// Method: x = k·ln 2 + r with abs(r) ≤ ½ ln 2, the Taylor polynomial of degree 13 for eʳ (remainder < 5e-18), times
+/// 2ᵏ. Under- and overflow give 0 and infinity; NaN gives NaN.
 inline double portableExp(double x) {
   constexpr double kLog2e = 1.4426950408889634074;
   constexpr double kLn2High = 6.93147180369123816490e-01;  // 33 bits, so that k·kLn2High is exact
@@ -23,14 +23,26 @@ inline double portableExp(double x) {
   const auto kReal = static_cast<double>(k);
   const double r = (x - kReal * kLn2High) - kReal * kLn2Low;
 
-  constexpr double kInverseFactorial[] = {1.0 / 6227020800.0, 1.0 / 479001600.0, 1.0 / 39916800.0, 1.0 / 3628800.0,
-                                          1.0 / 362880.0,     1.0 / 40320.0,     1.0 / 5040.0,     1.0 / 720.0,
-                                          1.0 / 120.0,        1.0 / 24.0,        1.0 / 6.0,        0.5,
-                                          1.0,                1.0};
+  constexpr double kInverseFactorial[] = {1.0 / 6227020800.0,
+                                          1.0 / 479001600.0,
+                                          1.0 / 39916800.0,
+                                          1.0 / 3628800.0,
+                                          1.0 / 362880.0,
+                                          1.0 / 40320.0,
+                                          1.0 / 5040.0,
+                                          1.0 / 720.0,
+                                          1.0 / 120.0,
+                                          1.0 / 24.0,
+                                          1.0 / 6.0,
+                                          0.5,
+                                          1.0,
+                                          1.0};
   double sum = 0.0;
   for (const double c : kInverseFactorial) sum = sum * r + c;
 
-  const auto powerOfTwo = [](std::int64_t e) { return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52); };
+  const auto powerOfTwo = [](std::int64_t e) {
+    return std::bit_cast<double>(static_cast<std::uint64_t>(e + 1023) << 52);
+  };
   if (k > 1023) return sum * powerOfTwo(1023) * powerOfTwo(k - 1023);
   if (k < -1022) return sum * powerOfTwo(-1000) * powerOfTwo(k + 1000);  // subnormal results are rounded once
   return sum * powerOfTwo(k);

@@ -21,10 +21,14 @@ constexpr std::uint64_t mix64(std::uint64_t x) {
 }
 
 /// SplitMix64 as a generator: the next number, the state moved on by the golden ratio.
-constexpr std::uint64_t splitMix64(std::uint64_t& state) { return mix64(state += 0x9e3779b97f4a7c15ULL); }
+constexpr std::uint64_t splitMix64(std::uint64_t& state) {
+  return mix64(state += 0x9e3779b97f4a7c15ULL);
+}
 
 /// 53 random bits as a number in [0, 1).
-constexpr double toUnit(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1.0p-53; }
+constexpr double toUnit(std::uint64_t bits) {
+  return static_cast<double>(bits >> 11) * 0x1.0p-53;
+}
 
 /// The streams of one life. They never share numbers: a policy that draws more does not change the world.
 enum class Stream : std::uint64_t { World = 1, Policy = 2, Weights = 3, Viewer = 4 };

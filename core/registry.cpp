@@ -51,8 +51,8 @@ Result<std::unique_ptr<Agent>> makeSarsa(const AgentParts& parts) {
   declareTable(tiles, initial, features);
   parts.parameters.apply(features);
   if (initial.low > initial.high)
-    return Error{fmt::format("features.initial_low: {} is above features.initial_high, {}; it must not be.", initial.low,
-                             initial.high)};
+    return Error{fmt::format("features.initial_low: {} is above features.initial_high, {}; it must not be.",
+                             initial.low, initial.high)};
 
   Result<TileCoder> coder = TileCoder::create(parts.task, tiles);
   if (!coder) return coder.error();
@@ -66,9 +66,12 @@ Result<std::unique_ptr<Agent>> makeSarsa(const AgentParts& parts) {
 void registerCore(Registry& r) {
   r.features.push_back({{"tile-coder", "Tile coder", "Displaced grids of tiles, in a dense table."}});
   r.agents.push_back({{"sarsa", "Sarsa", "Sarsa(λ), the on-policy rule of the thesis."}, declareSarsa, makeSarsa});
-  r.policies.push_back({{"epsilon-greedy", "ε-greedy", "The best action, but any with probability ε."}, makePolicy<EpsilonGreedy>});
-  r.policies.push_back({{"trl", "TRL", "ε-greedy that explores among the actions above a threshold."}, makePolicy<ThresholdRestricted>});
-  r.policies.push_back({{"softmax", "Softmax", "The better an action, the likelier, by a temperature."}, makePolicy<Softmax>});
+  r.policies.push_back(
+      {{"epsilon-greedy", "ε-greedy", "The best action, but any with probability ε."}, makePolicy<EpsilonGreedy>});
+  r.policies.push_back(
+      {{"trl", "TRL", "ε-greedy that explores among the actions above a threshold."}, makePolicy<ThresholdRestricted>});
+  r.policies.push_back(
+      {{"softmax", "Softmax", "The better an action, the likelier, by a temperature."}, makePolicy<Softmax>});
   r.policies.push_back({{"greedy", "Greedy", "Always the best action."}, makePolicy<Greedy>});
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything that can be chosen by name. Menus, forms, command line, files and contract tests read it. Filled by explicit
-// calls (registerCore, registerPhysics); adding an environment, a policy or an agent is a new file and a line there.
+// Everything that can be chosen by name. Menus, forms, command line, files and contract tests read it. Filled by
+// explicit calls (registerCore, registerPhysics); adding an environment, a policy or an agent is a new file and a line
+// there.
 #pragma once
 
 #include <functional>

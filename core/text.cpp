@@ -13,7 +13,9 @@ std::string withMinus(std::string text) {
 }
 }  // namespace
 
-std::string fixedText(double value, int decimals) { return withMinus(fmt::format("{:.{}f}", value, decimals)); }
+std::string fixedText(double value, int decimals) {
+  return withMinus(fmt::format("{:.{}f}", value, decimals));
+}
 
 std::string countText(double value) {
   std::string text = fmt::format("{:.0f}", value);

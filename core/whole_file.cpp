@@ -16,7 +16,8 @@ Result<WholeFile> WholeFile::createNew(const std::string& what, const std::strin
   if (path.empty()) return Error{fmt::format("{}: the name of the file is empty; a path is needed.", what)};
   struct stat info {};
   if (lstat(path.c_str(), &info) == 0)
-    return Error{fmt::format("{}: {} exists already; name a file that does not, or remove it first.", what, path), ErrorKind::File};
+    return Error{fmt::format("{}: {} exists already; name a file that does not, or remove it first.", what, path),
+                 ErrorKind::File};
   std::string temporary = path + ".XXXXXX";
   const int descriptor = mkostemp(temporary.data(), O_CLOEXEC);
   if (descriptor < 0)
@@ -28,7 +29,9 @@ Result<WholeFile> WholeFile::createNew(const std::string& what, const std::strin
 }
 
 WholeFile::WholeFile(WholeFile&& other) noexcept
-    : what_(std::move(other.what_)), path_(std::move(other.path_)), temporary_(std::move(other.temporary_)),
+    : what_(std::move(other.what_)),
+      path_(std::move(other.path_)),
+      temporary_(std::move(other.temporary_)),
       descriptor_(std::exchange(other.descriptor_, -1)) {}
 
 WholeFile::~WholeFile() {

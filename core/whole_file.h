@@ -26,7 +26,10 @@ class WholeFile {
 
  private:
   WholeFile(std::string what, std::string path, std::string temporary, int descriptor)
-      : what_(std::move(what)), path_(std::move(path)), temporary_(std::move(temporary)), descriptor_(descriptor) {}
+      : what_(std::move(what)),
+        path_(std::move(path)),
+        temporary_(std::move(temporary)),
+        descriptor_(descriptor) {}
   Error failed(int code) const;
 
   std::string what_, path_, temporary_;

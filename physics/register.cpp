@@ -12,7 +12,8 @@ namespace {
 constexpr const char* kPendulum = "pendulum";
 
 /// Table 4.1 of the thesis: damping [N m s/rad], dry friction [N m], torque scaling.
-AssignmentEntry scenario(const char* name, const char* title, const char* help, double damping, double friction, double torque) {
+AssignmentEntry scenario(const char* name, const char* title, const char* help, double damping, double friction,
+                         double torque) {
   return {{name, title, help},
           kPendulum,
           {{"environment.damping", damping}, {"environment.friction", friction}, {"environment.torque_scale", torque}}};
@@ -24,7 +25,8 @@ void registerPhysics(Registry& r) {
   r.environments.push_back({{kPendulum, "Pendulum", "The thesis's inverted pendulum on a cart, in Box2D."},
                             [] { return std::make_unique<Pendulum>(); }});
 
-  r.presets.push_back({{"thesis", "Thesis", "Constants calibrated to the episode lengths that the thesis reports."}, kPendulum, {}});
+  r.presets.push_back(
+      {{"thesis", "Thesis", "Constants calibrated to the episode lengths that the thesis reports."}, kPendulum, {}});
   r.presets.push_back({{"lab", "Delft lab file", "Constants of the same laboratory's published simulation."},
                        kPendulum,
                        {{"environment.pole_length", 0.4},
@@ -39,7 +41,8 @@ void registerPhysics(Registry& r) {
   r.scenarios.push_back(scenario("3", "3 High friction", "Low damping, high friction.", 0.01, 0.05, 1.0));
   r.scenarios.push_back(scenario("4", "4 More power", "Actions with increased power.", 0.08, 0.0, 2.5));
   r.scenarios.push_back(scenario("5", "5 Less power", "Actions with decreased power.", 0.08, 0.0, 0.5));
-  r.scenarios.push_back(scenario("6", "6 Power + friction", "Increased power with the realistic errors of 1.", 0.088, 0.03, 2.5));
+  r.scenarios.push_back(
+      scenario("6", "6 Power + friction", "Increased power with the realistic errors of 1.", 0.088, 0.03, 2.5));
 }
 
 }  // namespace surefoot

@@ -15,7 +15,7 @@
 namespace surefoot {
 
 namespace {
-constexpr int kUpdateEvery = 66;  // [ms]: numbers that change faster cannot be read
+constexpr int kUpdateEvery = 66;                     // [ms]: numbers that change faster cannot be read
 constexpr double kBar = 12, kHead = 32, kFoot = 34;  // [px]
 constexpr const char* kShown[] = {"epsilon-greedy", "trl", "softmax"};
 }  // namespace
@@ -77,7 +77,9 @@ double ActionRows::xOf(double value, const Geometry& g) const {
   return g.qLeft + (g.qRight - g.qLeft) * (std::clamp(value, low_, high_) - low_) / (high_ - low_);
 }
 
-double ActionRows::threshold() const { return session_.configuration().parameters.get("policy.threshold"); }
+double ActionRows::threshold() const {
+  return session_.configuration().parameters.get("policy.threshold");
+}
 
 void ActionRows::paintEvent(QPaintEvent*) {
   const Theme& t = themeOf(*this);
@@ -153,7 +155,8 @@ void ActionRows::drawRow(QPainter& p, const Theme& t, const Geometry& g, std::si
   };
   p.setPen(t.ink);
   p.setFont(textFont(13, chosen ? 500 : 400));
-  drawSymbol(p, QRectF(g.label - 50, middle - 10, 50, 20), Qt::AlignRight, toText(fixedText(session_.task().actions[action], 2)));
+  drawSymbol(p, QRectF(g.label - 50, middle - 10, 50, 20), Qt::AlignRight,
+             toText(fixedText(session_.task().actions[action], 2)));
 
   const double zero = xOf(0, g), x = xOf(q_[action], g);
   p.setPen(Qt::NoPen);
@@ -195,10 +198,13 @@ void ActionRows::drawThreshold(QPainter& p, const Theme& t, const Geometry& g) c
 
 bool ActionRows::onThreshold(const QPointF& at) const {
   const Geometry g = geometry();
-  return session_.configuration().names.policy == "trl" && std::abs(at.x() - xOf(threshold(), g)) < 6 && at.y() > 6 && at.y() < g.bottom;
+  return session_.configuration().names.policy == "trl" && std::abs(at.x() - xOf(threshold(), g)) < 6 && at.y() > 6 &&
+         at.y() < g.bottom;
 }
 
-void ActionRows::mousePressEvent(QMouseEvent* event) { dragging_ = event->button() == Qt::LeftButton && onThreshold(event->position()); }
+void ActionRows::mousePressEvent(QMouseEvent* event) {
+  dragging_ = event->button() == Qt::LeftButton && onThreshold(event->position());
+}
 
 void ActionRows::mouseMoveEvent(QMouseEvent* event) {
   setCursor(dragging_ || onThreshold(event->position()) ? Qt::SplitHCursor : Qt::ArrowCursor);
@@ -209,6 +215,8 @@ void ActionRows::mouseMoveEvent(QMouseEvent* event) {
   if (value != threshold()) static_cast<void>(static_cast<bool>(session_.setParameter("policy.threshold", value)));
 }
 
-void ActionRows::mouseReleaseEvent(QMouseEvent*) { dragging_ = false; }
+void ActionRows::mouseReleaseEvent(QMouseEvent*) {
+  dragging_ = false;
+}
 
 }  // namespace surefoot

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the robot would do now: a row an action, with its value and its probability under the three policies side by side
-// (the thesis's Figure 4.1, live). The threshold of TRL is a line to drag.
+// What the robot would do now: a row an action, with its value and its probability under the three policies side by
+// side (the thesis's Figure 4.1, live). The threshold of TRL is a line to drag.
 #pragma once
 
 #include <QElapsedTimer>
@@ -40,10 +40,10 @@ class ActionRows final : public QWidget {
   };
   /// Where things stand; depends on the size only.
   struct Geometry {
-    double top, row, bottom;                 // first row, height of a row, below the last
-    double label;                            // right end of the actions' values
-    double qLeft, qRight, qNumber;           // scale of Q, right end of its number
-    double first, pitch, bar, number;        // columns of the policies: left ends, bar length, right end of the number
+    double top, row, bottom;           // first row, height of a row, below the last
+    double label;                      // right end of the actions' values
+    double qLeft, qRight, qNumber;     // scale of Q, right end of its number
+    double first, pitch, bar, number;  // columns of the policies: left ends, bar length, right end of the number
   };
 
   void rebuild();

@@ -12,7 +12,9 @@ void lines(QPainter& p, std::initializer_list<QLineF> list) {
   for (const QLineF& line : list) p.drawLine(line);
 }
 
-void corner(QPainter& p, QPointF at, double dx, double dy) { lines(p, {{at, at + QPointF(dx, 0)}, {at, at + QPointF(0, dy)}}); }
+void corner(QPainter& p, QPointF at, double dx, double dy) {
+  lines(p, {{at, at + QPointF(dx, 0)}, {at, at + QPointF(0, dy)}});
+}
 }  // namespace
 
 void drawIcon(QPainter& p, Icon icon, const QRectF& where, const QColor& colour) {
@@ -50,7 +52,9 @@ void drawIcon(QPainter& p, Icon icon, const QRectF& where, const QColor& colour)
       corner(p, {1, -1}, 4, -4), corner(p, {-1, 1}, -4, 4);
       lines(p, {{1, -1, 5, -5}, {-1, 1, -5, 5}});
       break;
-    case Icon::Chevron: lines(p, {{-3.5, -1.8, 0, 1.8}, {0, 1.8, 3.5, -1.8}}); break;
+    case Icon::Chevron:
+      lines(p, {{-3.5, -1.8, 0, 1.8}, {0, 1.8, 3.5, -1.8}});
+      break;
   }
   p.restore();
 }

@@ -35,7 +35,10 @@ double niceStep(double range) {  // at most five grid lines
 }  // namespace
 
 LearningChart::LearningChart(Session& session, Shows shows, QWidget* parent)
-    : QChartView(parent), session_(session), shows_(shows), live_(new QLineSeries) {
+    : QChartView(parent),
+      session_(session),
+      shows_(shows),
+      live_(new QLineSeries) {
   setFrameShape(QFrame::NoFrame);
   setFocusPolicy(Qt::NoFocus);
   setRenderHint(QPainter::Antialiasing);
@@ -76,13 +79,15 @@ double LearningChart::yOf(const CurvePoint& point) const {
 void LearningChart::fillSeries(QLineSeries& series, const RunCurve& curve) const {
   // At most two points a pixel column: the least and the greatest of each.
   const std::size_t columns = std::max<std::size_t>(50, static_cast<std::size_t>(plot_.width()));
-  const std::size_t bucket = std::max<std::size_t>(1, 2 * curve.points.size() / (2 * columns) );
+  const std::size_t bucket = std::max<std::size_t>(1, 2 * curve.points.size() / (2 * columns));
   QList<QPointF> points;
   for (std::size_t i = 0; i < curve.points.size(); i += bucket) {
     const auto begin = curve.points.begin() + static_cast<std::ptrdiff_t>(i);
     const auto end = curve.points.begin() + static_cast<std::ptrdiff_t>(std::min(i + bucket, curve.points.size()));
-    const auto [least, greatest] = std::minmax_element(begin, end, [&](const auto& a, const auto& b) { return yOf(a) < yOf(b); });
-    for (const auto& point : {std::min(least, greatest), std::max(least, greatest)}) points << QPointF(xOf(*point), yOf(*point));
+    const auto [least, greatest] =
+        std::minmax_element(begin, end, [&](const auto& a, const auto& b) { return yOf(a) < yOf(b); });
+    for (const auto& point : {std::min(least, greatest), std::max(least, greatest)})
+      points << QPointF(xOf(*point), yOf(*point));
   }
   series.replace(points);
 }
@@ -102,7 +107,8 @@ void LearningChart::refresh() {
   for (const RunCurve& curve : curves.earlier()) extend(curve);
   xMost_ = niceStep(x) * std::ceil(x / niceStep(x) - 1e-9);
   yLeast_ = shows_ == Shows::Falls ? 0.0 : session_.task().lowestReturn;
-  yMost_ = shows_ == Shows::Falls ? std::max(10.0, niceStep(y) * std::ceil(y / niceStep(y))) : session_.task().highestReturn;
+  yMost_ =
+      shows_ == Shows::Falls ? std::max(10.0, niceStep(y) * std::ceil(y / niceStep(y))) : session_.task().highestReturn;
   if (yMost_ <= yLeast_) yMost_ = yLeast_ + 1;
   chart()->axes(Qt::Horizontal).front()->setRange(0, xMost_);
   chart()->axes(Qt::Vertical).front()->setRange(yLeast_, yMost_);
@@ -140,7 +146,8 @@ void LearningChart::changeEvent(QEvent* event) {
 }
 
 QPointF LearningChart::toPixel(double x, double y) const {
-  return {plot_.left() + x / xMost_ * plot_.width(), plot_.bottom() - (y - yLeast_) / (yMost_ - yLeast_) * plot_.height()};
+  return {plot_.left() + x / xMost_ * plot_.width(),
+          plot_.bottom() - (y - yLeast_) / (yMost_ - yLeast_) * plot_.height()};
 }
 
 void LearningChart::drawBackground(QPainter* painter, const QRectF& rect) {
@@ -153,8 +160,9 @@ void LearningChart::drawForeground(QPainter* painter, const QRectF&) {
   if (session_.curves().live().points.empty() && session_.curves().earlier().empty()) {
     painter->setFont(textFont(11));
     painter->setPen(t.quiet);
-    painter->drawText(plot_, Qt::AlignCenter, shows_ == Shows::Falls ? tr("Falls appear here. None so far.")
-                                                                    : tr("The average appears with the first episodes."));
+    painter->drawText(plot_, Qt::AlignCenter,
+                      shows_ == Shows::Falls ? tr("Falls appear here. None so far.")
+                                             : tr("The average appears with the first episodes."));
     return;
   }
   drawChanges(*painter, t);
@@ -208,31 +216,42 @@ void LearningChart::drawVertical(QPainter& p, const Theme& t, double x, const QS
   drawSymbol(p, where, Qt::AlignLeft, text);
 }
 
+QString LearningChart::textOf(const Change& change) const {
+  const QString values = QStringLiteral("%1 → %2");
+  if (change.key == "policy") {
+    const auto title = [&](const std::string& name) {
+      const auto entry = findEntry(session_.registry().policies, "policy", name);
+      return toText(entry ? (*entry)->title : name);
+    };
+    return values.arg(title(change.before), title(change.after));
+  }
+  const auto* entry = session_.configuration().parameters.find(change.key);
+  const QString title = toText(entry ? entry->parameter.title : change.key).toLower();
+  return title + ' ' + values.arg(toText(change.before), toText(change.after)).replace('-', QChar(0x2212));
+}
+
 void LearningChart::drawChanges(QPainter& p, const Theme& t) const {
   const ValueSnapshot* v = session_.values();
   if (!v || shows_ == Shows::Falls) return;
   const double perStep = session_.task().stepTime.value_or(0.0) / 60.0;
   if (perStep <= 0) return;
   // A slider that is drawn makes many changes; those of one parameter that follow closely are one line.
-  std::vector<ParameterChange> groups;
+  std::vector<Change> groups;
   const double near = 0.04 * xMost_ / perStep;
-  for (const ParameterChange& change : v->changes) {
-    if (!groups.empty() && groups.back().key == change.key && static_cast<double>(change.step - groups.back().step) < near)
+  for (const Change& change : v->changes) {
+    if (!groups.empty() && groups.back().key == change.key &&
+        static_cast<double>(change.step - groups.back().step) < near)
       groups.back().after = change.after;
     else
       groups.push_back(change);
   }
   constexpr std::size_t kMost = 12;
   for (std::size_t i = groups.size() > kMost ? groups.size() - kMost : 0; i < groups.size(); ++i) {
-    const ParameterChange& change = groups[i];
-    const auto* entry = session_.configuration().parameters.find(change.key);
-    if (!entry || change.before == change.after) continue;
-    const QString text = QStringLiteral("%1 %2 → %3").arg(toText(entry->parameter.title).toLower(),
-                                                          toText(formatValue(entry->parameter, change.before)),
-                                                          toText(formatValue(entry->parameter, change.after)));
-    drawVertical(p, t, static_cast<double>(change.step) * perStep, text, static_cast<int>(i % 3));
+    if (groups[i].before == groups[i].after) continue;
+    drawVertical(p, t, static_cast<double>(groups[i].step) * perStep, textOf(groups[i]), static_cast<int>(i % 3));
   }
-  if (v->endOfLearning > 0) drawVertical(p, t, static_cast<double>(v->endOfLearningSteps) * perStep, tr("end of learning"), 3);
+  if (v->endOfLearning > 0)
+    drawVertical(p, t, static_cast<double>(v->endOfLearningSteps) * perStep, tr("end of learning"), 3);
 }
 
 void LearningChart::drawFallMarks(QPainter& p, const Theme& t) const {

@@ -13,9 +13,10 @@ class Session;
 struct Theme;
 struct RunCurve;
 struct CurvePoint;
+struct Change;
 
-/// One chart. Qt Charts draws the curves; grid, axes, marks and the list at the right are drawn here, because the chart's
-/// own axes have a hyphen for the minus sign and do not line up from chart to chart.
+/// One chart. Qt Charts draws the curves; grid, axes, marks and the list at the right are drawn here, because the
+/// chart's own axes have a hyphen for the minus sign and do not line up from chart to chart.
 class LearningChart final : public QChartView {
   Q_OBJECT
 
@@ -40,6 +41,7 @@ class LearningChart final : public QChartView {
   QPointF toPixel(double x, double y) const;
   void drawAxes(QPainter& p, const Theme& t) const;
   void drawChanges(QPainter& p, const Theme& t) const;
+  QString textOf(const Change& change) const;
   void drawVertical(QPainter& p, const Theme& t, double x, const QString& text, int line) const;
   void drawFallMarks(QPainter& p, const Theme& t) const;
   void drawList(QPainter& p, const Theme& t) const;

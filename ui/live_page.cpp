@@ -31,14 +31,17 @@ class HairlineStyle final : public QProxyStyle {
     if (metric == PM_DockWidgetFrameWidth) return 0;
     return QProxyStyle::pixelMetric(metric, option, widget);
   }
-  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter, const QWidget* widget) const override {
+  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                     const QWidget* widget) const override {
     if (element != PE_IndicatorDockWidgetResizeHandle || !widget)
       return QProxyStyle::drawPrimitive(element, option, painter, widget);
     const Theme& t = themeOf(*widget);
     const QRect r = option->rect;
     painter->fillRect(r, t.panel);
     const bool upright = r.height() > r.width();
-    painter->fillRect(upright ? QRect(r.center().x(), r.top(), 1, r.height()) : QRect(r.left(), r.center().y(), r.width(), 1), t.hairline);
+    painter->fillRect(
+        upright ? QRect(r.center().x(), r.top(), 1, r.height()) : QRect(r.left(), r.center().y(), r.width(), 1),
+        t.hairline);
   }
 };
 
@@ -82,13 +85,16 @@ LivePage::LivePage(Session& session, QWidget* parent) : QMainWindow(parent), ses
   connect(reset, &QToolButton::clicked, form_, &ParameterForm::resetAll);
   connect(form_, &ParameterForm::refused, this, &LivePage::refused);
 
-  Panel* actions = addPanel(tr("What the robot would do now"), "actions", new ActionRows(session_), Qt::BottomDockWidgetArea);
+  Panel* actions =
+      addPanel(tr("What the robot would do now"), "actions", new ActionRows(session_), Qt::BottomDockWidgetArea);
   auto* maps = new ValueMaps(session_);
   Panel* mapsPanel = addPanel(tr("Value maps"), "maps", maps, Qt::RightDockWidgetArea);
   connect(maps, &ValueMaps::noteChanged, &mapsPanel->header(), &PanelHeader::setNote);
-  Panel* reward = addPanel(tr("Average reward"), "reward", new LearningChart(session_, LearningChart::Shows::AverageReward), Qt::RightDockWidgetArea);
+  Panel* reward = addPanel(tr("Average reward"), "reward",
+                           new LearningChart(session_, LearningChart::Shows::AverageReward), Qt::RightDockWidgetArea);
   reward->header().setNote(tr("last 80 episodes"));
-  Panel* falls = addPanel(tr("Falls"), "falls", new LearningChart(session_, LearningChart::Shows::Falls), Qt::RightDockWidgetArea);
+  Panel* falls =
+      addPanel(tr("Falls"), "falls", new LearningChart(session_, LearningChart::Shows::Falls), Qt::RightDockWidgetArea);
   falls->header().setNote(tr("cumulative; each mark on the axis is one"));
 
   connect(&session_, &Session::stateChanged, this, [this, actions] {
@@ -99,8 +105,9 @@ LivePage::LivePage(Session& session, QWidget* parent) : QMainWindow(parent), ses
   connect(&session_, &Session::frame, this, [this] {
     const bool viewing = session_.turbo() && session_.running();
     const double factor = session_.factor();
-    const QString speed = toText(factor < 9.95 ? fixedText(factor, 1) : countText(factor >= 1000 ? std::round(factor / 100) * 100 : factor));
-    worldHeader_->setNote(viewing ? tr("real time, newest Q-function; the learner runs ×%1").arg(speed)
+    const QString speed = toText(factor < 9.95 ? fixedText(factor, 1)
+                                               : countText(factor >= 1000 ? std::round(factor / 100) * 100 : factor));
+    worldHeader_->setNote(viewing              ? tr("real time, newest Q-function; the learner runs ×%1").arg(speed)
                           : session_.running() ? tr("the learner's own, ×%1").arg(speed)
                                                : tr("the learner's own, paused"));
   });
@@ -165,7 +172,8 @@ void LivePage::shareSpace() {
   const bool wide = width() >= 1800;
   resizeDocks({panel("parameters"), panel("maps")}, {wide ? 288 : 264, wide ? 632 : 440}, Qt::Horizontal);
   resizeDocks({panel("actions")}, {268}, Qt::Vertical);
-  resizeDocks({panel("maps"), panel("reward"), panel("falls")}, {wide ? 440 : 300, wide ? 288 : 196, wide ? 274 : 190}, Qt::Vertical);
+  resizeDocks({panel("maps"), panel("reward"), panel("falls")}, {wide ? 440 : 300, wide ? 288 : 196, wide ? 274 : 190},
+              Qt::Vertical);
 }
 
 bool LivePage::restoreLayout(const QByteArray& state) {

@@ -48,7 +48,7 @@ class LivePage final : public QMainWindow {
   QWidget* full_ = nullptr;  // the panel that has the whole page
   QByteArray before_;        // the layout to come back to
   bool laidOut_ = false;
-  bool untouched_ = true;    // no one has moved a separator: the columns follow the width of the window
+  bool untouched_ = true;  // no one has moved a separator: the columns follow the width of the window
 };
 
 }  // namespace surefoot

@@ -68,10 +68,12 @@ MainWindow::MainWindow(Session& session, QWidget* parent) : QMainWindow(parent),
   pages_ = new QStackedWidget;
   live_ = new LivePage(session_);
   pages_->addWidget(live_);
-  pages_->addWidget(makePlaceholder(tr("Experiment"), tr("Batches of lives with their statistics will be set up and run on this page in a later "
-                                                         "version. Until then they run without a window:\n\nsurefoot train --lives 40 --minutes 9")));
-  pages_->addWidget(makePlaceholder(tr("Lessons"), tr("Lessons that lead through exploring, thresholds and temperature will stand on this page in "
-                                                      "a later version. The Live page is a good place to begin.")));
+  pages_->addWidget(makePlaceholder(
+      tr("Experiment"), tr("Batches of lives with their statistics will be set up and run on this page in a later "
+                           "version. Until then they run without a window:\n\nsurefoot train --lives 40 --minutes 9")));
+  pages_->addWidget(makePlaceholder(
+      tr("Lessons"), tr("Lessons that lead through exploring, thresholds and temperature will stand on this page in "
+                        "a later version. The Live page is a good place to begin.")));
   column->addWidget(bar_);
   column->addWidget(messages_);
   column->addWidget(pages_, 1);
@@ -91,7 +93,8 @@ MainWindow::MainWindow(Session& session, QWidget* parent) : QMainWindow(parent),
     messages_->ask(tr("%1 = %2 needs a new table, so learning starts again from the beginning, with the same seed.")
                        .arg(toText(entry->parameter.title), toText(formatValue(entry->parameter, value))),
                    tr("Start again"), [this, key, value] {
-                     if (const Status s = session_.setParameterAndRestart(key.toStdString(), value); !s) messages_->say(toText(s.error().message));
+                     if (const Status s = session_.setParameterAndRestart(key.toStdString(), value); !s)
+                       messages_->say(toText(s.error().message));
                    });
   });
   refresh();
@@ -137,14 +140,16 @@ void MainWindow::makeMenus() {
   QMenu* view = menuBar()->addMenu(tr("&View"));
   for (Panel* panel : live_->panels()) view->addAction(panel->toggleViewAction());
   view->addSeparator();
-  connect(addAction(view, tr("Reset &layout"), tr("Put every panel back in its place"), {}), &QAction::triggered, live_, &LivePage::resetLayout);
-  connect(addAction(view, tr("&Fit the world"), tr("The zoom that shows the whole world"), Qt::Key_Home), &QAction::triggered, this,
-          [this] { live_->world().fit(); });
+  connect(addAction(view, tr("Reset &layout"), tr("Put every panel back in its place"), {}), &QAction::triggered, live_,
+          &LivePage::resetLayout);
+  connect(addAction(view, tr("&Fit the world"), tr("The zoom that shows the whole world"), Qt::Key_Home),
+          &QAction::triggered, this, [this] { live_->world().fit(); });
   view->addSeparator();
   auto* group = new QActionGroup(this);
   const int saved = QSettings().value("appearance", 0).toInt();
-  for (const auto& [text, appearance] : {std::pair{tr("Colours of the &system"), Appearance::System},
-                                         std::pair{tr("L&ight"), Appearance::Light}, std::pair{tr("&Dark"), Appearance::Dark}}) {
+  for (const auto& [text, appearance] :
+       {std::pair{tr("Colours of the &system"), Appearance::System}, std::pair{tr("L&ight"), Appearance::Light},
+        std::pair{tr("&Dark"), Appearance::Dark}}) {
     QAction* action = addAction(view, text, text, {});
     action->setCheckable(true);
     action->setChecked(saved == static_cast<int>(appearance));
@@ -162,8 +167,10 @@ void MainWindow::makeMenus() {
   for (QAction* action : {run_.turbo, run_.faster, run_.slower}) run->addAction(action);
 
   QMenu* help = menuBar()->addMenu(tr("&Help"));
-  connect(addAction(help, tr("&Shortcuts"), tr("All shortcuts"), Qt::Key_F1), &QAction::triggered, this, &MainWindow::showShortcuts);
-  connect(addAction(help, tr("&About Surefoot"), tr("What this is"), {}), &QAction::triggered, this, &MainWindow::showAbout);
+  connect(addAction(help, tr("&Shortcuts"), tr("All shortcuts"), Qt::Key_F1), &QAction::triggered, this,
+          &MainWindow::showShortcuts);
+  connect(addAction(help, tr("&About Surefoot"), tr("What this is"), {}), &QAction::triggered, this,
+          &MainWindow::showAbout);
   menuBar()->setCornerWidget(makeTabs());
 }
 
@@ -200,7 +207,8 @@ void MainWindow::setPage(int page) {
 void MainWindow::refresh() {
   run_.run->setText(session_.running() ? tr("&Pause") : tr("&Run"));
   run_.run->setEnabled(!session_.runFinished());
-  run_.run->setToolTip(session_.runFinished() ? tr("The life is complete; restart it to run again") : tr("Run or pause"));
+  run_.run->setToolTip(session_.runFinished() ? tr("The life is complete; restart it to run again")
+                                              : tr("Run or pause"));
   const QSignalBlocker blocker(run_.turbo);
   run_.turbo->setChecked(session_.turbo());
 }
@@ -248,10 +256,11 @@ void MainWindow::showAbout() {
   dialog->setWindowTitle(tr("About Surefoot"));
   auto* column = new QVBoxLayout(dialog);
   column->setContentsMargins(24, 20, 24, 20);
-  auto* text = new QLabel(tr("<p style='font-size:18px'>Surefoot %1</p><p>Reinforcement learning that avoids falling.</p>"
-                             "<p>The methods are those of M. van Diepen's thesis<br><i>Avoiding failure states during Reinforcement "
-                             "Learning</i>, Delft.</p><p>Free software under the GNU General Public License, version 3 or later.</p>")
-                              .arg(QApplication::applicationVersion()));
+  auto* text = new QLabel(
+      tr("<p style='font-size:18px'>Surefoot %1</p><p>Reinforcement learning that avoids falling.</p>"
+         "<p>The methods are those of M. van Diepen's thesis<br><i>Avoiding failure states during Reinforcement "
+         "Learning</i>, Delft.</p><p>Free software under the GNU General Public License, version 3 or later.</p>")
+          .arg(QApplication::applicationVersion()));
   column->addWidget(text);
   dialog->show();
 }

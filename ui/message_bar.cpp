@@ -11,7 +11,10 @@
 namespace surefoot {
 
 MessageBar::MessageBar(QWidget* parent)
-    : QWidget(parent), text_(new QLabel), answer_(new QPushButton), dismiss_(new QPushButton(tr("Dismiss"))) {
+    : QWidget(parent),
+      text_(new QLabel),
+      answer_(new QPushButton),
+      dismiss_(new QPushButton(tr("Dismiss"))) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(15, 4, 12, 5);
   row->setSpacing(8);

@@ -96,7 +96,8 @@ void PanelHeader::paintEvent(QPaintEvent*) {
 }
 
 Panel::Panel(const QString& title, const QString& name, QWidget* content, bool canFill, QWidget* parent)
-    : QDockWidget(title, parent), header_(new PanelHeader(title, canFill, this)) {
+    : QDockWidget(title, parent),
+      header_(new PanelHeader(title, canFill, this)) {
   setObjectName(name);
   setTitleBarWidget(header_);
   setWidget(content);

@@ -48,5 +48,4 @@ class Panel final : public QDockWidget {
   PanelHeader* header_;
 };
 
-
 }  // namespace surefoot

@@ -20,7 +20,11 @@ constexpr int kRoomForMore = 860;  // [px] from this height on the second rank o
 class SectionHead final : public QWidget {
  public:
   SectionHead(const QString& title, const QString& tag, bool caution, bool first, QWidget* parent)
-      : QWidget(parent), title_(title), tag_(tag), caution_(caution), first_(first) {
+      : QWidget(parent),
+        title_(title),
+        tag_(tag),
+        caution_(caution),
+        first_(first) {
     setFixedHeight(first ? 26 : 42);
   }
 
@@ -46,11 +50,16 @@ class SectionHead final : public QWidget {
 
 QString titleOf(Group group) {
   switch (group) {
-    case Group::Policy: return QObject::tr("Policy");
-    case Group::Learning: return QObject::tr("Learning");
-    case Group::Rewards: return QObject::tr("Rewards");
-    case Group::Representation: return QObject::tr("Representation");
-    case Group::Model: break;
+    case Group::Policy:
+      return QObject::tr("Policy");
+    case Group::Learning:
+      return QObject::tr("Learning");
+    case Group::Rewards:
+      return QObject::tr("Rewards");
+    case Group::Representation:
+      return QObject::tr("Representation");
+    case Group::Model:
+      break;
   }
   return QObject::tr("Model");
 }
@@ -85,7 +94,10 @@ void ParameterForm::build() {
   bool first = true;
   for (const Group group : {Group::Policy, Group::Learning, Group::Rewards, Group::Representation, Group::Model}) {
     const bool newTable = group == Group::Representation, nextEpisode = group == Group::Model;
-    column->addWidget(new SectionHead(titleOf(group), newTable ? tr("new table") : nextEpisode ? tr("next episode") : QString(),
+    column->addWidget(new SectionHead(titleOf(group),
+                                      newTable      ? tr("new table")
+                                      : nextEpisode ? tr("next episode")
+                                                    : QString(),
                                       newTable, first, page));
     first = false;
     for (const auto& entry : session_.configuration().parameters.all()) {

@@ -28,7 +28,10 @@ QString tip(const Parameter& p) {
 }  // namespace
 
 ParameterRow::ParameterRow(const Parameter& parameter, const std::string& policy, QWidget* parent)
-    : QWidget(parent), parameter_(parameter), policy_(policy), value_(parameter.fallback) {
+    : QWidget(parent),
+      parameter_(parameter),
+      policy_(policy),
+      value_(parameter.fallback) {
   const QString name = toText(parameter_.title);
   setToolTip(tip(parameter_));
   if (parameter_.kind == Kind::Choice) {
@@ -89,7 +92,8 @@ int ParameterRow::sliderAt(double value) const {
 QString ParameterRow::textOf(double value) const {
   QString text = QString::number(value, 'g', 6);
   const double size = std::abs(value);
-  if (parameter_.kind == Kind::Real && size < 10 && size >= 0.01 && text.size() < 4) text = QString::number(value, 'f', 2);
+  if (parameter_.kind == Kind::Real && size < 10 && size >= 0.01 && text.size() < 4)
+    text = QString::number(value, 'f', 2);
   if (text.size() > 7) text = QString::number(value, 'g', 3);
   if (parameter_.sliderHigh >= 10 && value == std::floor(value) && size < 1e6) text = QString::number(value, 'f', 0);
   return text.replace('-', QChar(0x2212));
@@ -168,8 +172,9 @@ void ParameterRow::paintEvent(QPaintEvent*) {
   p.drawText(QPointF(width() - kUnit + 3, baseline - 0.5), unit);
   if (!changedAt_ && value_ == parameter_.fallback) return;
   const QString fallback = textOf(parameter_.fallback);
-  const QString text = changedAt_ ? tr("set at step %1, default %2").arg(toText(countText(static_cast<double>(*changedAt_))), fallback)
-                                  : tr("default %1").arg(fallback);
+  const QString text =
+      changedAt_ ? tr("set at step %1, default %2").arg(toText(countText(static_cast<double>(*changedAt_))), fallback)
+                 : tr("default %1").arg(fallback);
   p.drawText(QPointF(kName, kRow + 9), text);
 }
 

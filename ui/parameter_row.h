@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One parameter in the form: marker, name and symbol, slider, number, unit; below it, once changed, since when, with the
-// default and Reset.
+// One parameter in the form: marker, name and symbol, slider, number, unit; below it, once changed, since when, with
+// the default and Reset.
 #pragma once
 
 #include <QWidget>

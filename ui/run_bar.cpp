@@ -32,7 +32,9 @@ int positionOf(double pace) {
 
 /// "×4,300", and less than ten with a decimal.
 QString factorText(double factor) {
-  const double rounded = factor >= 1000 ? std::round(factor / 100) * 100 : factor >= 100 ? std::round(factor / 10) * 10 : factor;
+  const double rounded = factor >= 1000  ? std::round(factor / 100) * 100
+                         : factor >= 100 ? std::round(factor / 10) * 10
+                                         : factor;
   return QStringLiteral("×") + toText(factor < 9.95 ? fixedText(factor, 1) : countText(rounded));
 }
 
@@ -40,7 +42,11 @@ QString factorText(double factor) {
 class BarButton final : public QAbstractButton {
  public:
   enum class Look { Main, Quiet, Framed };
-  BarButton(QAction* action, Icon icon, Look look, QWidget* parent) : QAbstractButton(parent), action_(action), icon_(icon), look_(look) {
+  BarButton(QAction* action, Icon icon, Look look, QWidget* parent)
+      : QAbstractButton(parent),
+        action_(action),
+        icon_(icon),
+        look_(look) {
     setFocusPolicy(Qt::StrongFocus);
     resize(look == Look::Framed ? 80 : kButton, kButton);
     connect(this, &QAbstractButton::clicked, action, &QAction::trigger);
@@ -127,14 +133,17 @@ QIcon markerIcon(const std::string& policy, const Theme& t) {
 }  // namespace
 
 RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
-    : QWidget(parent), session_(session), actions_(actions) {
+    : QWidget(parent),
+      session_(session),
+      actions_(actions) {
   setFixedHeight(48);
   auto* run = new BarButton(actions.run, Icon::Run, BarButton::Look::Main, this);
   buttons_ = {run, new BarButton(actions.step, Icon::Step, BarButton::Look::Quiet, this),
               new BarButton(actions.restart, Icon::Restart, BarButton::Look::Quiet, this)};
   pace_ = new Slider(this);
   pace_->setAccessibleName(tr("Pace"));
-  pace_->setToolTip(tr("How fast the world runs while turbo is off: %1 to %2 times real time").arg(kSlowest).arg(kFastest));
+  pace_->setToolTip(
+      tr("How fast the world runs while turbo is off: %1 to %2 times real time").arg(kSlowest).arg(kFastest));
   pace_->setValue(positionOf(session.pace()));
   connect(pace_, &QSlider::valueChanged, this, [this](int position) { session_.setPace(paceAt(position)); });
   buttons_.push_back(new BarButton(actions.turbo, Icon::Turbo, BarButton::Look::Framed, this));
@@ -145,7 +154,9 @@ RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
       scenario_->addItem(toText(entry.title), toText(entry.name));
       scenario_->setItemData(scenario_->count() - 1, toText(entry.help), Qt::ToolTipRole);
     }
-  connect(scenario_, &QComboBox::activated, this, [this](int i) { session_.setScenario(scenario_->itemData(i).toString().toStdString()); });
+  connect(scenario_, &QComboBox::activated, this,
+          [this](int i) { session_.setScenario(scenario_->itemData(i).toString().toStdString()); });
+  scenario_->setPlaceholderText(tr("Changed model"));
   agent_ = makeCombo(tr("Learning rule"));
   for (const auto& entry : session.registry().agents) agent_->addItem(toText(entry.title), toText(entry.name));
   policy_ = makeCombo(tr("Policy"));
@@ -153,7 +164,8 @@ RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
     policy_->addItem(toText(entry.title), toText(entry.name));
     policy_->setItemData(policy_->count() - 1, toText(entry.help), Qt::ToolTipRole);
   }
-  connect(policy_, &QComboBox::activated, this, [this](int i) { session_.setPolicy(policy_->itemData(i).toString().toStdString()); });
+  connect(policy_, &QComboBox::activated, this,
+          [this](int i) { session_.setPolicy(policy_->itemData(i).toString().toStdString()); });
 
   connect(&session_, &Session::stateChanged, this, [this, run] {
     run->setIcon(session_.running() ? Icon::Pause : Icon::Run);
@@ -174,15 +186,18 @@ QComboBox* RunBar::makeCombo(const QString& name) {
 
 void RunBar::styleCombos() {
   const Theme& t = themeOf(*this);
-  const QString style = QStringLiteral(
-      "QComboBox { border: 1px solid %1; border-radius: 4px; padding: 0 8px; background: %2; color: %3; }"
-      "QComboBox:focus { border: 2px solid %4; padding: 0 7px; }"
-      "QComboBox::drop-down { border: none; width: 18px; } QComboBox::down-arrow { image: none; }"
-      "QComboBox QAbstractItemView { background: %2; color: %3; selection-background-color: %5; selection-color: %3;"
-      " border: 1px solid %1; }")
-      .arg(t.outline.name(), t.panel.name(), t.ink.name(), t.accent.name(), t.fill.name());
+  const QString style =
+      QStringLiteral(
+          "QComboBox { border: 1px solid %1; border-radius: 4px; padding: 0 8px; background: %2; color: %3; }"
+          "QComboBox:focus { border: 2px solid %4; padding: 0 7px; }"
+          "QComboBox::drop-down { border: none; width: 18px; } QComboBox::down-arrow { image: none; }"
+          "QComboBox QAbstractItemView { background: %2; color: %3; selection-background-color: %5; selection-color: "
+          "%3;"
+          " border: 1px solid %1; }")
+          .arg(t.outline.name(), t.panel.name(), t.ink.name(), t.accent.name(), t.fill.name());
   for (QComboBox* combo : {scenario_, agent_, policy_}) combo->setStyleSheet(style);
-  for (int i = 0; i < policy_->count(); ++i) policy_->setItemIcon(i, markerIcon(policy_->itemData(i).toString().toStdString(), t));
+  for (int i = 0; i < policy_->count(); ++i)
+    policy_->setItemIcon(i, markerIcon(policy_->itemData(i).toString().toStdString(), t));
 }
 
 void RunBar::changeEvent(QEvent* event) {
@@ -190,7 +205,9 @@ void RunBar::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange) styleCombos();
 }
 
-void RunBar::changePace(int notches) { pace_->setValue(pace_->value() + notches * Slider::kSteps / 20); }
+void RunBar::changePace(int notches) {
+  pace_->setValue(pace_->value() + notches * Slider::kSteps / 20);
+}
 
 void RunBar::refresh() {
   const Names& names = session_.configuration().names;
@@ -198,7 +215,13 @@ void RunBar::refresh() {
     const QSignalBlocker blocker(combo);
     combo.setCurrentIndex(combo.findData(toText(name)));
   };
-  select(*scenario_, names.scenario);
+  // A model that was changed by hand is none of the scenarios.
+  const auto scenario = findEntry(session_.registry().scenarios, "scenario", names.scenario);
+  bool asNamed = static_cast<bool>(scenario);
+  if (asNamed)
+    for (const auto& [key, value] : (*scenario)->values)
+      asNamed &= session_.configuration().parameters.get(key) == value;
+  select(*scenario_, asNamed ? names.scenario : "");
   select(*agent_, names.agent);
   select(*policy_, names.policy);
   if (!pace_->isSliderDown()) {
@@ -229,13 +252,16 @@ void RunBar::paintEvent(QPaintEvent*) {
   QPainter p(this);
   p.fillRect(rect(), t.panel);
   p.fillRect(QRect(0, height() - 1, width(), 1), t.hairline);
-  for (const int x : {buttons_[2]->geometry().right() + 16, scenario_->x() - 11}) p.fillRect(QRect(x, 12, 1, 24), t.hairline);
+  for (const int x : {buttons_[2]->geometry().right() + 16, scenario_->x() - 11})
+    p.fillRect(QRect(x, 12, 1, 24), t.hairline);
   p.setFont(textFont(13));
   p.setPen(t.quiet);
   p.drawText(QRectF(pace_->x() - 44, 8, 40, kButton), Qt::AlignVCenter | Qt::AlignRight, tr("Pace"));
   p.setPen(t.ink);
   const double pace = session_.pace();
-  p.drawText(QRectF(paceLabel_, 8, 40, kButton), Qt::AlignVCenter, QStringLiteral("%1×").arg(pace < 9.95 && pace != 1.0 ? QString::number(pace, 'f', 1) : QString::number(pace, 'f', 0)));
+  p.drawText(QRectF(paceLabel_, 8, 40, kButton), Qt::AlignVCenter,
+             QStringLiteral("%1×").arg(pace < 9.95 && pace != 1.0 ? QString::number(pace, 'f', 1)
+                                                                  : QString::number(pace, 'f', 0)));
   if (session_.running() && session_.factor() > 0)
     p.drawText(QRectF(factorLabel_, 8, 64, kButton), Qt::AlignVCenter, factorText(session_.factor()));
 

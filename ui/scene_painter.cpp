@@ -7,12 +7,18 @@ namespace surefoot {
 
 QColor ScenePainter::colour(Ink ink) const {
   switch (ink) {
-    case Ink::Solid: return t_.ink;
-    case Ink::Body: return flash_ ? t_.fall : t_.ink;
-    case Ink::Outline: return t_.outline;
-    case Ink::Quiet: return t_.quiet;
-    case Ink::Hairline: return t_.hairline;
-    case Ink::Fall: break;
+    case Ink::Solid:
+      return t_.ink;
+    case Ink::Body:
+      return flash_ ? t_.fall : t_.ink;
+    case Ink::Outline:
+      return t_.outline;
+    case Ink::Quiet:
+      return t_.quiet;
+    case Ink::Hairline:
+      return t_.hairline;
+    case Ink::Fall:
+      break;
   }
   return t_.fall;
 }
@@ -21,11 +27,16 @@ QBrush ScenePainter::brush(Fill fill) const {
   QColor wash = t_.fall;
   wash.setAlphaF(0.14f);
   switch (fill) {
-    case Fill::None: return Qt::NoBrush;
-    case Fill::Panel: return t_.panel;
-    case Fill::Wash: return t_.fill;
-    case Fill::Solid: return t_.ink;
-    case Fill::Fall: break;
+    case Fill::None:
+      return Qt::NoBrush;
+    case Fill::Panel:
+      return t_.panel;
+    case Fill::Wash:
+      return t_.fill;
+    case Fill::Solid:
+      return t_.ink;
+    case Fill::Fall:
+      break;
   }
   return wash;
 }
@@ -70,17 +81,21 @@ void ScenePainter::operator()(const Arrow& arrow) const {
   p_.drawPolygon(QPolygonF({to, to + QPointF(-12 * side, -5.5), to + QPointF(-12 * side, 5.5)}));
   p_.setFont(textFont(11));
   p_.setPen(t_.ink);
-  drawSymbol(p_, QRectF((from.x() + to.x()) / 2 - 50, from.y() - 24, 100, 16), Qt::AlignHCenter, QString::fromStdString(arrow.text));
+  drawSymbol(p_, QRectF((from.x() + to.x()) / 2 - 50, from.y() - 24, 100, 16), Qt::AlignHCenter,
+             QString::fromStdString(arrow.text));
 }
 
 void ScenePainter::operator()(const Label& label) const {
   const QPointF at = toPixel_(label.at) + QPointF(label.dx, label.dy);
   p_.setFont(textFont(label.ink == Ink::Solid ? 13 : 11));
   p_.setPen(label.ink == Ink::Fall ? t_.fallText : colour(label.ink));
-  const QRectF where = label.align == 0 ? QRectF(at.x() - 80, at.y() - 8, 160, 16)
+  const QRectF where = label.align == 0  ? QRectF(at.x() - 80, at.y() - 8, 160, 16)
                        : label.align > 0 ? QRectF(at.x(), at.y() - 8, 160, 16)
                                          : QRectF(at.x() - 160, at.y() - 8, 160, 16);
-  drawSymbol(p_, where, label.align == 0 ? Qt::AlignHCenter : label.align > 0 ? Qt::AlignLeft : Qt::AlignRight,
+  drawSymbol(p_, where,
+             label.align == 0  ? Qt::AlignHCenter
+             : label.align > 0 ? Qt::AlignLeft
+                               : Qt::AlignRight,
              QString::fromStdString(label.text));
 }
 

@@ -13,8 +13,13 @@ namespace surefoot {
 class ScenePainter {
  public:
   /// `flash`: the body is drawn in the colour of falling. `toPixel` maps metres to the widget.
-  ScenePainter(QPainter& painter, const Theme& theme, bool flash, std::function<QPointF(Point)> toPixel, double pixelsPerMetre)
-      : p_(painter), t_(theme), flash_(flash), toPixel_(std::move(toPixel)), scale_(pixelsPerMetre) {}
+  ScenePainter(QPainter& painter, const Theme& theme, bool flash, std::function<QPointF(Point)> toPixel,
+               double pixelsPerMetre)
+      : p_(painter),
+        t_(theme),
+        flash_(flash),
+        toPixel_(std::move(toPixel)),
+        scale_(pixelsPerMetre) {}
 
   void operator()(const Polyline& line) const;
   void operator()(const Polygon& polygon) const;

@@ -8,13 +8,16 @@
 namespace surefoot {
 
 namespace {
-constexpr int kFrame = 16;          // [ms]
-constexpr int kValuesEvery = 100;   // [ms]
-constexpr int kFlash = 200;         // [ms]
+constexpr int kFrame = 16;         // [ms]
+constexpr int kValuesEvery = 100;  // [ms]
+constexpr int kFlash = 200;        // [ms]
 }  // namespace
 
 Session::Session(const Registry& registry, Configuration configuration, bool keepRows, QObject* parent)
-    : QObject(parent), registry_(registry), configuration_(std::move(configuration)), keepRows_(keepRows) {
+    : QObject(parent),
+      registry_(registry),
+      configuration_(std::move(configuration)),
+      keepRows_(keepRows) {
   auto life = makeFirstLife();
   assert(life && "the configuration was checked before");
   learner_ = std::make_unique<LearnerThread>(std::move(*life));
@@ -28,7 +31,9 @@ Session::Session(const Registry& registry, Configuration configuration, bool kee
 
 Session::~Session() = default;
 
-Result<std::unique_ptr<Life>> Session::makeFirstLife() const { return makeLife(registry_, configuration_, 0, keepRows_); }
+Result<std::unique_ptr<Life>> Session::makeFirstLife() const {
+  return makeLife(registry_, configuration_, 0, keepRows_);
+}
 
 void Session::makeViewer() {
   auto environment = makeEnvironment(registry_, configuration_);
@@ -43,7 +48,9 @@ const ValueSnapshot* Session::values() const {
   return v.values && v.life == lifeSent_ ? &v : nullptr;
 }
 
-double Session::factor() const { return stepsPerSecond_ * task().stepTime.value_or(0.0); }
+double Session::factor() const {
+  return stepsPerSecond_ * task().stepTime.value_or(0.0);
+}
 
 std::optional<std::int64_t> Session::changedAt(const std::string& key) const {
   const ValueSnapshot* v = values();
@@ -188,7 +195,7 @@ void Session::setPolicy(const std::string& name) {
   auto forViewer = makePolicy(registry_, name, configuration_.parameters);
   if (!forLearner || !forViewer) return;
   configuration_.names.policy = name;
-  learner_->send(SetPolicy{std::move(*forLearner)});
+  learner_->send(SetPolicy{name, std::move(*forLearner)});
   viewer_->setPolicy(std::move(*forViewer));
   Q_EMIT configurationChanged();
 }

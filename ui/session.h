@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window is about: a configuration, the life that runs, and the newest snapshots of it. Turns what a person does
-// into commands for the learner's thread, and its snapshots into signals.
+// What the window is about: a configuration, the life that runs, and the newest snapshots of it. Turns what a person
+// does into commands for the learner's thread, and its snapshots into signals.
 #pragma once
 
 #include <QElapsedTimer>
@@ -73,9 +73,9 @@ class Session final : public QObject {
   std::unique_ptr<Life> finish();
 
  Q_SIGNALS:
-  void frame();            ///< about 60 times a second
-  void valuesArrived();    ///< at most ten times a second
-  void stateChanged();     ///< running, turbo, pace
+  void frame();          ///< about 60 times a second
+  void valuesArrived();  ///< at most ten times a second
+  void stateChanged();   ///< running, turbo, pace
   void configurationChanged();
   void lifeReplaced();
   void needsNewTable(const QString& key, double value);

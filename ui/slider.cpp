@@ -20,7 +20,9 @@ Slider::Slider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
   setFocusPolicy(Qt::StrongFocus);
 }
 
-double Slider::knob() const { return kMargin + (width() - 2 * kMargin) * (value() - minimum()) / (maximum() - minimum()); }
+double Slider::knob() const {
+  return kMargin + (width() - 2 * kMargin) * (value() - minimum()) / (maximum() - minimum());
+}
 
 void Slider::paintEvent(QPaintEvent*) {
   const Theme& t = themeOf(*this);
@@ -56,9 +58,13 @@ void Slider::mouseMoveEvent(QMouseEvent* event) {
   if (isSliderDown()) follow(*event);
 }
 
-void Slider::mouseReleaseEvent(QMouseEvent*) { setSliderDown(false); }
+void Slider::mouseReleaseEvent(QMouseEvent*) {
+  setSliderDown(false);
+}
 
 // A wheel that scrolls the form must not turn a parameter on its way.
-void Slider::wheelEvent(QWheelEvent* event) { event->ignore(); }
+void Slider::wheelEvent(QWheelEvent* event) {
+  event->ignore();
+}
 
 }  // namespace surefoot

@@ -20,11 +20,13 @@ StatusLine::StatusLine(Session& session, QWidget* parent) : QWidget(parent), ses
 QStringList StatusLine::segments() const {
   const Snapshot& s = session_.snapshot();
   QStringList list;
-  if (!std::isnan(s.simulatedSeconds)) list << tr("%1 min simulated").arg(toText(fixedText(s.simulatedSeconds / 60, 2)));
+  if (!std::isnan(s.simulatedSeconds))
+    list << tr("%1 min simulated").arg(toText(fixedText(s.simulatedSeconds / 60, 2)));
   list << tr("%1 steps").arg(toText(countText(static_cast<double>(s.steps))));
   const double speed = session_.stepsPerSecond();
   if (session_.running())
-    list << (speed >= 1e5 ? tr("%1 M steps/s").arg(toText(fixedText(speed / 1e6, 2))) : tr("%1 steps/s").arg(toText(countText(speed))));
+    list << (speed >= 1e5 ? tr("%1 M steps/s").arg(toText(fixedText(speed / 1e6, 2)))
+                          : tr("%1 steps/s").arg(toText(countText(speed))));
   const Parameters& p = session_.configuration().parameters;
   if (s.totals.successes > 0 && p.find("environment.goal_reward")) {
     // eq. 4.1: threshold = γ^n*·R_goal, n* the mean transitions of the successful episodes so far.
@@ -38,9 +40,13 @@ QStringList StatusLine::segments() const {
 
 QString StatusLine::state() const {
   const ValueSnapshot* v = session_.values();
-  QString text = v && v->endOfLearning > 0 ? tr("learning ended at episode %1").arg(toText(countText(static_cast<double>(v->endOfLearning)))) : QString();
-  if (session_.snapshot().finished) text = tr("the life is complete") + (text.isEmpty() ? "" : "; " + text);
-  else if (!session_.running()) text = tr("paused") + (text.isEmpty() ? "" : "; " + text);
+  QString text = v && v->endOfLearning > 0
+                     ? tr("learning ended at episode %1").arg(toText(countText(static_cast<double>(v->endOfLearning))))
+                     : QString();
+  if (session_.snapshot().finished)
+    text = tr("the life is complete") + (text.isEmpty() ? "" : "; " + text);
+  else if (!session_.running())
+    text = tr("paused") + (text.isEmpty() ? "" : "; " + text);
   return text;
 }
 

@@ -53,8 +53,12 @@ void drawMarker(QPainter& painter, QPointF c, const PolicyLook& look, bool fille
   painter.setPen(QPen(look.colour, 1.5));
   painter.setBrush(filled ? QBrush(look.colour) : QBrush(Qt::NoBrush));
   switch (look.marker) {
-    case Marker::Circle: painter.drawEllipse(c, 3.5, 3.5); break;
-    case Marker::Square: painter.drawRect(QRectF(c.x() - 3, c.y() - 3, 6, 6)); break;
+    case Marker::Circle:
+      painter.drawEllipse(c, 3.5, 3.5);
+      break;
+    case Marker::Square:
+      painter.drawRect(QRectF(c.x() - 3, c.y() - 3, 6, 6));
+      break;
     case Marker::Triangle:
       painter.drawPolygon(QPolygonF({{c.x() - 4, c.y() + 3}, {c.x(), c.y() - 4}, {c.x() + 4, c.y() + 3}}));
       break;

@@ -22,6 +22,8 @@ void drawSymbol(QPainter& painter, const QRectF& where, Qt::Alignment alignment,
 /// A policy's marker in a circle of about 4 px around the point; filled: in force.
 void drawMarker(QPainter& painter, QPointF centre, const PolicyLook& look, bool filled);
 
-inline QString toText(const std::string& text) { return QString::fromStdString(text); }
+inline QString toText(const std::string& text) {
+  return QString::fromStdString(text);
+}
 
 }  // namespace surefoot

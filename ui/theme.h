@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Colours and fonts, light and dark. Every measure of the window is a multiple of the 8 px grid or named where it is used.
+// Colours and fonts, light and dark. Every measure of the window is a multiple of the 8 px grid or named where it is
+// used.
 #pragma once
 
 #include <QColor>

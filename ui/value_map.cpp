@@ -14,9 +14,12 @@ namespace surefoot {
 
 QRgb MapScale::colour(double value, bool dark) const {
   switch (kind) {
-    case Kind::Diverging: return divergingColour(value >= 0 ? value / high : -value / low, dark);
-    case Kind::Viridis: return viridisColour(position(value));
-    case Kind::Positive: break;
+    case Kind::Diverging:
+      return divergingColour(value >= 0 ? value / high : -value / low, dark);
+    case Kind::Viridis:
+      return viridisColour(position(value));
+    case Kind::Positive:
+      break;
   }
   return divergingColour(value / high, dark);
 }
@@ -33,8 +36,8 @@ double MapScale::valueAt(double position) const {
   return from + position * (high - from);
 }
 
-void ValueMap::compute(const Task& task, const MapSlice& slice, int cells, const MapScale& scale, const Quantity& quantity,
-                       bool dark) {
+void ValueMap::compute(const Task& task, const MapSlice& slice, int cells, const MapScale& scale,
+                       const Quantity& quantity, bool dark) {
   slice_ = slice;
   if (image_.width() != cells) image_ = QImage(cells, cells, QImage::Format_ARGB32);
   std::vector<double> state = slice.at;
@@ -55,7 +58,8 @@ namespace {
 
 /// "150", or a power of ten: "10⁴".
 QString numberText(double value, const MapScale& scale) {
-  if (scale.kind != MapScale::Kind::Viridis || value < 100) return toText(fixedText(value, value == std::floor(value) ? 0 : 1));
+  if (scale.kind != MapScale::Kind::Viridis || value < 100)
+    return toText(fixedText(value, value == std::floor(value) ? 0 : 1));
   constexpr std::array<const char*, 10> kSuperscripts = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   return QStringLiteral("10") + kSuperscripts[static_cast<std::size_t>(std::lround(std::log10(value))) % 10];
 }
@@ -101,7 +105,8 @@ void ValueMap::draw(QPainter& p, const QRectF& square, const Theme& t, const Tas
   p.drawRect(square.adjusted(-0.5, -0.5, 0.5, 0.5));
 }
 
-void ValueMap::drawBar(QPainter& p, const QRectF& bar, const MapScale& scale, const Theme& t, std::span<const double> numbers) {
+void ValueMap::drawBar(QPainter& p, const QRectF& bar, const MapScale& scale, const Theme& t,
+                       std::span<const double> numbers) {
   p.save();
   p.setRenderHint(QPainter::Antialiasing, false);
   const int rows = static_cast<int>(bar.height());

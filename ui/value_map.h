@@ -37,7 +37,8 @@ class ValueMap {
   using Quantity = std::function<double(std::span<const double> state)>;
 
   /// Evaluates the quantity at the centre of each of cells × cells.
-  void compute(const Task& task, const MapSlice& slice, int cells, const MapScale& scale, const Quantity& quantity, bool dark);
+  void compute(const Task& task, const MapSlice& slice, int cells, const MapScale& scale, const Quantity& quantity,
+               bool dark);
 
   /// Draws the map into a square; hatching, frame, and the ring of the live state.
   void draw(QPainter& painter, const QRectF& square, const Theme& theme, const Task& task, std::span<const double> live,

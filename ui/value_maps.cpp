@@ -15,7 +15,7 @@ namespace surefoot {
 namespace {
 constexpr double kLeft = 47, kTop = 24, kUnder = 48;  // gutters [px]
 constexpr int kCell = 3, kSmallCell = 2;              // [px]
-constexpr double kFamiliar = 0.25;                    // share of the active tiles below which a state counts as never visited
+constexpr double kFamiliar = 0.25;  // share of the active tiles below which a state counts as never visited
 constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
 
 /// A round number for ticks: about `count` of them in the range.
@@ -30,7 +30,10 @@ double tickStep(double range, int count) {
 ValueMaps::ValueMaps(Session& session, QWidget* parent) : QWidget(parent), session_(session) {
   setAttribute(Qt::WA_OpaquePaintEvent);
   connect(&session_, &Session::valuesArrived, this, &ValueMaps::recompute);
-  connect(&session_, &Session::lifeReplaced, this, [this] { any_ = false; update(); });
+  connect(&session_, &Session::lifeReplaced, this, [this] {
+    any_ = false;
+    update();
+  });
 }
 
 ValueMaps::Geometry ValueMaps::geometry() const {
@@ -62,24 +65,34 @@ void ValueMaps::recompute() {
   std::vector<double> q(static_cast<std::size_t>(values.actions()));
   const auto best = [&q] { return *std::max_element(q.begin(), q.end()); };
   const auto known = [&](std::span<const double> s) { return values.familiarity(s) >= kFamiliar; };
-  q_.compute(task, slice_, static_cast<int>(g.big.width()) / kCell, qScale_, [&](std::span<const double> s) {
-    if (!known(s)) return kNever;
-    values.evaluate(s, Layer::Sum, q);
-    return best();
-  }, dark);
+  q_.compute(
+      task, slice_, static_cast<int>(g.big.width()) / kCell, qScale_,
+      [&](std::span<const double> s) {
+        if (!known(s)) return kNever;
+        values.evaluate(s, Layer::Sum, q);
+        return best();
+      },
+      dark);
 
   const int cells = static_cast<int>(g.upper.width()) / kSmallCell;
   double most = 10;
-  visits_.compute(task, slice_, cells, visitScale_, [&](std::span<const double> s) {
-    most = std::max(most, values.visits(s));
-    return known(s) ? values.visits(s) : kNever;
-  }, dark);
-  visitScale_ = {MapScale::Kind::Viridis, 1, std::pow(10.0, std::ceil(std::log10(most)))};  // settles with the next picture
-  eligibility_.compute(task, slice_, cells, eligibilityScale_, [&](std::span<const double> s) {
-    if (!known(s)) return kNever;
-    values.average(v->eligibility, s, q);
-    return best();
-  }, dark);
+  visits_.compute(
+      task, slice_, cells, visitScale_,
+      [&](std::span<const double> s) {
+        most = std::max(most, values.visits(s));
+        return known(s) ? values.visits(s) : kNever;
+      },
+      dark);
+  visitScale_ = {MapScale::Kind::Viridis, 1,
+                 std::pow(10.0, std::ceil(std::log10(most)))};  // settles with the next picture
+  eligibility_.compute(
+      task, slice_, cells, eligibilityScale_,
+      [&](std::span<const double> s) {
+        if (!known(s)) return kNever;
+        values.average(v->eligibility, s, q);
+        return best();
+      },
+      dark);
   any_ = true;
   Q_EMIT noteChanged(note());
   update();
@@ -165,7 +178,8 @@ void ValueMaps::paintEvent(QPaintEvent*) {
   p.setClipRect(key);
   p.setRenderHint(QPainter::Antialiasing);
   p.setPen(QPen(t.outline, 1));
-  for (int x = -12; x < 18; x += 5) p.drawLine(QPointF(key.left() + x, key.bottom()), QPointF(key.left() + x + 10, key.top()));
+  for (int x = -12; x < 18; x += 5)
+    p.drawLine(QPointF(key.left() + x, key.bottom()), QPointF(key.left() + x + 10, key.top()));
   p.restore();
   p.setPen(QPen(t.outline, 1));
   p.drawRect(key);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The panel of value maps: the best action's Q large; visits and eligibility small. Axes: the first two state variables;
-// the others follow the live state.
+// The panel of value maps: the best action's Q large; visits and eligibility small. Axes: the first two state
+// variables; the others follow the live state.
 #pragma once
 
 #include <QWidget>

@@ -6,12 +6,14 @@
 namespace surefoot {
 
 namespace {
-constexpr double kRest = 0.4;      // after an ending [s]
-constexpr double kMostLag = 0.1;   // a window that was hidden does not catch up [s]
+constexpr double kRest = 0.4;     // after an ending [s]
+constexpr double kMostLag = 0.1;  // a window that was hidden does not catch up [s]
 }  // namespace
 
 Viewer::Viewer(std::unique_ptr<Environment> environment, std::unique_ptr<Policy> policy, std::uint64_t seed)
-    : environment_(std::move(environment)), policy_(std::move(policy)), random_(seed) {
+    : environment_(std::move(environment)),
+      policy_(std::move(policy)),
+      random_(seed) {
   q_.resize(environment_->task().actions.size());
   pi_.resize(q_.size());
   environment_->reset(random_);

@@ -36,7 +36,8 @@ void WorldView::fit() {
 void WorldView::nextFrame() {
   if (!isVisible() || session_.shown().pose.empty()) return;
   session_.environment().draw(session_.shown().pose, scene_);
-  if (!trail_.empty() && std::hypot(trail_.back().x - scene_.tip.x, trail_.back().y - scene_.tip.y) > kJump) trail_.clear();
+  if (!trail_.empty() && std::hypot(trail_.back().x - scene_.tip.x, trail_.back().y - scene_.tip.y) > kJump)
+    trail_.clear();
   trail_.push_back(scene_.tip);
   if (trail_.size() > kTrail) trail_.pop_front();
   update();
@@ -46,7 +47,9 @@ double WorldView::pixelsPerMetre() const {
   return std::min(kMostScale, (height() - kFloor - kHeadroom) / scene_.height * 1.0) * zoom_;
 }
 
-double WorldView::floorLevel() const { return height() - kFloor; }
+double WorldView::floorLevel() const {
+  return height() - kFloor;
+}
 
 QPointF WorldView::toPixel(Point p) const {
   const double scale = pixelsPerMetre();
@@ -67,7 +70,8 @@ void WorldView::paintEvent(QPaintEvent*) {
   p.setRenderHint(QPainter::Antialiasing);
   drawFloor(p, t);
   drawTrail(p, t);
-  ScenePainter painter(p, t, session_.shown().flash, [this](Point at) { return toPixel(at); }, pixelsPerMetre());
+  ScenePainter painter(
+      p, t, session_.shown().flash, [this](Point at) { return toPixel(at); }, pixelsPerMetre());
   for (const Shape& shape : scene_.shapes) std::visit(painter, shape);
   drawReadOuts(p, t);
 }

@@ -28,7 +28,9 @@ template <FeatureMap F>
 class SarsaLambda final : public Agent {
  public:
   SarsaLambda(LinearActionValue<F> values, const SarsaSettings& settings)
-      : settings_(settings), values_(std::move(values)), trace_(values_.weights().size()) {
+      : settings_(settings),
+        values_(std::move(values)),
+        trace_(values_.weights().size()) {
     x_.resize(static_cast<std::size_t>(values_.activeCount()));
     xNext_.resize(x_.size());
     q_.resize(static_cast<std::size_t>(values_.actions()));
@@ -70,10 +72,14 @@ class SarsaLambda final : public Agent {
  private:
   /// The update for (S, A) = (x_, a_), every value in it taken before. `next` is γ·q̂(S′, A′), or 0 at the end.
   void learn(double reward, double next) {
-    const double delta = reward + next - values_.value(x_, a_);    // δ ← R + γ q̂(S′,A′) − q̂(S,A)
-    trace_.decay(settings_.discount * settings_.traceDecay, settings_.traceCutoff);  // z ← γλ z
-    for (const Index i : x_) mark(i);                              // z_i ← 1 for the active features of (S,A)
-    trace_.addTo(values_.data(), settings_.stepSize / values_.activeCount() * delta);  // w ← w + α/n δ z
+    // clang-format off
+    const double gammaLambda = settings_.discount * settings_.traceDecay;
+    const double alpha = settings_.stepSize / values_.activeCount();  // α/n: a step size of 1 closes the whole error
+    const double delta = reward + next - values_.value(x_, a_);       // δ ← R + γ q̂(S′,A′) − q̂(S,A)
+    trace_.decay(gammaLambda, settings_.traceCutoff);                 // z ← γλ z
+    for (const Index i : x_) mark(i);                                 // z_i ← 1 for the active features of (S,A)
+    trace_.addTo(values_.data(), alpha * delta);                      // w ← w + α δ z
+    // clang-format on
     values_.countVisit(x_);
     diverged_ |= !(std::abs(delta) < kDivergedError);
   }
@@ -86,7 +92,9 @@ class SarsaLambda final : public Agent {
     settings_.trace == TraceKind::Replacing ? trace_.replace(weight) : trace_.accumulate(weight);
   }
 
-  void look(std::span<const double> state, std::vector<Index>& x) { statesOutside_ += !values_.activeFeatures(state, x); }
+  void look(std::span<const double> state, std::vector<Index>& x) {
+    statesOutside_ += !values_.activeFeatures(state, x);
+  }
 
   /// A ~ π(·|S) for the state with features x; leaves q̂(S, ·) in q_.
   Action choose(std::span<const Index> x, Random& random) {

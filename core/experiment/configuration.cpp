@@ -11,8 +11,8 @@ namespace {
 
 Status assign(const AssignmentEntry& entry, std::string_view what, Configuration& c) {
   if (entry.environment != c.names.environment)
-    return Error{fmt::format("{}: \"{}\" belongs to the environment {}, not to {}.", what, entry.name, entry.environment,
-                             c.names.environment)};
+    return Error{fmt::format("{}: \"{}\" belongs to the environment {}, not to {}.", what, entry.name,
+                             entry.environment, c.names.environment)};
   for (const auto& [key, value] : entry.values)
     if (const Status set = c.parameters.set(key, value); !set) return set;
   return Done{};
@@ -20,7 +20,8 @@ Status assign(const AssignmentEntry& entry, std::string_view what, Configuration
 
 }  // namespace
 
-Result<Configuration> configure(const Registry& registry, const Names& names, const std::vector<Assignment>& assignments) {
+Result<Configuration> configure(const Registry& registry, const Names& names,
+                                const std::vector<Assignment>& assignments) {
   Configuration c;
   c.names = names;
   const auto environment = findEntry(registry.environments, "environment", names.environment);
@@ -64,7 +65,8 @@ std::vector<std::string> policyKeys(const PolicyEntry& policy) {
   return keys;
 }
 
-Result<std::unique_ptr<Policy>> makePolicy(const Registry& registry, const std::string& name, const Parameters& parameters) {
+Result<std::unique_ptr<Policy>> makePolicy(const Registry& registry, const std::string& name,
+                                           const Parameters& parameters) {
   const auto entry = findEntry(registry.policies, "policy", name);
   if (!entry) return entry.error();
   auto policy = (*entry)->make();
@@ -106,9 +108,10 @@ Result<std::unique_ptr<Life>> makeLife(const Registry& registry, const Configura
                                c.names.environment)};
     limits.steps = std::llround(*c.minutes * 60.0 / *task.stepTime);
   }
-  return std::make_unique<Life>(LifeParts{std::move(*environment), std::move(*policy), std::move(*agent), c.parameters},
-                                Random(deriveSeed(c.seed, life, Stream::World)),
-                                Random(deriveSeed(c.seed, life, Stream::Policy)), limits, keepRows);
+  return std::make_unique<Life>(
+      LifeParts{std::move(*environment), std::move(*policy), std::move(*agent), c.parameters, c.names.policy},
+      Random(deriveSeed(c.seed, life, Stream::World)), Random(deriveSeed(c.seed, life, Stream::Policy)), limits,
+      keepRows);
 }
 
 }  // namespace surefoot

@@ -35,23 +35,26 @@ struct Configuration {
   Parameters parameters;  ///< complete: environment, agent, features, and every policy's
   std::uint64_t seed = 1;
   int lives = 1;
-  std::optional<double> minutes;          ///< simulated, a life
-  std::optional<std::int64_t> episodes;   ///< a life; whichever limit comes first ends it
+  std::optional<double> minutes;         ///< simulated, a life
+  std::optional<std::int64_t> episodes;  ///< a life; whichever limit comes first ends it
 };
 
 /// Looks the names up and fills in every parameter: defaults, then the preset, then the scenario, then `assignments`.
-Result<Configuration> configure(const Registry& registry, const Names& names, const std::vector<Assignment>& assignments);
+Result<Configuration> configure(const Registry& registry, const Names& names,
+                                const std::vector<Assignment>& assignments);
 
 /// The keys that a policy reads, e.g. "policy.epsilon".
 std::vector<std::string> policyKeys(const PolicyEntry& policy);
 
 /// A policy with its parameters from the configuration.
-Result<std::unique_ptr<Policy>> makePolicy(const Registry& registry, const std::string& name, const Parameters& parameters);
+Result<std::unique_ptr<Policy>> makePolicy(const Registry& registry, const std::string& name,
+                                           const Parameters& parameters);
 
 /// An environment with its parameters from the configuration.
 Result<std::unique_ptr<Environment>> makeEnvironment(const Registry& registry, const Configuration& configuration);
 
 /// Life number `index` (from 0) of the experiment, ready to start.
-Result<std::unique_ptr<Life>> makeLife(const Registry& registry, const Configuration& configuration, int index, bool keepRows);
+Result<std::unique_ptr<Life>> makeLife(const Registry& registry, const Configuration& configuration, int index,
+                                       bool keepRows);
 
 }  // namespace surefoot

@@ -8,8 +8,12 @@
 
 namespace surefoot {
 
-void Hash64::add(std::uint64_t word) { state_ = mix64((state_ ^ word) + 0x9e3779b97f4a7c15ULL); }
-void Hash64::add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
+void Hash64::add(std::uint64_t word) {
+  state_ = mix64((state_ ^ word) + 0x9e3779b97f4a7c15ULL);
+}
+void Hash64::add(double value) {
+  add(std::bit_cast<std::uint64_t>(value));
+}
 
 const EpisodeRow& EpisodeLog::finish(Ending ending, std::int64_t lifeSteps) {
   recent_[static_cast<std::size_t>(totals_.episodes % kAverageOver)] = current_.reward;

@@ -12,14 +12,14 @@ namespace surefoot {
 
 /// One finished episode.
 struct EpisodeRow {
-  std::int64_t episode = 0;   ///< from 1
-  std::int64_t steps = 0;     ///< transitions of this episode
-  std::int64_t lifeSteps = 0; ///< transitions of the life up to its end
-  double reward = 0.0;        ///< total, undiscounted
+  std::int64_t episode = 0;    ///< from 1
+  std::int64_t steps = 0;      ///< transitions of this episode
+  std::int64_t lifeSteps = 0;  ///< transitions of the life up to its end
+  double reward = 0.0;         ///< total, undiscounted
   int falls = 0;
-  bool success = false;       ///< it ended in a success
+  bool success = false;  ///< it ended in a success
   Ending ending = Ending::None;
-  double averageReward = 0.0; ///< over the last 80 episodes, this one included
+  double averageReward = 0.0;  ///< over the last 80 episodes, this one included
 };
 
 /// 64 bits over a sequence of words, in order.

@@ -25,15 +25,21 @@ struct alignas(64) Meter {
 };
 
 double shareOf(const Life& life) {
-  const auto part = [](std::int64_t done, std::int64_t limit) { return static_cast<double>(done) / static_cast<double>(limit); };
-  return std::min(1.0, std::max(part(life.steps(), life.limits().steps), part(life.log().totals().episodes, life.limits().episodes)));
+  const auto part = [](std::int64_t done, std::int64_t limit) {
+    return static_cast<double>(done) / static_cast<double>(limit);
+  };
+  return std::min(1.0, std::max(part(life.steps(), life.limits().steps),
+                                part(life.log().totals().episodes, life.limits().episodes)));
 }
 
 class Pool {
  public:
   Pool(const Registry& registry, const Configuration& configuration, const RunOptions& options)
-      : registry_(registry), configuration_(configuration), options_(options),
-        results_(static_cast<std::size_t>(configuration.lives)), meters_(results_.size()) {}
+      : registry_(registry),
+        configuration_(configuration),
+        options_(options),
+        results_(static_cast<std::size_t>(configuration.lives)),
+        meters_(results_.size()) {}
 
   Result<std::vector<LifeResult>> run() {
     {
@@ -126,7 +132,8 @@ LifeResult summarise(const Life& life, int index, double cpuSeconds) {
   return r;
 }
 
-Result<std::vector<LifeResult>> runLives(const Registry& registry, const Configuration& configuration, const RunOptions& options) {
+Result<std::vector<LifeResult>> runLives(const Registry& registry, const Configuration& configuration,
+                                         const RunOptions& options) {
   return Pool(registry, configuration, options).run();
 }
 

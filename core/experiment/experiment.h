@@ -16,33 +16,34 @@ struct LifeResult {
   int life = 0;  ///< from 0
   LifeTotals totals;
   std::int64_t steps = 0;
-  double simulatedSeconds = 0.0;  ///< NaN: no clock
-  double averageReward = 0.0;     ///< of the last 80 episodes
-  std::int64_t statesOutside = 0; ///< states outside the range that the features cover
-  double cpuSeconds = 0.0;        ///< of its thread
+  double simulatedSeconds = 0.0;   ///< NaN: no clock
+  double averageReward = 0.0;      ///< of the last 80 episodes
+  std::int64_t statesOutside = 0;  ///< states outside the range that the features cover
+  double cpuSeconds = 0.0;         ///< of its thread
   std::uint64_t hash = 0;
-  std::string divergence;         ///< why it stopped, or empty
-  bool complete = false;          ///< a limit was reached; false: diverged or interrupted
-  std::vector<EpisodeRow> rows;   ///< only if asked for
+  std::string divergence;        ///< why it stopped, or empty
+  bool complete = false;         ///< a limit was reached; false: diverged or interrupted
+  std::vector<EpisodeRow> rows;  ///< only if asked for
 };
 
 LifeResult summarise(const Life& life, int index, double cpuSeconds);
 
 struct Progress {
-  std::int64_t steps = 0;      ///< of all lives
+  std::int64_t steps = 0;  ///< of all lives
   std::int64_t falls = 0;
   int livesDone = 0;
-  double share = 0.0;          ///< of the whole work, 0 … 1
+  double share = 0.0;  ///< of the whole work, 0 … 1
 };
 
 struct RunOptions {
-  int jobs = 1;            ///< threads
-  bool keepRows = false;   ///< the episode log of every life
+  int jobs = 1;                                    ///< threads
+  bool keepRows = false;                           ///< the episode log of every life
   const std::atomic<bool>* interrupted = nullptr;  ///< set by anyone: lives in hand are cut where they are
   std::function<void(const Progress&)> progress;   ///< about four times a second, on the calling thread
 };
 
 /// Runs every life; the result is in order of their numbers. Lives never started (interrupted) are left out.
-Result<std::vector<LifeResult>> runLives(const Registry& registry, const Configuration& configuration, const RunOptions& options);
+Result<std::vector<LifeResult>> runLives(const Registry& registry, const Configuration& configuration,
+                                         const RunOptions& options);
 
 }  // namespace surefoot

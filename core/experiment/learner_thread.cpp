@@ -6,16 +6,21 @@
 namespace surefoot {
 
 namespace {
-constexpr int kBatch = 256;               // steps between two looks at the flags
-constexpr double kNoClockStep = 0.05;     // [s]
+constexpr int kBatch = 256;            // steps between two looks at the flags
+constexpr double kNoClockStep = 0.05;  // [s]
 constexpr auto kIdle = std::chrono::milliseconds(100);
-constexpr auto kLag = std::chrono::milliseconds(100);  // a life that fell behind (a busy machine) does not race to catch up
+constexpr auto kLag =
+    std::chrono::milliseconds(100);  // a life that fell behind (a busy machine) does not race to catch up
 
-double stepTimeOf(const Life& life) { return life.environment().task().stepTime.value_or(kNoClockStep); }
+double stepTimeOf(const Life& life) {
+  return life.environment().task().stepTime.value_or(kNoClockStep);
+}
 }  // namespace
 
 LearnerThread::LearnerThread(std::unique_ptr<Life> life)
-    : life_(std::move(life)), stepTime_(stepTimeOf(*life_)), thread_([this] { run(); }) {}
+    : life_(std::move(life)),
+      stepTime_(stepTimeOf(*life_)),
+      thread_([this] { run(); }) {}
 
 LearnerThread::~LearnerThread() {
   if (thread_.joinable()) stop();
@@ -81,7 +86,8 @@ void LearnerThread::stepInPace() {
   if (nextStep_ + kLag < now) nextStep_ = now;
   if (nextStep_ > now) {
     std::unique_lock lock(mutex_);
-    wake_.wait_until(lock, std::min(nextStep_, now + kIdle), [this] { return stop_ || mail_ || snapshotWanted_ || valuesWanted_; });
+    wake_.wait_until(lock, std::min(nextStep_, now + kIdle),
+                     [this] { return stop_ || mail_ || snapshotWanted_ || valuesWanted_; });
     if (Clock::now() < nextStep_) return;
   }
   step();
@@ -103,7 +109,7 @@ void LearnerThread::carryOut(Command& command) {
   struct Visitor {
     LearnerThread& t;
     void operator()(SetParameter& c) const { static_cast<void>(static_cast<bool>(t.life_->set(c.key, c.value))); }
-    void operator()(SetPolicy& c) const { t.life_->setPolicy(std::move(c.policy)); }
+    void operator()(SetPolicy& c) const { t.life_->setPolicy(c.name, std::move(c.policy)); }
     void operator()(SetRunning& c) const { t.running_ = c.running; }
     void operator()(SetPace& c) const { t.pace_ = c.pace; }
     void operator()(SetTurbo& c) const { t.turbo_ = c.turbo; }

@@ -16,13 +16,27 @@
 
 namespace surefoot {
 
-struct SetParameter { std::string key; double value; };
-struct SetPolicy { std::unique_ptr<Policy> policy; };
-struct SetRunning { bool running; };
-struct SetPace { double pace; };          ///< times real time, while turbo is off
-struct SetTurbo { bool turbo; };
-struct SingleStep {};                     ///< one step of a paused life
-struct ReplaceLife { std::unique_ptr<Life> life; };
+struct SetParameter {
+  std::string key;
+  double value;
+};
+struct SetPolicy {
+  std::string name;
+  std::unique_ptr<Policy> policy;
+};
+struct SetRunning {
+  bool running;
+};
+struct SetPace {
+  double pace;
+};  ///< times real time, while turbo is off
+struct SetTurbo {
+  bool turbo;
+};
+struct SingleStep {};  ///< one step of a paused life
+struct ReplaceLife {
+  std::unique_ptr<Life> life;
+};
 
 using Command = std::variant<SetParameter, SetPolicy, SetRunning, SetPace, SetTurbo, SingleStep, ReplaceLife>;
 
@@ -69,13 +83,13 @@ class LearnerThread {
   EndOfLearning end_;
   bool running_ = false, turbo_ = false;
   double pace_ = 1.0;
-  double stepTime_;            // [s]; tasks without a clock take 20 steps a second
+  double stepTime_;  // [s]; tasks without a clock take 20 steps a second
   Clock::time_point nextStep_{};
 
   // Shared.
   std::mutex mutex_;
   std::condition_variable wake_;
-  std::vector<Command> mailbox_;        // guarded by mutex_
+  std::vector<Command> mailbox_;  // guarded by mutex_
   std::atomic<bool> mail_{false}, stop_{false};
   std::atomic<bool> snapshotWanted_{true}, valuesWanted_{true};
   TripleBuffer<Snapshot> snapshots_;

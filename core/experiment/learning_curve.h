@@ -37,14 +37,16 @@ class LearningCurve {
   std::vector<CurvePoint> points_;
 };
 
-/// When learning ended, by the thesis's rule for one life (section 4.2.1): the first episode k ≥ 330 at which the average
-/// reward has moved by less than 3 in 250 episodes, and (ours: the flat start would count) is above 0.75 of the best.
+/// When learning ended, by the thesis's rule for one life (section 4.2.1): the first episode k ≥ 330 at which the
+/// average reward has moved by less than 3 in 250 episodes, and (ours: the flat start would count) is above 0.75 of the
+/// best.
 class EndOfLearning {
  public:
   void add(const EpisodeRow& row, double goalReward) {
     double& before = averages_[static_cast<std::size_t>(row.episode % kSpan)];
     const double change = row.averageReward - before;
-    if (!episode_ && row.episode >= kFirst && change < kMost && change > -kMost && row.averageReward > 0.75 * goalReward) {
+    if (!episode_ && row.episode >= kFirst && change < kMost && change > -kMost &&
+        row.averageReward > 0.75 * goalReward) {
       episode_ = row.episode;
       lifeSteps_ = row.lifeSteps;
     }

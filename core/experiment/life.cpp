@@ -17,6 +17,7 @@ Life::Life(LifeParts parts, Random world, Random policy, LifeLimits limits, bool
       policy_(std::move(parts.policy)),
       agent_(std::move(parts.agent)),
       parameters_(std::move(parts.parameters)),
+      policyName_(std::move(parts.policyName)),
       worldRandom_(world),
       policyRandom_(policy),
       limits_(limits),
@@ -79,14 +80,20 @@ Status Life::set(std::string_view key, double value) {
     applyTo(*policy_, "policy.");
     applyTo(*agent_, "agent.");
   }
-  if (!changes_.empty() && changes_.back().key == key && changes_.back().step == steps_)
-    changes_.back().after = value;
-  else if (changes_.size() < kMostChanges)
-    changes_.push_back({steps_, std::string(key), before, value});
+  note(entry->parameter.key, formatValue(entry->parameter, before), formatValue(entry->parameter, value));
   return Done{};
 }
 
-void Life::setPolicy(std::unique_ptr<Policy> policy) {
+void Life::note(const std::string& key, const std::string& before, const std::string& after) {
+  if (!changes_.empty() && changes_.back().key == key && changes_.back().step == steps_)
+    changes_.back().after = after;
+  else if (changes_.size() < kMostChanges)
+    changes_.push_back({steps_, key, before, after});
+}
+
+void Life::setPolicy(const std::string& name, std::unique_ptr<Policy> policy) {
+  if (name != policyName_) note("policy", policyName_, name);
+  policyName_ = name;
   Fields fields("policy.");
   policy->declare(fields);
   parameters_.apply(fields);
@@ -99,9 +106,10 @@ std::string Life::divergence() const {
   const bool accumulating = parameters_.get("agent.trace") != 0.0;
   std::string cause = fmt::format("agent.step_size = {} is the likely cause; try a smaller one", stepSize);
   if (accumulating)
-    cause = fmt::format("agent.trace = accumulating with agent.step_size = {} is the likely cause; try replacing traces",
-                        stepSize);
-  return fmt::format("The action values diverged at step {}, in episode {}: {}.", steps_, log_.totals().episodes + 1, cause);
+    cause = fmt::format(
+        "agent.trace = accumulating with agent.step_size = {} is the likely cause; try replacing traces", stepSize);
+  return fmt::format("The action values diverged at step {}, in episode {}: {}.", steps_, log_.totals().episodes + 1,
+                     cause);
 }
 
 double Life::simulatedSeconds() const {

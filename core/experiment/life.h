@@ -21,6 +21,7 @@ struct LifeParts {
   std::unique_ptr<Policy> policy;
   std::unique_ptr<Agent> agent;
   Parameters parameters;  ///< complete; the parts were made from it
+  std::string policyName;
 };
 
 /// Whichever comes first.
@@ -29,11 +30,11 @@ struct LifeLimits {
   std::int64_t steps = std::numeric_limits<std::int64_t>::max();
 };
 
-/// A parameter changed while the life went on.
-struct ParameterChange {
-  std::int64_t step = 0;  ///< steps of the life before it
-  std::string key;
-  double before = 0.0, after = 0.0;
+/// Something was changed while the life went on.
+struct Change {
+  std::int64_t step = 0;      ///< steps of the life before it
+  std::string key;            ///< of a parameter, or "policy"
+  std::string before, after;  ///< as a person writes them
 };
 
 /// Used by one thread at a time.
@@ -52,14 +53,14 @@ class Life {
   /// Changes one parameter: at once, or at the next episode, as it declares. A parameter that needs a new table is
   /// refused: make a new life for it.
   Status set(std::string_view key, double value);
-  void setPolicy(std::unique_ptr<Policy> policy);
+  void setPolicy(const std::string& name, std::unique_ptr<Policy> policy);
 
   const Environment& environment() const { return *environment_; }
   const Agent& agent() const { return *agent_; }
   const Policy& policy() const { return *policy_; }
   const Parameters& parameters() const { return parameters_; }
   const EpisodeLog& log() const { return log_; }
-  const std::vector<ParameterChange>& changes() const { return changes_; }
+  const std::vector<Change>& changes() const { return changes_; }
   const LifeLimits& limits() const { return limits_; }
 
   std::int64_t steps() const { return steps_; }
@@ -72,15 +73,17 @@ class Life {
 
  private:
   void beginEpisode();
+  void note(const std::string& key, const std::string& before, const std::string& after);
 
   std::unique_ptr<Environment> environment_;
   std::unique_ptr<Policy> policy_;
   std::unique_ptr<Agent> agent_;
   Parameters parameters_;
+  std::string policyName_;
   Random worldRandom_, policyRandom_;
   LifeLimits limits_;
   EpisodeLog log_;
-  std::vector<ParameterChange> changes_;
+  std::vector<Change> changes_;
   std::int64_t steps_ = 0;
   Action action_ = 0;
   bool inEpisode_ = false;

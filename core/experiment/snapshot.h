@@ -14,17 +14,17 @@ namespace surefoot {
 
 /// The moment: small, sent for every frame.
 struct Snapshot {
-  std::uint64_t life = 0;       ///< counts the lives that were put into the window
+  std::uint64_t life = 0;  ///< counts the lives that were put into the window
   std::int64_t steps = 0;
   double simulatedSeconds = 0;  ///< NaN: no clock
   LifeTotals totals;
   double averageReward = 0;
   std::vector<double> state, pose;
-  std::vector<double> q;        ///< q̂(s, ·) in that state
-  Action action = 0;            ///< that will be carried out in it
+  std::vector<double> q;  ///< q̂(s, ·) in that state
+  Action action = 0;      ///< that will be carried out in it
   bool running = false;
-  bool finished = false;        ///< the limit that was asked for is reached
-  std::string divergence;       ///< why it had to stop, or empty
+  bool finished = false;   ///< the limit that was asked for is reached
+  std::string divergence;  ///< why it had to stop, or empty
 };
 
 /// What was learned so far: large, sent a few times a second and only while somebody looks.
@@ -33,7 +33,7 @@ struct ValueSnapshot {
   std::unique_ptr<ActionValueFunction> values;
   std::vector<float> eligibility;  ///< [weight]
   std::vector<CurvePoint> curve;
-  std::vector<ParameterChange> changes;
+  std::vector<Change> changes;
   std::int64_t endOfLearning = 0;       ///< episode, 0: not yet
   std::int64_t endOfLearningSteps = 0;  ///< of the life
 };

@@ -16,24 +16,49 @@ TileCoder::Settings::Settings(const Task& task) : variables_(task.state) {
 }
 
 void TileCoder::Settings::declare(Fields& f) {
-  f.integer(tilings, {.key = "tilings", .title = "Tilings", .symbol = "", .unit = "", .low = 1, .high = 128,
-                      .sliderLow = 1, .sliderHigh = 32, .when = When::NewTable, .group = Group::Representation,
+  f.integer(tilings, {.key = "tilings",
+                      .title = "Tilings",
+                      .symbol = "",
+                      .unit = "",
+                      .low = 1,
+                      .high = 128,
+                      .sliderLow = 1,
+                      .sliderHigh = 32,
+                      .when = When::NewTable,
+                      .group = Group::Representation,
                       .help = "Displaced grids that lie over each other; a power of two is best.",
                       .origin = "thesis, section 3.1.3"});
   for (std::size_t d = 0; d < variables_.size(); ++d) {
     const StateVariable& v = variables_[d];
     std::string title = v.title;
     title[0] = static_cast<char>(std::toupper(title[0]));
-    f.real(resolution[d],
-           {.key = v.key, .title = title, .symbol = v.symbol, .unit = v.perSpan, .low = 0.01, .high = 1000,
-            .sliderLow = 1, .sliderHigh = 32, .when = When::NewTable, .group = Group::Representation,
-            .help = fmt::format("Tiles per {} of the {}: few generalise far, many tell states apart.", v.spanText, v.title),
-            .origin = "thesis, section 3.1.3"});
+    f.real(resolution[d], {.key = v.key,
+                           .title = title,
+                           .symbol = v.symbol,
+                           .unit = v.perSpan,
+                           .low = 0.01,
+                           .high = 1000,
+                           .sliderLow = 1,
+                           .sliderHigh = 32,
+                           .when = When::NewTable,
+                           .group = Group::Representation,
+                           .help = fmt::format("Tiles per {} of the {}: few generalise far, many tell states apart.",
+                                               v.spanText, v.title),
+                           .origin = "thesis, section 3.1.3"});
   }
-  f.real(scale, {.key = "scale", .title = "Scale", .symbol = "", .unit = "×", .low = 0.01, .high = 100,
-                 .sliderLow = 0.1, .sliderHigh = 2, .when = When::NewTable, .group = Group::Representation,
+  f.real(scale, {.key = "scale",
+                 .title = "Scale",
+                 .symbol = "",
+                 .unit = "×",
+                 .low = 0.01,
+                 .high = 100,
+                 .sliderLow = 0.1,
+                 .sliderHigh = 2,
+                 .when = When::NewTable,
+                 .group = Group::Representation,
                  .help = "Multiplies every resolution: the fraction of Q_opt in chapter 6.",
-                 .origin = "thesis, section 6.3", .order = 2});
+                 .origin = "thesis, section 6.3",
+                 .order = 2});
 }
 
 Result<TileCoder> TileCoder::create(const Task& task, const Settings& settings) {
@@ -50,8 +75,9 @@ Result<TileCoder> TileCoder::create(const Task& task, const Settings& settings) 
     if (dim.wraps) {
       tiles = std::round(tilesPerUnit * *v.period);
       if (tiles < 1 || std::abs(tiles - tilesPerUnit * *v.period) > 1e-9 * tiles)
-        return Error{fmt::format("features.{}: {} tiles in one turn of the {}; a variable that wraps needs a whole number.",
-                                 v.key, tilesPerUnit * *v.period, v.title)};
+        return Error{
+            fmt::format("features.{}: {} tiles in one turn of the {}; a variable that wraps needs a whole number.",
+                        v.key, tilesPerUnit * *v.period, v.title)};
       dim.cycle = static_cast<Index>(tiles) * static_cast<Index>(n);
       dim.scale = tiles * n / *v.period;
     } else {
@@ -65,9 +91,10 @@ Result<TileCoder> TileCoder::create(const Task& task, const Settings& settings) 
     perTiling *= tiles;
     const double weights = perTiling * n * static_cast<double>(task.actions.size());
     if (weights > kMostWeights)
-      return Error{fmt::format("features.{}: {} tilings of this resolution need a table of {:.3g} weights; at most {:.3g} "
-                               "are allowed, so take fewer tilings or tiles.",
-                               v.key, n, weights, kMostWeights)};
+      return Error{
+          fmt::format("features.{}: {} tilings of this resolution need a table of {:.3g} weights; at most {:.3g} "
+                      "are allowed, so take fewer tilings or tiles.",
+                      v.key, n, weights, kMostWeights)};
     dim.cycleStride = dim.wraps ? 0 : static_cast<Index>(stride);
     for (Index position = 0; position < dim.cycle; ++position)
       for (int i = 0; i < n; ++i) {

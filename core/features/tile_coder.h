@@ -30,7 +30,8 @@ class TileCoder {
     std::vector<StateVariable> variables_;
   };
 
-  /// Refused if a wrapping variable has no whole number of tiles, or the table for `actions` actions would be too large.
+  /// Refused if a wrapping variable has no whole number of tiles, or the table for `actions` actions would be too
+  /// large.
   static Result<TileCoder> create(const Task& task, const Settings& settings);
 
   Index size() const { return size_; }
@@ -42,11 +43,11 @@ class TileCoder {
   /// a tiling the tile is (position + displacement_i)/n, displacement_i = i·(2d + 1) mod n (whole tiles left out: they
   /// only rename the tiles of a tiling). `carry` holds that sum for position mod `cycle`, multiplied by the stride.
   struct Dimension {
-    double scale = 1.0;     // steps per unit of the variable
+    double scale = 1.0;        // steps per unit of the variable
     double low = 0, high = 0;  // range in steps, clamped to
-    double origin = 0;      // the step that is position 0
-    Index cycle = 1;        // n; for a wrapping variable n times its tiles
-    Index cycleStride = 1;  // what one cycle adds to the feature's number; 0 for a wrapping variable
+    double origin = 0;         // the step that is position 0
+    Index cycle = 1;           // n; for a wrapping variable n times its tiles
+    Index cycleStride = 1;     // what one cycle adds to the feature's number; 0 for a wrapping variable
     bool wraps = false;
     std::vector<Index> carry;  // [position mod cycle][tiling]
   };

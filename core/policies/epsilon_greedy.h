@@ -10,8 +10,16 @@ namespace surefoot {
 struct Exploration {
   double epsilon = 0.05;
   void declare(Fields& f) {
-    f.real(epsilon, {.key = "epsilon", .title = "Exploration", .symbol = "ε", .unit = "", .low = 0.0, .high = 1.0,
-                     .sliderLow = 0.0, .sliderHigh = 0.3, .when = When::Now, .group = Group::Policy,
+    f.real(epsilon, {.key = "epsilon",
+                     .title = "Exploration",
+                     .symbol = "ε",
+                     .unit = "",
+                     .low = 0.0,
+                     .high = 1.0,
+                     .sliderLow = 0.0,
+                     .sliderHigh = 0.3,
+                     .when = When::Now,
+                     .group = Group::Policy,
                      .help = "Share of the steps that explore instead of taking the best action.",
                      .origin = "thesis, section 3.1.4"});
   }

@@ -14,8 +14,16 @@ class Softmax final : public Policy {
   struct Settings {
     double temperature = 1.0;
     void declare(Fields& f) {
-      f.real(temperature, {.key = "temperature", .title = "Temperature", .symbol = "τ", .unit = "", .low = 1e-6,
-                           .high = 1e6, .sliderLow = 0.1, .sliderHigh = 10, .when = When::Now, .group = Group::Policy,
+      f.real(temperature, {.key = "temperature",
+                           .title = "Temperature",
+                           .symbol = "τ",
+                           .unit = "",
+                           .low = 1e-6,
+                           .high = 1e6,
+                           .sliderLow = 0.1,
+                           .sliderHigh = 10,
+                           .when = When::Now,
+                           .group = Group::Policy,
                            .help = "High: nearly equal chances. Low: nearly greedy.",
                            .origin = "thesis, chapter 5 (its best case)"});
     }

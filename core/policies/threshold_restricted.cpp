@@ -6,13 +6,29 @@
 namespace surefoot {
 
 void ThresholdRestricted::Settings::declare(Fields& f) {
-  f.real(threshold, {.key = "threshold", .title = "Threshold", .symbol = "", .unit = "", .low = -1e6, .high = 1e6,
-                     .sliderLow = -100, .sliderHigh = 200, .when = When::Now, .group = Group::Policy,
+  f.real(threshold, {.key = "threshold",
+                     .title = "Threshold",
+                     .symbol = "",
+                     .unit = "",
+                     .low = -1e6,
+                     .high = 1e6,
+                     .sliderLow = -100,
+                     .sliderHigh = 200,
+                     .when = When::Now,
+                     .group = Group::Policy,
                      .help = "An exploring step picks among the actions worth more than this.",
                      .origin = "thesis, section 4.2.1"});
   exploration.declare(f);
-  f.real(below, {.key = "below", .title = "Share below", .symbol = "", .unit = "", .low = 0.0, .high = 1.0,
-                 .sliderLow = 0.0, .sliderHigh = 0.1, .when = When::Now, .group = Group::Policy,
+  f.real(below, {.key = "below",
+                 .title = "Share below",
+                 .symbol = "",
+                 .unit = "",
+                 .low = 0.0,
+                 .high = 1.0,
+                 .sliderLow = 0.0,
+                 .sliderHigh = 0.1,
+                 .when = When::Now,
+                 .group = Group::Policy,
                  .help = "Share of the exploring steps that pick an action below the threshold all the same.",
                  .origin = "thesis, section 4.2"});
 }

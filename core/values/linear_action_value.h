@@ -16,17 +16,38 @@
 
 namespace surefoot {
 
-/// Range of the initial value of a state-action pair: every weight starts uniform in [low/n, high/n], n active features.
+/// Range of the initial value of a state-action pair: every weight starts uniform in [low/n, high/n], n active
+/// features.
 struct InitialValue {
   double low = 0.0;
   double high = 0.1;
   void declare(Fields& f) {
-    f.real(low, {.key = "initial_low", .title = "Initial Q, low", .symbol = "", .unit = "", .low = -1e6, .high = 1e6,
-                 .sliderLow = -100, .sliderHigh = 200, .when = When::NewTable, .group = Group::Representation,
-                 .help = "Lowest value of a pair before anything is learned.", .origin = "thesis, section 3.1.3", .order = 3});
-    f.real(high, {.key = "initial_high", .title = "Initial Q", .symbol = "", .unit = "", .low = -1e6, .high = 1e6,
-                  .sliderLow = 0, .sliderHigh = 10, .when = When::NewTable, .group = Group::Representation,
-                  .help = "Highest value of a pair before anything is learned.", .origin = "thesis, section 3.1.3", .order = 2});
+    f.real(low, {.key = "initial_low",
+                 .title = "Initial Q, low",
+                 .symbol = "",
+                 .unit = "",
+                 .low = -1e6,
+                 .high = 1e6,
+                 .sliderLow = -100,
+                 .sliderHigh = 200,
+                 .when = When::NewTable,
+                 .group = Group::Representation,
+                 .help = "Lowest value of a pair before anything is learned.",
+                 .origin = "thesis, section 3.1.3",
+                 .order = 3});
+    f.real(high, {.key = "initial_high",
+                  .title = "Initial Q",
+                  .symbol = "",
+                  .unit = "",
+                  .low = -1e6,
+                  .high = 1e6,
+                  .sliderLow = 0,
+                  .sliderHigh = 10,
+                  .when = When::NewTable,
+                  .group = Group::Representation,
+                  .help = "Highest value of a pair before anything is learned.",
+                  .origin = "thesis, section 3.1.3",
+                  .order = 2});
   }
 };
 
@@ -34,7 +55,8 @@ template <FeatureMap F>
 class LinearActionValue final : public ActionValueFunction {
  public:
   LinearActionValue(F features, int actions, const InitialValue& initial, std::uint64_t seed)
-      : features_(std::move(features)), actions_(static_cast<std::size_t>(actions)) {
+      : features_(std::move(features)),
+        actions_(static_cast<std::size_t>(actions)) {
     const double low = initial.low / features_.active();
     const double high = initial.high / features_.active();
     weights_.resize(features_.size() * actions_);
@@ -45,7 +67,9 @@ class LinearActionValue final : public ActionValueFunction {
   // Called by the learner, once a state and not once a feature. Hot.
 
   int activeCount() const { return features_.active(); }
-  bool activeFeatures(std::span<const double> state, std::span<Index> x) const { return features_.activeFeatures(state, x); }
+  bool activeFeatures(std::span<const double> state, std::span<Index> x) const {
+    return features_.activeFeatures(state, x);
+  }
   /// q ← q̂(s, ·) for the state with the active features x.
   void values(std::span<const Index> x, std::span<double> q) const {
     for (double& value : q) value = 0.0;
@@ -70,7 +94,9 @@ class LinearActionValue final : public ActionValueFunction {
   // ActionValueFunction
 
   int actions() const override { return static_cast<int>(actions_); }
-  void evaluate(std::span<const double> state, Layer, std::span<double> q) const override { values(look(state).features(), q); }
+  void evaluate(std::span<const double> state, Layer, std::span<double> q) const override {
+    values(look(state).features(), q);
+  }
   double visits(std::span<const double> state) const override {
     double sum = 0.0;
     for (const Index i : look(state)) sum += visits_[i];

@@ -16,14 +16,42 @@ Task makeTask(const PendulumSettings& s) {
   constexpr double pi = std::numbers::pi;
   const bool metres = std::abs(s.wheelSpan - 1.0 / s.wheelRadius) < 1e-9;
   Task task;
-  task.state = {
-      {.key = "pole_angle", .title = "pole angle", .symbol = "α", .unit = "rad", .low = -0.45 * pi, .high = 0.45 * pi,
-       .span = 2 * pi, .spanText = "2π rad", .perSpan = "/2π", .resolution = 12, .viewLow = -0.45 * pi, .viewHigh = 0.45 * pi},
-      {.key = "pole_rate", .title = "pole rate", .symbol = "α\u0307", .unit = "rad/s", .low = -16.0, .high = 16.0,
-       .span = 2 * pi, .spanText = "2π rad/s", .perSpan = "/2π", .resolution = 6, .viewLow = -12.0, .viewHigh = 12.0},
-      {.key = "wheel_rate", .title = "wheel rate", .symbol = "β\u0307", .unit = "rad/s", .low = -30.0, .high = 30.0,
-       .span = s.wheelSpan, .spanText = metres ? "m/s" : "2π rad/s",
-       .perSpan = metres ? "s/m" : "/2π", .resolution = 6, .viewLow = -20.0, .viewHigh = 20.0}};
+  task.state = {{.key = "pole_angle",
+                 .title = "pole angle",
+                 .symbol = "α",
+                 .unit = "rad",
+                 .low = -0.45 * pi,
+                 .high = 0.45 * pi,
+                 .span = 2 * pi,
+                 .spanText = "2π rad",
+                 .perSpan = "/2π",
+                 .resolution = 12,
+                 .viewLow = -0.45 * pi,
+                 .viewHigh = 0.45 * pi},
+                {.key = "pole_rate",
+                 .title = "pole rate",
+                 .symbol = "α\u0307",
+                 .unit = "rad/s",
+                 .low = -16.0,
+                 .high = 16.0,
+                 .span = 2 * pi,
+                 .spanText = "2π rad/s",
+                 .perSpan = "/2π",
+                 .resolution = 6,
+                 .viewLow = -12.0,
+                 .viewHigh = 12.0},
+                {.key = "wheel_rate",
+                 .title = "wheel rate",
+                 .symbol = "β\u0307",
+                 .unit = "rad/s",
+                 .low = -30.0,
+                 .high = 30.0,
+                 .span = s.wheelSpan,
+                 .spanText = metres ? "m/s" : "2π rad/s",
+                 .perSpan = metres ? "s/m" : "/2π",
+                 .resolution = 6,
+                 .viewLow = -20.0,
+                 .viewHigh = 20.0}};
   task.actions = {-1.5, -0.75, 0.0, 0.75, 1.5};
   task.actionTitle = "torque";
   task.actionSymbol = "T";
@@ -38,7 +66,9 @@ Task makeTask(const PendulumSettings& s) {
 }  // namespace
 
 Pendulum::Pendulum(const PendulumSettings& settings)
-    : settings_(settings), task_(makeTask(settings)), world_(std::make_unique<PendulumWorld>(settings)) {}
+    : settings_(settings),
+      task_(makeTask(settings)),
+      world_(std::make_unique<PendulumWorld>(settings)) {}
 
 Pendulum::~Pendulum() = default;
 
@@ -64,7 +94,9 @@ void Pendulum::advance(double torque) {
   observe();
 }
 
-void Pendulum::observe() { state_ = {world_->poleAngle(), world_->poleRate(), world_->wheelRate()}; }
+void Pendulum::observe() {
+  state_ = {world_->poleAngle(), world_->poleRate(), world_->wheelRate()};
+}
 
 Outcome Pendulum::step(Action action) {
   advance(task_.actions[static_cast<std::size_t>(action)]);
@@ -87,6 +119,8 @@ Outcome Pendulum::step(Action action) {
   return outcome;
 }
 
-std::vector<double> Pendulum::pose() const { return {world_->x(), state_[0], state_[1], state_[2], torque_}; }
+std::vector<double> Pendulum::pose() const {
+  return {world_->x(), state_[0], state_[1], state_[2], torque_};
+}
 
 }  // namespace surefoot

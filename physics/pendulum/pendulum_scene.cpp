@@ -50,9 +50,11 @@ void drawProtractor(const PendulumSettings& s, Point hinge, Scene& scene) {
   for (int i = -4; i <= 4; ++i) {
     const double angle = 0.1 * kPi * i;
     if (i == 0 || std::abs(angle) > s.fallAngle - 0.02 * kPi) continue;
-    scene.shapes.push_back(Polyline{{polar(hinge, radius, angle), polar(hinge, 0.97 * radius, angle)}, Ink::Outline, 1.0});
+    scene.shapes.push_back(
+        Polyline{{polar(hinge, radius, angle), polar(hinge, 0.97 * radius, angle)}, Ink::Outline, 1.0});
     const int side = i < 0 ? -1 : 1;
-    if (i % 2 == 0) scene.shapes.push_back(Label{polar(hinge, radius, angle), inPi(angle), 6.0 * side, -6, side, Ink::Quiet});
+    if (i % 2 == 0)
+      scene.shapes.push_back(Label{polar(hinge, radius, angle), inPi(angle), 6.0 * side, -6, side, Ink::Quiet});
   }
   scene.shapes.push_back(Polyline{{hinge, polar(hinge, radius, 0)}, Ink::Outline, 1.0, true});
   scene.shapes.push_back(Polyline{{polar(hinge, 0.97 * radius, 0), polar(hinge, 1.03 * radius, 0)}, Ink::Solid, 1.5});
@@ -63,11 +65,13 @@ void drawCart(const PendulumSettings& s, double x, Point hinge, Scene& scene) {
   const double r = s.wheelRadius;
   const auto at = [&](double dx, double y) { return Point{x + dx * r, y * r}; };
   for (const double side : {-1.0, 1.0}) {
-    scene.shapes.push_back(box(at(side * 0.48 - (side < 0 ? 1.36 : 0), 0.7), at(side * 0.48 + (side > 0 ? 1.36 : 0), 1.32)));
+    scene.shapes.push_back(
+        box(at(side * 0.48 - (side < 0 ? 1.36 : 0), 0.7), at(side * 0.48 + (side > 0 ? 1.36 : 0), 1.32)));
     scene.shapes.push_back(Disc{at(side * 1.36, 0.35), 0.35 * r, Fill::Panel, Ink::Solid, 2});
     scene.shapes.push_back(Disc{at(side * 1.36, 0.35), 0.045 * r, Fill::Solid, Ink::Solid, 0});
   }
-  scene.shapes.push_back(Polygon{.points = {at(-0.36, 1.93), at(0.36, 1.93), {hinge.x + 0.1 * r, hinge.y}, {hinge.x - 0.1 * r, hinge.y}}});
+  scene.shapes.push_back(
+      Polygon{.points = {at(-0.36, 1.93), at(0.36, 1.93), {hinge.x + 0.1 * r, hinge.y}, {hinge.x - 0.1 * r, hinge.y}}});
   const Point centre = at(0, 1);
   scene.shapes.push_back(Disc{centre, r, Fill::Panel, Ink::Solid, 2});
   scene.shapes.push_back(Disc{centre, 0.9 * r, Fill::None, Ink::Hairline, 1});
@@ -93,7 +97,8 @@ void Pendulum::draw(std::span<const double> pose, Scene& scene) const {
   drawCart(settings_, x, hinge, scene);
   if (std::abs(angle) > 0.02) {
     scene.shapes.push_back(arc(hinge, 0.42 * settings_.poleLength, 0, angle, Ink::Outline));
-    scene.shapes.push_back(Label{polar(hinge, 0.42 * settings_.poleLength, 0), "α", angle > 0 ? -10.0 : 10.0, 0, 0, Ink::Solid});
+    scene.shapes.push_back(
+        Label{polar(hinge, 0.42 * settings_.poleLength, 0), "α", angle > 0 ? -10.0 : 10.0, 0, 0, Ink::Solid});
   }
   scene.shapes.push_back(Polyline{{hinge, scene.tip}, Ink::Body, 8});
   scene.shapes.push_back(Disc{hinge, 0.105 * r, Fill::Panel, Ink::Solid, 2});

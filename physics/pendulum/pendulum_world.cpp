@@ -6,7 +6,9 @@
 namespace surefoot {
 
 namespace {
-float f(double x) { return static_cast<float>(x); }
+float f(double x) {
+  return static_cast<float>(x);
+}
 }  // namespace
 
 PendulumWorld::PendulumWorld(const PendulumSettings& s)
@@ -19,9 +21,9 @@ PendulumWorld::PendulumWorld(const PendulumSettings& s)
   world_.SetAllowSleeping(false);
   world_.SetContinuousPhysics(false);
 
-  const double wheelInertia = 0.5 * s.wheelMass * radius_ * radius_;                         // solid cylinder
+  const double wheelInertia = 0.5 * s.wheelMass * radius_ * radius_;                           // solid cylinder
   const double effectiveMass = s.baseMass + s.wheelMass + wheelInertia / (radius_ * radius_);  // M_e
-  const double totalMass = effectiveMass + s.poleMass;                                        // M_t
+  const double totalMass = effectiveMass + s.poleMass;                                         // M_t
   const double h = kStepTime / s.substeps;
   forcePerTorque_ = 1.0 / (radius_ * (1.0 + h * damping_ / (totalMass * radius_ * radius_)));
 
@@ -40,7 +42,8 @@ PendulumWorld::PendulumWorld(const PendulumSettings& s)
   poleDef.angularDamping = 0.0f;
   pole_ = world_.CreateBody(&poleDef);
   // Box2D takes the inertia about the body's origin, the hinge: a uniform rod, m·L²/3.
-  const b2MassData poleMass{f(s.poleMass), b2Vec2(0.0f, f(poleLength_ / 2)), f(s.poleMass * poleLength_ * poleLength_ / 3)};
+  const b2MassData poleMass{f(s.poleMass), b2Vec2(0.0f, f(poleLength_ / 2)),
+                            f(s.poleMass * poleLength_ * poleLength_ / 3)};
   pole_->SetMassData(&poleMass);
 
   b2PrismaticJointDef rail;
@@ -80,9 +83,17 @@ void PendulumWorld::step(double torque) {
   }
 }
 
-double PendulumWorld::x() const { return static_cast<double>(base_->GetPosition().x); }
-double PendulumWorld::poleAngle() const { return -static_cast<double>(pole_->GetAngle()); }
-double PendulumWorld::poleRate() const { return -static_cast<double>(pole_->GetAngularVelocity()); }
-double PendulumWorld::wheelRate() const { return static_cast<double>(base_->GetLinearVelocity().x) / radius_; }
+double PendulumWorld::x() const {
+  return static_cast<double>(base_->GetPosition().x);
+}
+double PendulumWorld::poleAngle() const {
+  return -static_cast<double>(pole_->GetAngle());
+}
+double PendulumWorld::poleRate() const {
+  return -static_cast<double>(pole_->GetAngularVelocity());
+}
+double PendulumWorld::wheelRate() const {
+  return static_cast<double>(base_->GetLinearVelocity().x) / radius_;
+}
 
 }  // namespace surefoot

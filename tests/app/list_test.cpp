@@ -14,13 +14,15 @@ TEST(List, JsonHasSevenArraysOfNamedObjects) {
     for (const auto& entry : json[key]) EXPECT_TRUE(entry.at("name").is_string());
   }
   for (const auto& parameter : json["parameters"])
-    for (const char* key : {"symbol", "unit", "range", "default", "help", "origin"}) EXPECT_TRUE(parameter.contains(key));
+    for (const char* key : {"symbol", "unit", "range", "default", "help", "origin"})
+      EXPECT_TRUE(parameter.contains(key));
 }
 
 TEST(List, TextNamesEveryPolicyAndParameter) {
   const Finished run = surefoot("list");
   EXPECT_EQ(run.code, 0);
-  for (const char* word : {"epsilon-greedy", "softmax", "trl", "policy.temperature", "environment.damping", "features.pole_angle"})
+  for (const char* word :
+       {"epsilon-greedy", "softmax", "trl", "policy.temperature", "environment.damping", "features.pole_angle"})
     EXPECT_NE(run.out.find(word), std::string::npos) << word;
 }
 

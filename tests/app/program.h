@@ -42,7 +42,8 @@ inline std::string contentOf(const std::string& file) {
 inline Finished surefoot(const std::string& arguments) {
   const Folder folder;
   const std::string out = folder.file("out"), err = folder.file("err");
-  const std::string command = std::string("env -u DISPLAY -u WAYLAND_DISPLAY ") + SUREFOOT_PROGRAM + " " + arguments + " >" + out + " 2>" + err + " </dev/null";
+  const std::string command = std::string("env -u DISPLAY -u WAYLAND_DISPLAY ") + SUREFOOT_PROGRAM + " " + arguments +
+                              " >" + out + " 2>" + err + " </dev/null";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), contentOf(out), contentOf(err)};
 }
@@ -54,7 +55,8 @@ inline void expectRefusal(const std::string& arguments, int code, const std::vec
   EXPECT_EQ(run.out, "") << arguments;
   EXPECT_TRUE(run.err.starts_with("surefoot: ")) << arguments << "\n" << run.err;
   EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << arguments << "\n" << run.err;
-  for (const std::string& word : words) EXPECT_NE(run.err.find(word), std::string::npos) << arguments << "\n" << run.err;
+  for (const std::string& word : words)
+    EXPECT_NE(run.err.find(word), std::string::npos) << arguments << "\n" << run.err;
 }
 
 }  // namespace surefoot

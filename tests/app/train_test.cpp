@@ -19,8 +19,9 @@ Json train(const std::string& arguments) {
 }  // namespace
 
 TEST(Train, JsonSaysEverythingOfEveryLife) {
-  const Json json = train("--environment pendulum --scenario actual --agent sarsa --features tile-coder --policy softmax "
-                          "--set policy.temperature=1 --seed 5 --episodes 30 --lives 3");
+  const Json json = train(
+      "--environment pendulum --scenario actual --agent sarsa --features tile-coder --policy softmax "
+      "--set policy.temperature=1 --seed 5 --episodes 30 --lives 3");
   EXPECT_TRUE(json["version"].is_string());
   EXPECT_EQ(json["seed"], 5);
   EXPECT_EQ(json["configuration"]["policy"], "softmax");
@@ -33,14 +34,16 @@ TEST(Train, JsonSaysEverythingOfEveryLife) {
     EXPECT_NEAR(life["simulated_minutes"].get<double>(), life["steps"].get<double>() * 0.005 / 60, 1e-9);
     EXPECT_GT(life["steps_per_second"].get<double>(), 0);
     EXPECT_EQ(life["hash"].get<std::string>().size(), 16u);
-    for (const char* key : {"average_reward", "transitions_success", "transitions_failure"}) EXPECT_TRUE(life.contains(key));
+    for (const char* key : {"average_reward", "transitions_success", "transitions_failure"})
+      EXPECT_TRUE(life.contains(key));
   }
 }
 
 TEST(Train, TheSameHashForOneAndTwoJobs) {
   const auto hashes = [](const std::string& jobs) {
     std::vector<std::string> list;
-    for (const Json& life : train("--lives 5 --episodes 40 --seed 9 --jobs " + jobs)["lives"]) list.push_back(life["hash"]);
+    for (const Json& life : train("--lives 5 --episodes 40 --seed 9 --jobs " + jobs)["lives"])
+      list.push_back(life["hash"]);
     return list;
   };
   EXPECT_EQ(hashes("1"), hashes("2"));
@@ -52,7 +55,8 @@ TEST(Train, EndsAtMinutesOrEpisodesWhicheverComesFirst) {
 }
 
 TEST(Train, MeansWithoutAnythingToAverageAreNull) {
-  const Json life = train("--episodes 1 --set environment.max_steps=1 --set environment.start_angle=0.2 --seed 3")["lives"][0];
+  const Json life =
+      train("--episodes 1 --set environment.max_steps=1 --set environment.start_angle=0.2 --seed 3")["lives"][0];
   EXPECT_TRUE(life["transitions_success"].is_null());
   EXPECT_TRUE(life["transitions_failure"].is_null());
 }
@@ -96,8 +100,9 @@ TEST(Train, SaysWhenStandardOutputIsFull) {
 
 TEST(Train, CtrlCEndsItWithWhatWasDone) {
   const Folder folder;
-  const std::string command = std::string("timeout -s INT 1 ") + SUREFOOT_PROGRAM + " train --minutes 900000 --lives 4 --json >" +
-                              folder.file("out") + " 2>" + folder.file("err") + "; echo $? >" + folder.file("code");
+  const std::string command = std::string("timeout -s INT 1 ") + SUREFOOT_PROGRAM +
+                              " train --minutes 900000 --lives 4 --json >" + folder.file("out") + " 2>" +
+                              folder.file("err") + "; echo $? >" + folder.file("code");
   ASSERT_EQ(std::system(("timeout --preserve-status 20 sh -c '" + command + "'").c_str()), 0);
   const Json json = Json::parse(contentOf(folder.file("out")));
   EXPECT_GE(json["lives"].size(), 1u);
@@ -106,7 +111,8 @@ TEST(Train, CtrlCEndsItWithWhatWasDone) {
 }
 
 TEST(Train, DivergenceHasAnExitCodeOfItsOwn) {
-  const Finished run = surefoot("train --episodes 5000 --set agent.step_size=2 --set agent.discount=1 --set agent.trace=accumulating --json");
+  const Finished run = surefoot(
+      "train --episodes 5000 --set agent.step_size=2 --set agent.discount=1 --set agent.trace=accumulating --json");
   EXPECT_EQ(run.code, 4);
   EXPECT_NE(run.err.find("agent.trace"), std::string::npos) << run.err;
   EXPECT_TRUE(Json::parse(run.out)["lives"][0].contains("diverged"));

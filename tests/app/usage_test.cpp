@@ -60,6 +60,8 @@ TEST(Usage, ImpossibleCombinationsAreRefused) {
   expectRefusal("window --lives 2", 2, {"--lives"});
 }
 
-TEST(Usage, WithoutADisplayTheWindowSaysSo) { expectRefusal("window", 2, {"surefoot train"}); }
+TEST(Usage, WithoutADisplayTheWindowSaysSo) {
+  expectRefusal("window", 2, {"surefoot train"});
+}
 
 }  // namespace surefoot

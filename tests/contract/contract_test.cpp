@@ -72,7 +72,8 @@ TEST(Contract, EveryPolicyIsADistributionForAnyValues) {
     for (int trial = 0; trial < 2000; ++trial) {
       std::vector<double> q(1 + random.next() % 12), pi(q.size());
       const double scale = std::pow(10.0, random.uniform(-3, 6));
-      for (double& value : q) value = trial % 3 == 0 ? std::floor(random.uniform(-2, 2)) : random.uniform(-scale, scale);
+      for (double& value : q)
+        value = trial % 3 == 0 ? std::floor(random.uniform(-2, 2)) : random.uniform(-scale, scale);
       policy->probabilities(q, pi);
       double sum = 0;
       for (const double p : pi) {
@@ -81,7 +82,8 @@ TEST(Contract, EveryPolicyIsADistributionForAnyValues) {
       }
       ASSERT_NEAR(sum, 1.0, 1e-12) << entry.name;
       const auto best = std::max_element(q.begin(), q.end()) - q.begin();
-      for (const double p : pi) ASSERT_LE(p, pi[static_cast<std::size_t>(best)] + 1e-12) << entry.name << ": the best action is the likeliest";
+      for (const double p : pi)
+        ASSERT_LE(p, pi[static_cast<std::size_t>(best)] + 1e-12) << entry.name << ": the best action is the likeliest";
     }
   }
 }
@@ -154,8 +156,10 @@ TEST(Contract, LookingDoesNotTouchTheLearner) {
         while (!(*watched)->finished()) {
           (*watched)->step();
           const auto& values = (*watched)->agent().values();
-          for (const Layer layer : (*watched)->agent().layers()) values.evaluate((*watched)->environment().state(), layer, q);
-          if ((*watched)->steps() % 50 == 0) (*watched)->agent().eligibility(z), values.average(z, (*watched)->environment().state(), q);
+          for (const Layer layer : (*watched)->agent().layers())
+            values.evaluate((*watched)->environment().state(), layer, q);
+          if ((*watched)->steps() % 50 == 0)
+            (*watched)->agent().eligibility(z), values.average(z, (*watched)->environment().state(), q);
         }
         while (!(*alone)->finished()) (*alone)->step();
         EXPECT_EQ((*watched)->hash(), (*alone)->hash()) << environment.name << " " << agent.name << " " << policy.name;

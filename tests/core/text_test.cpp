@@ -10,7 +10,9 @@ TEST(Text, NegativeNumbersHaveATrueMinusSign) {
   EXPECT_EQ(fixedText(3.14159, 2), "3.14");
 }
 
-TEST(Text, ZeroIsNeverNegative) { EXPECT_EQ(fixedText(-0.001, 2), "0.00"); }
+TEST(Text, ZeroIsNeverNegative) {
+  EXPECT_EQ(fixedText(-0.001, 2), "0.00");
+}
 
 TEST(Text, ThousandsAreSeparated) {
   EXPECT_EQ(countText(999), "999");

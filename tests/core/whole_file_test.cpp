@@ -40,7 +40,10 @@ TEST_F(WholeFileTest, AppearsWithItsWholeContent) {
 }
 
 TEST_F(WholeFileTest, WithoutCommitNothingIsLeft) {
-  { const auto file = WholeFile::createNew("--log", path("a.csv")); ASSERT_TRUE(file); }
+  {
+    const auto file = WholeFile::createNew("--log", path("a.csv"));
+    ASSERT_TRUE(file);
+  }
   EXPECT_EQ(files(), 0);
 }
 

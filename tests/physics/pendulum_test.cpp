@@ -88,7 +88,8 @@ TEST(Pendulum, AResetLeavesNothingBehind) {
       fresh.advance(0.75);
       used.advance(0.75);
       ASSERT_EQ(std::vector<double>(fresh.state().begin(), fresh.state().end()),
-                std::vector<double>(used.state().begin(), used.state().end())) << "step " << i;
+                std::vector<double>(used.state().begin(), used.state().end()))
+          << "step " << i;
     }
   }
 }
@@ -106,8 +107,8 @@ TEST(Pendulum, APositiveTorqueDrivesTheCartRightAndTheUprightPoleLeft) {
 TEST(Scenarios, AreThoseOfTable41) {
   Registry registry;
   registerPhysics(registry);
-  const double expected[7][3] = {{0.08, 0, 1}, {0.088, 0.03, 1}, {0.04, 0.02, 1}, {0.01, 0.05, 1},
-                                 {0.08, 0, 2.5}, {0.08, 0, 0.5}, {0.088, 0.03, 2.5}};
+  const double expected[7][3] = {{0.08, 0, 1},   {0.088, 0.03, 1}, {0.04, 0.02, 1},   {0.01, 0.05, 1},
+                                 {0.08, 0, 2.5}, {0.08, 0, 0.5},   {0.088, 0.03, 2.5}};
   const char* names[] = {"actual", "1", "2", "3", "4", "5", "6"};
   ASSERT_EQ(registry.scenarios.size(), 7u);
   for (std::size_t i = 0; i < 7; ++i) {

@@ -137,7 +137,8 @@ TEST(MainWindow, FollowsTheThemeEverywhere) {
 TEST(MainWindow, EveryControlHasANameForScreenReaders) {
   Window w;
   for (const QWidget* widget : w.window->findChildren<QWidget*>()) {
-    const bool control = widget->focusPolicy() != Qt::NoFocus && widget->isVisible() && widget->isEnabled() && !widget->focusProxy();
+    const bool control =
+        widget->focusPolicy() != Qt::NoFocus && widget->isVisible() && widget->isEnabled() && !widget->focusProxy();
     if (!control || widget->inherits("QScrollArea") || widget->inherits("QMenuBar")) continue;
     EXPECT_FALSE(widget->accessibleName().isEmpty()) << widget->metaObject()->className();
   }
@@ -162,8 +163,10 @@ TEST(MainWindow, RemembersItsLayout) {
 TEST(MainWindow, NoPanelIsCutAtItsSmallestSize) {
   Window w;
   for (const Panel* panel : w.window->livePage().panels()) {
-    EXPECT_GE(panel->widget()->width(), panel->widget()->minimumSizeHint().width()) << panel->objectName().toStdString();
-    EXPECT_GE(panel->widget()->height(), panel->widget()->minimumSizeHint().height()) << panel->objectName().toStdString();
+    EXPECT_GE(panel->widget()->width(), panel->widget()->minimumSizeHint().width())
+        << panel->objectName().toStdString();
+    EXPECT_GE(panel->widget()->height(), panel->widget()->minimumSizeHint().height())
+        << panel->objectName().toStdString();
   }
 }
 

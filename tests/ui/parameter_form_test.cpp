@@ -16,7 +16,8 @@ TEST(ParameterForm, HasARowForEveryParameter) {
   Window w;
   std::set<std::string> shown;
   for (const ParameterRow* row : w.window->findChildren<ParameterRow*>()) shown.insert(row->key());
-  for (const auto& entry : w.session->configuration().parameters.all()) EXPECT_TRUE(shown.contains(entry.parameter.key)) << entry.parameter.key;
+  for (const auto& entry : w.session->configuration().parameters.all())
+    EXPECT_TRUE(shown.contains(entry.parameter.key)) << entry.parameter.key;
 }
 
 TEST(ParameterForm, TheSliderReachesBothEndsExactly) {

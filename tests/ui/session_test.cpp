@@ -11,7 +11,8 @@ namespace surefoot {
 // With the window open, every panel drawn, in turbo: the same bits as headless.
 TEST(Session, TheSameHashAsHeadless) {
   Window w("trl", 2000);
-  const auto alone = runLives(w.registry, w.configuration, {.jobs = 1, .keepRows = false, .interrupted = nullptr, .progress = {}});
+  const auto alone =
+      runLives(w.registry, w.configuration, {.jobs = 1, .keepRows = false, .interrupted = nullptr, .progress = {}});
   w.session->setTurbo(true);
   w.session->setRunning(true);
   ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().finished; }, 60'000));

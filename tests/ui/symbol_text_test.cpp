@@ -41,12 +41,14 @@ TEST(SymbolText, DrawsTheDotAboveItsLetter) {
 }
 
 TEST(SymbolText, TheDotTakesNoWidth) {
-  EXPECT_EQ(symbolWidth(textFont(13), QStringLiteral("α\u0307 [rad/s]")), symbolWidth(textFont(13), QStringLiteral("α [rad/s]")));
+  EXPECT_EQ(symbolWidth(textFont(13), QStringLiteral("α\u0307 [rad/s]")),
+            symbolWidth(textFont(13), QStringLiteral("α [rad/s]")));
 }
 
 TEST(TextFont, HasDigitsOfOneWidth) {
   const QFontMetrics metrics(textFont(13));
-  for (char digit = '0'; digit <= '9'; ++digit) EXPECT_EQ(metrics.horizontalAdvance(digit), metrics.horizontalAdvance('0'));
+  for (char digit = '0'; digit <= '9'; ++digit)
+    EXPECT_EQ(metrics.horizontalAdvance(digit), metrics.horizontalAdvance('0'));
 }
 
 }  // namespace surefoot

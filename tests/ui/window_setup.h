@@ -18,7 +18,8 @@ namespace surefoot {
 /// A session and its window, shown, paused.
 struct Window {
   explicit Window(const std::string& policy = "trl", std::optional<std::int64_t> episodes = std::nullopt)
-      : registry(fullRegistry()), configuration(pendulumConfiguration(registry, policy)) {
+      : registry(fullRegistry()),
+        configuration(pendulumConfiguration(registry, policy)) {
     configuration.episodes = episodes;
     session = std::make_unique<Session>(registry, configuration, false);
     window = std::make_unique<MainWindow>(*session);

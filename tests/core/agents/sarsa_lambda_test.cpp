@@ -132,7 +132,8 @@ TEST(SarsaLambda, NoticesDivergence) {
   s.trace = TraceKind::Accumulating;
   Corridor c(s);
   EXPECT_FALSE(c.agent->diverged());
-  for (int i = 0; i < 2000 && !c.agent->diverged(); ++i) c.start(0), c.step(1e6, 0), c.step(1e6, 1), c.step(1e6, 0), c.end(1e6);
+  for (int i = 0; i < 2000 && !c.agent->diverged(); ++i)
+    c.start(0), c.step(1e6, 0), c.step(1e6, 1), c.step(1e6, 0), c.end(1e6);
   EXPECT_TRUE(c.agent->diverged());
 }
 

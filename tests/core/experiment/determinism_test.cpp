@@ -51,8 +51,10 @@ TEST(Experiment, AnInterruptKeepsWhatIsDone) {
   EXPECT_TRUE(none->empty());
 
   interrupted = false;
-  const auto some = runLives(r, c, {.jobs = 2, .keepRows = false, .interrupted = &interrupted,
-                                    .progress = [&](const Progress& p) { if (p.steps > 0) interrupted = true; }});
+  const auto some =
+      runLives(r, c, {.jobs = 2, .keepRows = false, .interrupted = &interrupted, .progress = [&](const Progress& p) {
+                        if (p.steps > 0) interrupted = true;
+                      }});
   ASSERT_TRUE(some);
   EXPECT_FALSE(some->empty());
   for (const LifeResult& life : *some) EXPECT_FALSE(life.complete);

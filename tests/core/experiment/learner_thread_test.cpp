@@ -90,7 +90,7 @@ TEST(LearnerThread, ShowsCurveAndChanges) {
   }
   ASSERT_FALSE(learner.values().curve.empty());
   ASSERT_EQ(learner.values().changes.size(), 1u);
-  EXPECT_EQ(learner.values().changes[0].after, 0.2);
+  EXPECT_EQ(learner.values().changes[0].after, "0.2");
 }
 
 }  // namespace surefoot

@@ -15,7 +15,8 @@ TEST(LearningCurve, StaysBoundedAndEvenlySpaced) {
   for (std::size_t i = 1; i < points.size(); ++i) ASSERT_EQ(points[i].episode - points[i - 1].episode, spacing);
 }
 
-// The rule by hand: a constant average of 160 is above 0.75·200 and does not move; the first episode that counts is 330.
+// The rule by hand: a constant average of 160 is above 0.75·200 and does not move; the first episode that counts is
+// 330.
 TEST(EndOfLearning, IsNotBeforeEpisode330) {
   EndOfLearning end;
   for (int i = 1; i <= 400; ++i) end.add({.episode = i, .lifeSteps = 50 * i, .averageReward = 160}, 200);
@@ -29,8 +30,8 @@ TEST(EndOfLearning, AFlatStartDoesNotCount) {
   EXPECT_EQ(end.episode(), 0);
 }
 
-// A ramp of 0.012 an episode moves by exactly 3 in 250: not below 3. At half of it the rule holds as soon as the average
-// is above 150.
+// A ramp of 0.012 an episode moves by exactly 3 in 250: not below 3. At half of it the rule holds as soon as the
+// average is above 150.
 TEST(EndOfLearning, ComparesWith250EpisodesBefore) {
   EndOfLearning steep, gentle;
   for (int i = 1; i <= 900; ++i) {

@@ -41,7 +41,7 @@ TEST(Life, APolicyParameterHoldsAtOnce) {
   EXPECT_DOUBLE_EQ(pi[0], 0.2);
   ASSERT_EQ(life->changes().size(), 1u);
   EXPECT_EQ(life->changes()[0].key, "policy.epsilon");
-  EXPECT_EQ(life->changes()[0].before, 0.05);
+  EXPECT_EQ(life->changes()[0].before, "0.05");
 }
 
 TEST(Life, AParameterThatNeedsANewTableIsRefused) {
@@ -56,7 +56,9 @@ TEST(Life, ANewPolicyTakesItsParametersFromTheLife) {
   const Registry r = fullRegistry();
   auto life = lifeOf(r, pendulumConfiguration(r));
   ASSERT_TRUE(life->set("policy.temperature", 1e6));
-  life->setPolicy(*makePolicy(r, "softmax", life->parameters()));
+  life->setPolicy("softmax", *makePolicy(r, "softmax", life->parameters()));
+  ASSERT_EQ(life->changes().size(), 2u);
+  EXPECT_EQ(life->changes()[1].after, "softmax");
   std::vector<double> pi(2);
   life->policy().probabilities(std::vector<double>{0, 10}, pi);
   EXPECT_NEAR(pi[0], 0.5, 1e-4);
@@ -64,8 +66,8 @@ TEST(Life, ANewPolicyTakesItsParametersFromTheLife) {
 
 TEST(Life, DivergenceStopsItAndNamesTheParameter) {
   const Registry r = fullRegistry();
-  Configuration c = pendulumConfiguration(r, "epsilon-greedy",
-                                          {{"agent.step_size", "2"}, {"agent.trace", "accumulating"}, {"agent.discount", "1"}});
+  Configuration c = pendulumConfiguration(
+      r, "epsilon-greedy", {{"agent.step_size", "2"}, {"agent.trace", "accumulating"}, {"agent.discount", "1"}});
   c.episodes = 5000;
   auto life = lifeOf(r, c);
   while (!life->finished()) life->step();

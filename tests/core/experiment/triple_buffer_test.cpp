@@ -19,7 +19,9 @@ TEST(TripleBuffer, TakesTheNewestOnce) {
 }
 
 TEST(TripleBuffer, NeverShowsHalfAValueOrAnOlderOne) {
-  struct Pair { int a = 0, b = 0; };
+  struct Pair {
+    int a = 0, b = 0;
+  };
   TripleBuffer<Pair> buffer;
   constexpr int kValues = 100'000;
   std::thread writer([&] {

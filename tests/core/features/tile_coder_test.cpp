@@ -15,8 +15,7 @@ namespace surefoot {
 namespace {
 
 StateVariable variable(const char* key, double low, double high, double resolution) {
-  return {.key = key, .title = key, .low = low, .high = high, .span = 1.0, .spanText = "1",
-          .resolution = resolution};
+  return {.key = key, .title = key, .low = low, .high = high, .span = 1.0, .spanText = "1", .resolution = resolution};
 }
 
 Task taskWith(std::vector<StateVariable> state, int actions = 2) {
@@ -77,11 +76,14 @@ TEST(TileCoder, PartitionsTheSpaceAsTheFormulaSays) {
   for (const int n : {1, 3, 8, 16}) {
     const TileCoder coder = coderFor(task, n);
     Random random(17);
-    const auto draw = [&] { return std::vector<double>{random.uniform(-2, 2), random.uniform(-3, 1), random.uniform(0, 5)}; };
+    const auto draw = [&] {
+      return std::vector<double>{random.uniform(-2, 2), random.uniform(-3, 1), random.uniform(0, 5)};
+    };
     const auto formula = [&](const std::vector<double>& s, int i) {
       std::vector<double> tile;
       for (std::size_t d = 0; d < s.size(); ++d)
-        tile.push_back(std::floor((std::floor(s[d] * task.state[d].resolution * n) + i * (2.0 * static_cast<double>(d) + 1)) / n));
+        tile.push_back(
+            std::floor((std::floor(s[d] * task.state[d].resolution * n) + i * (2.0 * static_cast<double>(d) + 1)) / n));
       return tile;
     };
     int shared = 0;
@@ -95,7 +97,8 @@ TEST(TileCoder, PartitionsTheSpaceAsTheFormulaSays) {
       for (int i = 0; i < n; ++i) {
         const bool same = formula(s, i) == formula(t, i);
         shared += same;
-        ASSERT_EQ(x[static_cast<std::size_t>(i)] == y[static_cast<std::size_t>(i)], same) << n << " tilings, tiling " << i;
+        ASSERT_EQ(x[static_cast<std::size_t>(i)] == y[static_cast<std::size_t>(i)], same)
+            << n << " tilings, tiling " << i;
       }
     }
     EXPECT_GT(shared, 100 * n / 2);

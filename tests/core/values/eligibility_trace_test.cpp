@@ -44,12 +44,27 @@ TEST(EligibilityTrace, EqualsADenseVector) {
   for (int step = 0; step < 20'000; ++step) {
     const auto weight = static_cast<Index>(random.next() % kWeights);
     switch (random.next() % 12) {
-      case 0: trace.drop(weight); dense[weight] = 0; break;
-      case 1: trace.accumulate(weight); dense[weight] += 1; break;
-      case 2:
-        if (random.next() % 20 == 0) { trace.clear(); std::fill(dense.begin(), dense.end(), 0.0); }
+      case 0:
+        trace.drop(weight);
+        dense[weight] = 0;
         break;
-      case 3: case 4: case 5: case 6: trace.replace(weight); dense[weight] = 1; break;
+      case 1:
+        trace.accumulate(weight);
+        dense[weight] += 1;
+        break;
+      case 2:
+        if (random.next() % 20 == 0) {
+          trace.clear();
+          std::fill(dense.begin(), dense.end(), 0.0);
+        }
+        break;
+      case 3:
+      case 4:
+      case 5:
+      case 6:
+        trace.replace(weight);
+        dense[weight] = 1;
+        break;
       default:
         trace.decay(0.9, 0.01);
         for (double& z : dense) z = z * 0.9 < 0.01 ? 0.0 : z * 0.9;
