@@ -1,22 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/interrupt.h"
 
+#include <time.h>
+#include <unistd.h>
+
 #include <csignal>
+
+#include "app/exit_code.h"
 
 namespace surefoot {
 
 namespace {
-std::atomic<bool> interrupted{false};  // a signal handler can reach nothing else
-static_assert(std::atomic<bool>::is_always_lock_free);
+
+// A signal handler can reach nothing but globals.
+std::atomic<bool> interrupted{false};
+std::atomic<time_t> firstSecond{0};
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<time_t>::is_always_lock_free);
+
+void onSignal(int) {
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  // A shell or `timeout` may send the same signal twice in a row: that is one wish.
+  if (interrupted && now.tv_sec > firstSecond + 1) _exit(kInterrupted);
+  if (!interrupted) firstSecond = now.tv_sec;
+  interrupted = true;
+}
+
 }  // namespace
 
 const std::atomic<bool>& watchForInterrupt() {
   struct sigaction action {};
-  action.sa_handler = [](int) { interrupted = true; };
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  action.sa_handler = onSignal;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
   return interrupted;
+}
+
+void reportFailedWrites() {
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 }  // namespace surefoot

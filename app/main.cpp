@@ -1,25 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/interrupt.h"
 #include "physics/register.h"
 
 namespace surefoot {
 
 int fail(const Error& error) {
-  std::fprintf(stderr, "surefoot: %s\n", error.message.c_str());
+  std::string sentence = error.message;
+  for (char& c : sentence)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';  // what was typed may hold line breaks and escapes
+  std::fprintf(stderr, "surefoot: %s\n", sentence.c_str());
   return exitCode(error.kind);
 }
 
 int print(const std::string& text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return kDone;
-  return fail({"standard output cannot be written; is the disk full?", ErrorKind::File});
+  return fail({fmt::format("standard output cannot be written: {}.", std::strerror(errno)), ErrorKind::File});
 }
 
 namespace {
 
 int run(int argc, char** argv) {
+  reportFailedWrites();
   Registry registry;
   registerCore(registry);
   registerPhysics(registry);

@@ -127,7 +127,8 @@ std::string resultAsTable(const Configuration& c, const std::vector<LifeResult>&
   };
   row("falls", column([](const LifeResult& r) { return static_cast<double>(r.totals.falls); }, 1));
   row("episodes", column([](const LifeResult& r) { return static_cast<double>(r.totals.episodes); }, 1));
-  row("average reward, last 80", column([](const LifeResult& r) { return r.averageReward; }, 1));
+  row("average reward, last 80",
+      column([](const LifeResult& r) { return r.totals.episodes > 0 ? r.averageReward : std::nan(""); }, 1));
   row("transitions of a success",
       column([&](const LifeResult& r) { return ratio(r.totals.successSteps, r.totals.successes); }, 1));
   row("transitions of a failure",

@@ -65,17 +65,21 @@ int trainCommand(const Registry& registry, const TrainRequest& request) {
   }
   if (!lives) return fail(lives.error());
 
+  // Whatever fails here, the rest is still reported.
+  Status logged = Done{};
   if (log) {
     const auto environment = makeEnvironment(registry, configuration);
-    if (!environment) return fail(environment.error());
-    if (const Status s = log->commit(logAsCsv(*lives, (*environment)->task().stepTime)); !s) return fail(s.error());
+    logged = environment ? log->commit(logAsCsv(*lives, (*environment)->task().stepTime)) : Status(environment.error());
   }
-  if (const int code = print(request.json ? resultAsJson(configuration, *lives) : resultAsTable(configuration, *lives));
-      code != kDone)
-    return code;
+  const int printed = print(request.json ? resultAsJson(configuration, *lives) : resultAsTable(configuration, *lives));
+  if (!logged) return fail(logged.error());
+  if (printed != kDone) return printed;
 
   for (const LifeResult& life : *lives)
-    if (!life.divergence.empty()) return fail({life.divergence, ErrorKind::Diverged});
+    if (!life.divergence.empty()) {
+      const std::string which = configuration.lives > 1 ? fmt::format("life {}: ", life.life) : "";
+      return fail({which + life.divergence, ErrorKind::Diverged});
+    }
   const auto complete =
       static_cast<int>(std::count_if(lives->begin(), lives->end(), [](const LifeResult& r) { return r.complete; }));
   if (complete < configuration.lives)

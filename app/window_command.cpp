@@ -20,14 +20,23 @@ namespace surefoot {
 
 namespace {
 
-/// Qt ends the program itself where there is no display, after a message of several lines: say it in one sentence.
-void onMessage(QtMsgType type, const QMessageLogContext&, const QString& text) {
-  if (type == QtFatalMsg) {
-    std::fprintf(stderr,
-                 "surefoot: there is no display for the window; `surefoot train --minutes 9` learns without one.\n");
-    _exit(kUsage);
-  }
-  if (type == QtWarningMsg && text.contains("display")) return;
+Error noDisplay() {
+  const char* platform = std::getenv("QT_QPA_PLATFORM");
+  const char* display = std::getenv("DISPLAY");
+  const std::string tried = platform  ? fmt::format(" (QT_QPA_PLATFORM is {})", platform)
+                            : display ? fmt::format(" (DISPLAY is {})", display)
+                                      : "";
+  return Error{
+      fmt::format("there is no display for the window{}; `surefoot train --minutes 9` learns without one.", tried)};
+}
+
+/// Qt ends the program itself where there is no display, after several lines: say it in one sentence. Its remarks on
+/// the platform are of no use to anyone.
+void onMessage(QtMsgType type, const QMessageLogContext& context, const QString& text) {
+  if (type == QtFatalMsg) _exit(fail(noDisplay()));
+  const QLatin1String category(context.category);
+  if (category.startsWith(QLatin1String("qt.qpa")) || text.contains("plugin") || text.contains("XDG_RUNTIME_DIR"))
+    return;
   std::fprintf(stderr, "%s\n", qPrintable(text));
 }
 
@@ -51,8 +60,7 @@ int windowCommand(const Registry& registry, const WindowRequest& request, int ar
     log.emplace(std::move(*file));
   }
   const char* platform = std::getenv("QT_QPA_PLATFORM");
-  if (!std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY") && !platform)
-    return fail({"there is no display for the window; `surefoot train --minutes 9` learns without one."});
+  if (!std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY") && !platform) return fail(noDisplay());
 
   qInstallMessageHandler(onMessage);
   int qtArguments = 1;  // ours are not Qt's

@@ -7,6 +7,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/text.h"
+
 namespace surefoot {
 
 std::string allowedValues(const Parameter& p) {
@@ -28,17 +30,12 @@ std::string formatValue(const Parameter& p, double value) {
 }
 
 Result<double> parseNumber(std::string_view name, std::string_view text) {
-  const Error bad{fmt::format("{}: \"{}\" is not a number; a finite decimal number is needed, such as 0.05.", name,
-                              text.substr(0, 60))};
   double value = 0.0;
   std::string_view digits = text;
   if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
   const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (code == std::errc::result_out_of_range)
-    return Error{fmt::format("{}: {} is too large or too small for a number; a finite decimal number is needed.", name,
-                             text.substr(0, 60))};
-  if (code != std::errc{} || end != digits.data() + digits.size() || !std::isfinite(value)) return bad;
-  return value;
+  if (code == std::errc{} && end == digits.data() + digits.size() && std::isfinite(value)) return value;
+  return Error{fmt::format("{}: \"{}\" is not a finite decimal number.", name, shortened(text))};
 }
 
 Result<double> checkValue(const Parameter& p, double value) {
@@ -51,10 +48,11 @@ Result<double> parseValue(const Parameter& p, std::string_view text) {
   if (p.kind == Kind::Choice) {
     const auto found = std::find(p.choices.begin(), p.choices.end(), text);
     if (found != p.choices.end()) return static_cast<double>(found - p.choices.begin());
-    return Error{fmt::format("{}: \"{}\" is not allowed; it takes {}.", p.key, text.substr(0, 60), allowedValues(p))};
+    return Error{fmt::format("{}: \"{}\" is not allowed; it takes {}.", p.key, shortened(text), allowedValues(p))};
   }
   const Result<double> number = parseNumber(p.key, text);
-  if (!number) return Error{number.error().message + fmt::format(" Allowed is {}.", allowedValues(p))};
+  if (!number)
+    return Error{fmt::format("{}: \"{}\" is not allowed; it takes {}.", p.key, shortened(text), allowedValues(p))};
   return checkValue(p, *number);
 }
 
@@ -105,7 +103,7 @@ Error Parameters::unknown(std::string_view key) const {
   std::vector<std::string> keys;
   for (const Entry& e : entries_) keys.push_back(e.parameter.key);
   const std::string near = nearestWord(key, keys);
-  return Error{fmt::format("{}: there is no such parameter{}; `surefoot list` names them all.", key.substr(0, 60),
+  return Error{fmt::format("{}: there is no such parameter{}; `surefoot list` names them all.", shortened(key),
                            near.empty() ? "" : ", did you mean " + near)};
 }
 
@@ -149,14 +147,18 @@ std::size_t editDistance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string nearestWord(std::string_view word, const std::vector<std::string>& known) {
-  if (word.size() > 100) return "";
+  if (word.size() < 2 || word.size() > 100) return "";
+  std::string lower(word);
+  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  for (const std::string& candidate : known)
+    if (lower.size() >= 4 && candidate.starts_with(lower)) return candidate;
   std::string best;
   std::size_t bestDistance = std::max<std::size_t>(3, word.size() / 2);
   for (const std::string& candidate : known) {
     // The part behind the dot counts too: "temperature" is near to "policy.temperature".
     const auto dot = candidate.find('.');
-    std::size_t distance = editDistance(word, candidate);
-    if (dot != std::string::npos) distance = std::min(distance, editDistance(word, candidate.substr(dot + 1)) + 1);
+    std::size_t distance = editDistance(lower, candidate);
+    if (dot != std::string::npos) distance = std::min(distance, editDistance(lower, candidate.substr(dot + 1)) + 1);
     if (distance < bestDistance) {
       bestDistance = distance;
       best = candidate;

@@ -9,6 +9,7 @@
 #include "core/policies/greedy.h"
 #include "core/policies/softmax.h"
 #include "core/policies/threshold_restricted.h"
+#include "core/text.h"
 
 namespace surefoot {
 
@@ -51,8 +52,9 @@ Result<std::unique_ptr<Agent>> makeSarsa(const AgentParts& parts) {
   declareTable(tiles, initial, features);
   parts.parameters.apply(features);
   if (initial.low > initial.high)
-    return Error{fmt::format("features.initial_low: {} is above features.initial_high, {}; it must not be.",
-                             initial.low, initial.high)};
+    return Error{
+        fmt::format("features.initial_low = {} and features.initial_high = {}: the low end must not be above the high.",
+                    initial.low, initial.high)};
 
   Result<TileCoder> coder = TileCoder::create(parts.task, tiles);
   if (!coder) return coder.error();
@@ -77,7 +79,7 @@ void registerCore(Registry& r) {
 
 Error unknownName(std::string_view what, std::string_view name, const std::vector<std::string>& names) {
   const std::string near = nearestWord(name, names);
-  return Error{fmt::format("{}: there is no \"{}\"{}; choose {}.", what, name.substr(0, 60),
+  return Error{fmt::format("{}: there is no \"{}\"{}; choose {}.", what, shortened(name),
                            near.empty() ? "" : fmt::format(", did you mean {}", near), joinWords(names, "or"))};
 }
 

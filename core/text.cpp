@@ -24,4 +24,12 @@ std::string countText(double value) {
   return withMinus(text);
 }
 
+std::string_view shortened(std::string_view text) {
+  constexpr std::size_t kMost = 60;
+  if (text.size() <= kMost) return text;
+  std::size_t end = kMost;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0) == 0x80) --end;  // inside a UTF-8 character
+  return text.substr(0, end);
+}
+
 }  // namespace surefoot

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers as a person reads them: a true minus sign, thousands separated. For labels, never for files.
+// Numbers as a person reads them: a true minus sign, thousands separated. For labels and messages, never for files.
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace surefoot {
 
@@ -11,5 +12,8 @@ std::string fixedText(double value, int decimals);
 
 /// 1234567.0 → "1,234,567".
 std::string countText(double value);
+
+/// The beginning of something that a person typed, for a message: at most 60 bytes, never half a character.
+std::string_view shortened(std::string_view text);
 
 }  // namespace surefoot

@@ -9,8 +9,29 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 
 namespace surefoot {
+
+namespace {
+
+Error unwritable(const std::string& what, const std::string& path, const std::string& why) {
+  return Error{fmt::format("{}: {} cannot be written: {}.", what, path, why), ErrorKind::File};
+}
+
+std::string folderOf(const std::string& path) {
+  const std::string folder = std::filesystem::path(path).parent_path().string();
+  return folder.empty() ? "." : folder;
+}
+
+/// The rights that the user's mask leaves a new file.
+mode_t usualMode() {
+  const mode_t mask = umask(0);
+  umask(mask);
+  return 0666 & ~mask;
+}
+
+}  // namespace
 
 Result<WholeFile> WholeFile::createNew(const std::string& what, const std::string& path) {
   if (path.empty()) return Error{fmt::format("{}: the name of the file is empty; a path is needed.", what)};
@@ -18,14 +39,20 @@ Result<WholeFile> WholeFile::createNew(const std::string& what, const std::strin
   if (lstat(path.c_str(), &info) == 0)
     return Error{fmt::format("{}: {} exists already; name a file that does not, or remove it first.", what, path),
                  ErrorKind::File};
-  std::string temporary = path + ".XXXXXX";
-  const int descriptor = mkostemp(temporary.data(), O_CLOEXEC);
-  if (descriptor < 0)
-    return Error{fmt::format("{}: {} cannot be written: {}.", what, path, std::strerror(errno)), ErrorKind::File};
-  const mode_t mask = umask(0);
-  umask(mask);
-  fchmod(descriptor, 0666 & ~mask);
-  return WholeFile(what, path, std::move(temporary), descriptor);
+  const std::string folder = folderOf(path);
+  if (stat(folder.c_str(), &info) != 0)
+    return unwritable(what, path, fmt::format("the folder {}: {}", folder, std::strerror(errno)));
+
+  // A file without a name, where the file system has such: whatever ends the program, nothing is left behind.
+  const int nameless = open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, usualMode());
+  if (nameless >= 0) return WholeFile(what, path, "", nameless);
+  if (errno != EOPNOTSUPP && errno != EISDIR && errno != ENOENT) return unwritable(what, path, std::strerror(errno));
+
+  std::string temporary = folder + "/.surefoot-XXXXXX";
+  const int named = mkostemp(temporary.data(), O_CLOEXEC);
+  if (named < 0) return unwritable(what, path, std::strerror(errno));
+  fchmod(named, usualMode());
+  return WholeFile(what, path, std::move(temporary), named);
 }
 
 WholeFile::WholeFile(WholeFile&& other) noexcept
@@ -37,26 +64,21 @@ WholeFile::WholeFile(WholeFile&& other) noexcept
 WholeFile::~WholeFile() {
   if (descriptor_ < 0) return;
   close(descriptor_);
-  unlink(temporary_.c_str());
-}
-
-Error WholeFile::failed(int code) const {
-  return Error{fmt::format("{}: {} cannot be written: {}.", what_, path_, std::strerror(code)), ErrorKind::File};
+  if (!temporary_.empty()) unlink(temporary_.c_str());
 }
 
 Status WholeFile::commit(std::string_view content) {
   while (!content.empty()) {
     const ssize_t written = write(descriptor_, content.data(), content.size());
     if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return failed(errno);
+    if (written < 0) return unwritable(what_, path_, std::strerror(errno));
     content.remove_prefix(static_cast<std::size_t>(written));
   }
-  if (fsync(descriptor_) != 0) return failed(errno);
-  if (renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE) != 0) {
-    if (errno != EINVAL) return failed(errno);  // a file system that cannot say "do not replace"
-    if (link(temporary_.c_str(), path_.c_str()) != 0) return failed(errno);
-    unlink(temporary_.c_str());
-  }
+  // Either way of giving the name refuses to replace a file that has appeared meanwhile.
+  const std::string source = temporary_.empty() ? fmt::format("/proc/self/fd/{}", descriptor_) : temporary_;
+  if (fsync(descriptor_) != 0 || linkat(AT_FDCWD, source.c_str(), AT_FDCWD, path_.c_str(), AT_SYMLINK_FOLLOW) != 0)
+    return unwritable(what_, path_, std::strerror(errno));
+  if (!temporary_.empty()) unlink(temporary_.c_str());
   close(std::exchange(descriptor_, -1));
   return Done{};
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A file that appears whole or not at all: written beside its place under another name, synced, then renamed.
+// A file that appears whole or not at all: written without a name in the same folder, synced, then given its name.
 #pragma once
 
 #include <string>
@@ -30,9 +30,9 @@ class WholeFile {
         path_(std::move(path)),
         temporary_(std::move(temporary)),
         descriptor_(descriptor) {}
-  Error failed(int code) const;
 
-  std::string what_, path_, temporary_;
+  std::string what_, path_;
+  std::string temporary_;  // its name meanwhile; empty where the file system lets a file have none
   int descriptor_ = -1;
 };
 

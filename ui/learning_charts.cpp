@@ -42,7 +42,7 @@ LearningChart::LearningChart(Session& session, Shows shows, QWidget* parent)
   setFrameShape(QFrame::NoFrame);
   setFocusPolicy(Qt::NoFocus);
   setRenderHint(QPainter::Antialiasing);
-  auto* c = new QChart;
+  QChart* c = chart();
   c->legend()->hide();
   c->setMargins({});
   c->layout()->setContentsMargins(0, 0, 0, 0);
@@ -60,7 +60,6 @@ LearningChart::LearningChart(Session& session, Shows shows, QWidget* parent)
   };
   for (std::size_t i = 0; i < RunCurves::kMostEarlier; ++i) add(earlier_.emplace_back(new QLineSeries));
   add(live_);
-  setChart(c);
   connect(&session_, &Session::valuesArrived, this, &LearningChart::refresh);
   connect(&session_, &Session::lifeReplaced, this, &LearningChart::refresh);
   connect(&session_, &Session::configurationChanged, this, &LearningChart::refresh);
@@ -114,7 +113,7 @@ void LearningChart::refresh() {
   chart()->axes(Qt::Vertical).front()->setRange(yLeast_, yMost_);
 
   fillSeries(*live_, curves.live());
-  live_->setPen(QPen(policyLook(session_.configuration().names.policy, t).colour, 2));
+  live_->setPen(QPen(policyLook(curves.live().policy, t).colour, 2));
   for (std::size_t i = 0; i < earlier_.size(); ++i) {
     if (i >= curves.earlier().size()) {
       earlier_[i]->clear();
@@ -281,7 +280,7 @@ void LearningChart::drawList(QPainter& p, const Theme& t) const {
   if (!curves.live().points.empty()) {
     const double falls = static_cast<double>(session_.snapshot().totals.falls);  // as new as the counter in the toolbar
     const double value = shows_ == Shows::Falls ? falls : yOf(curves.live().points.back());
-    items.push_back({value, session_.configuration().names.policy, true});
+    items.push_back({value, curves.live().policy, true});
   }
   std::stable_sort(items.begin(), items.end(), [](const Item& a, const Item& b) { return a.value > b.value; });
   double y = plot_.top() + 2;

@@ -35,6 +35,7 @@ class PageTab final : public QAbstractButton {
     setAccessibleName(text);
     setCheckable(true);
     setAutoExclusive(true);
+    setFocusPolicy(Qt::TabFocus);
     setCursor(Qt::PointingHandCursor);
     setFixedSize(static_cast<int>(QFontMetricsF(textFont(13, 500)).horizontalAdvance(text)) + 20, 24);
   }

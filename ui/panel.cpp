@@ -18,6 +18,7 @@ class FullSizeButton final : public QAbstractButton {
  public:
   explicit FullSizeButton(QWidget* parent) : QAbstractButton(parent) {
     setCheckable(true);
+    setFocusPolicy(Qt::TabFocus);
     resize(kButton, kButton);
     setCursor(Qt::PointingHandCursor);
   }

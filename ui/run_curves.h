@@ -18,7 +18,7 @@ class RunCurves {
  public:
   static constexpr std::size_t kMostEarlier = 5;
 
-  /// The points of the life that runs, under the policy in force.
+  /// The points of the life that runs, and the policy of its last episode.
   void update(const std::string& policy, const std::vector<CurvePoint>& points) { live_ = {policy, points}; }
   /// The life that ran becomes an earlier one; one too short to say anything is forgotten.
   void archive();

@@ -66,7 +66,7 @@ void Session::tick() {
   learner_->takeSnapshot();
   learner_->wantSnapshot();
   if (learner_->takeValues() && values()) {
-    curves_.update(configuration_.names.policy, values()->curve);
+    curves_.update(values()->policy, values()->curve);
     Q_EMIT valuesArrived();
   }
   if (sinceValues_.elapsed() >= kValuesEvery) {

@@ -6,6 +6,8 @@
 #include <chrono>
 #include <condition_variable>
 #include <mutex>
+#include <new>
+#include <system_error>
 #include <thread>
 
 namespace surefoot {
@@ -46,7 +48,13 @@ class Pool {
       std::vector<std::jthread> threads;
       const int jobs = std::min(options_.jobs, configuration_.lives);
       working_ = jobs;
-      for (int i = 0; i < jobs; ++i) threads.emplace_back([this] { work(); });
+      try {
+        for (int i = 0; i < jobs; ++i) threads.emplace_back([this] { work(); });
+      } catch (const std::system_error&) {  // fewer threads do the same work
+        if (threads.empty()) return Error{"The system gives no thread to run on; are too many running already?"};
+        const std::lock_guard lock(mutex_);
+        working_ -= jobs - static_cast<int>(threads.size());
+      }
       std::unique_lock lock(mutex_);
       while (!done_.wait_for(lock, std::chrono::milliseconds(250), [this] { return working_ == 0; }))
         if (options_.progress) options_.progress(progress());
@@ -60,10 +68,17 @@ class Pool {
   }
 
  private:
-  bool interrupted() const { return options_.interrupted && options_.interrupted->load(std::memory_order_relaxed); }
+  bool interrupted() const {
+    return givenUp_.load(std::memory_order_relaxed) ||
+           (options_.interrupted && options_.interrupted->load(std::memory_order_relaxed));
+  }
 
   void work() {
-    for (int index = next_++; index < configuration_.lives && !interrupted(); index = next_++) live(index);
+    try {
+      for (int index = next_++; index < configuration_.lives && !interrupted(); index = next_++) live(index);
+    } catch (const std::bad_alloc&) {
+      giveUp({"There is not enough memory for this; take fewer tiles, tilings or jobs, shorter lives, or no log."});
+    }
     const std::lock_guard lock(mutex_);
     --working_;
     done_.notify_one();
@@ -72,12 +87,7 @@ class Pool {
   void live(int index) {
     const double start = threadCpuSeconds();
     Result<std::unique_ptr<Life>> made = makeLife(registry_, configuration_, index, options_.keepRows);
-    if (!made) {
-      const std::lock_guard lock(mutex_);
-      error_ = made.error();
-      next_ = configuration_.lives;
-      return;
-    }
+    if (!made) return giveUp(made.error());
     Life& life = **made;
     Meter& meter = meters_[static_cast<std::size_t>(index)];
     while (!life.finished() && !interrupted()) {
@@ -89,6 +99,12 @@ class Pool {
     meter.share.store(1.0, std::memory_order_relaxed);
     results_[static_cast<std::size_t>(index)] = summarise(life, index, threadCpuSeconds() - start);
     ++livesDone_;
+  }
+
+  void giveUp(Error error) {
+    const std::lock_guard lock(mutex_);
+    if (!error_) error_ = std::move(error);
+    givenUp_ = true;
   }
 
   Progress progress() const {
@@ -108,6 +124,7 @@ class Pool {
   std::vector<std::optional<LifeResult>> results_;
   std::vector<Meter> meters_;
   std::atomic<int> next_{0}, livesDone_{0};
+  std::atomic<bool> givenUp_{false};
   std::mutex mutex_;  // guards working_ and error_
   std::condition_variable done_;
   int working_ = 0;

@@ -74,6 +74,7 @@ void LearnerThread::step() {
   const LifeTotals& totals = life_->log().totals();
   if (totals.episodes == before) return;
   curve_.add(life_->log().last(), totals.falls);
+  curvePolicy_ = life_->policyName();
   end_.add(life_->log().last(), life_->environment().task().highestReturn);
 }
 
@@ -170,6 +171,7 @@ void LearnerThread::fill(ValueSnapshot& s) const {
   const EpisodeRow& last = life_->log().last();
   if (last.episode > 0 && (s.curve.empty() || s.curve.back().episode != last.episode))
     s.curve.push_back({last.episode, last.lifeSteps, life_->log().totals().falls, last.averageReward});
+  s.policy = curvePolicy_;
   s.changes = life_->changes();
   s.endOfLearning = end_.episode();
   s.endOfLearningSteps = end_.lifeSteps();

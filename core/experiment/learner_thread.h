@@ -80,6 +80,7 @@ class LearnerThread {
   std::unique_ptr<Life> life_;
   std::uint64_t lifeNumber_ = 1;
   LearningCurve curve_;
+  std::string curvePolicy_;
   EndOfLearning end_;
   bool running_ = false, turbo_ = false;
   double pace_ = 1.0;

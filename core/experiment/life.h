@@ -58,6 +58,7 @@ class Life {
   const Environment& environment() const { return *environment_; }
   const Agent& agent() const { return *agent_; }
   const Policy& policy() const { return *policy_; }
+  const std::string& policyName() const { return policyName_; }
   const Parameters& parameters() const { return parameters_; }
   const EpisodeLog& log() const { return log_; }
   const std::vector<Change>& changes() const { return changes_; }

@@ -33,6 +33,7 @@ struct ValueSnapshot {
   std::unique_ptr<ActionValueFunction> values;
   std::vector<float> eligibility;  ///< [weight]
   std::vector<CurvePoint> curve;
+  std::string policy;  ///< that was in force in the last episode of the curve
   std::vector<Change> changes;
   std::int64_t endOfLearning = 0;       ///< episode, 0: not yet
   std::int64_t endOfLearningSteps = 0;  ///< of the life

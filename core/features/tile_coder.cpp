@@ -61,52 +61,58 @@ void TileCoder::Settings::declare(Fields& f) {
                  .order = 2});
 }
 
+/// Everything of one variable but the strides. `tiles` ← tiles of a tiling along it, displaced ones included.
+Result<TileCoder::Dimension> TileCoder::layOut(const StateVariable& v, double tilesPerUnit, int n, double& tiles) {
+  Dimension dim;
+  dim.scale = tilesPerUnit * n;
+  dim.wraps = v.period.has_value();
+  if (!dim.wraps) {
+    dim.low = std::floor(v.low * dim.scale);
+    dim.high = std::floor(v.high * dim.scale);
+    dim.origin = std::floor(dim.low / n) * n;
+    dim.cycle = static_cast<Index>(n);
+    tiles = std::floor((dim.high - dim.origin + n - 1) / n) + 1;
+    return dim;
+  }
+  const double wanted = tilesPerUnit * *v.period;
+  tiles = std::round(wanted);
+  if (tiles < 1 || tiles > kMostWeights || std::abs(tiles - wanted) > 1e-9 * tiles)
+    return Error{fmt::format("features.{}: {} tiles in one turn of the {}; a variable that wraps needs a whole number.",
+                             v.key, wanted, v.title)};
+  dim.cycle = static_cast<Index>(tiles) * static_cast<Index>(n);
+  dim.scale = tiles * n / *v.period;
+  return dim;
+}
+
 Result<TileCoder> TileCoder::create(const Task& task, const Settings& settings) {
   TileCoder coder;
   const int n = coder.tilings_ = settings.tilings;
-  double perTiling = 1.0;
+  double stride = 1.0;  // tiles of a tiling along the dimensions so far
   for (std::size_t d = 0; d < task.state.size(); ++d) {
     const StateVariable& v = task.state[d];
-    const double tilesPerUnit = settings.resolution[d] * settings.scale / v.span;
-    Dimension dim;
-    dim.scale = tilesPerUnit * n;
-    dim.wraps = v.period.has_value();
     double tiles = 0.0;
-    if (dim.wraps) {
-      tiles = std::round(tilesPerUnit * *v.period);
-      if (tiles < 1 || std::abs(tiles - tilesPerUnit * *v.period) > 1e-9 * tiles)
-        return Error{
-            fmt::format("features.{}: {} tiles in one turn of the {}; a variable that wraps needs a whole number.",
-                        v.key, tilesPerUnit * *v.period, v.title)};
-      dim.cycle = static_cast<Index>(tiles) * static_cast<Index>(n);
-      dim.scale = tiles * n / *v.period;
-    } else {
-      dim.low = std::floor(v.low * dim.scale);
-      dim.high = std::floor(v.high * dim.scale);
-      dim.origin = std::floor(dim.low / n) * n;
-      dim.cycle = static_cast<Index>(n);
-      tiles = std::floor((dim.high - dim.origin + n - 1) / n) + 1;
-    }
-    const double stride = perTiling;
-    perTiling *= tiles;
-    const double weights = perTiling * n * static_cast<double>(task.actions.size());
+    Result<Dimension> dim = layOut(v, settings.resolution[d] * settings.scale / v.span, n, tiles);
+    if (!dim) return dim.error();
+    const double weights = stride * tiles * n * static_cast<double>(task.actions.size());
     if (weights > kMostWeights)
       return Error{
-          fmt::format("features.{}: {} tilings of this resolution need a table of {:.3g} weights; at most {:.3g} "
-                      "are allowed, so take fewer tilings or tiles.",
-                      v.key, n, weights, kMostWeights)};
-    dim.cycleStride = dim.wraps ? 0 : static_cast<Index>(stride);
-    for (Index position = 0; position < dim.cycle; ++position)
+          fmt::format("features.{}: {} tilings with features.scale = {} need a table of {:.3g} weights; at most {:.3g} "
+                      "are allowed, "
+                      "so take fewer tilings, fewer tiles or a smaller scale.",
+                      v.key, n, settings.scale, weights, kMostWeights)};
+    dim->cycleStride = dim->wraps ? 0 : static_cast<Index>(stride);
+    for (Index position = 0; position < dim->cycle; ++position)
       for (int i = 0; i < n; ++i) {
         const auto displacement = static_cast<Index>(i * (2 * static_cast<int>(d) + 1) % n);
         Index tile = (position + displacement) / static_cast<Index>(n);
-        if (dim.wraps) tile %= static_cast<Index>(tiles);
-        dim.carry.push_back(tile * static_cast<Index>(stride));
+        if (dim->wraps) tile %= static_cast<Index>(tiles);
+        dim->carry.push_back(tile * static_cast<Index>(stride));
       }
-    coder.dimensions_.push_back(std::move(dim));
+    coder.dimensions_.push_back(std::move(*dim));
+    stride *= tiles;
   }
-  for (int i = 0; i < n; ++i) coder.tilingStart_.push_back(static_cast<Index>(i) * static_cast<Index>(perTiling));
-  coder.size_ = static_cast<Index>(perTiling) * static_cast<Index>(n);
+  for (int i = 0; i < n; ++i) coder.tilingStart_.push_back(static_cast<Index>(i) * static_cast<Index>(stride));
+  coder.size_ = static_cast<Index>(stride) * static_cast<Index>(n);
   return coder;
 }
 

@@ -53,6 +53,7 @@ class TileCoder {
   };
 
   TileCoder() = default;
+  static Result<Dimension> layOut(const StateVariable& variable, double tilesPerUnit, int n, double& tiles);
 
   int tilings_ = 1;
   Index size_ = 0;

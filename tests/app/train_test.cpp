@@ -42,11 +42,13 @@ TEST(Train, JsonSaysEverythingOfEveryLife) {
 TEST(Train, TheSameHashForOneAndTwoJobs) {
   const auto hashes = [](const std::string& jobs) {
     std::vector<std::string> list;
-    for (const Json& life : train("--lives 5 --episodes 40 --seed 9 --jobs " + jobs)["lives"])
-      list.push_back(life["hash"]);
+    const Json json = train("--lives 5 --episodes 40 --seed 9 --jobs " + jobs);
+    for (const Json& life : json["lives"]) list.push_back(life["hash"]);
     return list;
   };
-  EXPECT_EQ(hashes("1"), hashes("2"));
+  const auto one = hashes("1");
+  EXPECT_EQ(one.size(), 5u);
+  EXPECT_EQ(one, hashes("2"));
 }
 
 TEST(Train, EndsAtMinutesOrEpisodesWhicheverComesFirst) {
@@ -108,6 +110,49 @@ TEST(Train, CtrlCEndsItWithWhatWasDone) {
   EXPECT_GE(json["lives"].size(), 1u);
   EXPECT_EQ(json["lives"][0]["complete"], false);
   EXPECT_NE(contentOf(folder.file("err")).find("interrupted"), std::string::npos);
+}
+
+// `timeout` sends its signal to the program and then to its group: twice within a moment.
+TEST(Train, ASignalThatComesTwiceAtOnceIsOneWish) {
+  const Folder folder;
+  const std::string command = std::string(SUREFOOT_PROGRAM) +
+                              " train --minutes 900000 --jobs 1 --set environment.substeps=100 --json --log " +
+                              folder.file("log.csv") + " >" + folder.file("out") +
+                              " 2>/dev/null & p=$!; sleep 0.5; kill -TERM $p; kill -TERM $p; wait $p; test $? = 130";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  EXPECT_EQ(Json::parse(contentOf(folder.file("out")))["lives"].size(), 1u);
+  EXPECT_TRUE(std::filesystem::exists(folder.file("log.csv")));
+}
+
+TEST(Train, NothingIsLeftBehindWhenItIsKilled) {
+  const Folder folder;
+  const std::string command =
+      std::string(SUREFOOT_PROGRAM) + " train --minutes 900000 --jobs 1 --log " + folder.file("log.csv") +
+      " & p=$!; sleep 0.4; kill -KILL $p; wait $p; test -z \"$(ls -A " + folder.file("") + ")\"";
+  EXPECT_EQ(std::system(("sh -c '" + command + "' 2>/dev/null").c_str()), 0);
+}
+
+TEST(Train, ALogThatCannotBeWrittenAtTheEndDoesNotTakeTheResultWithIt) {
+  const Folder folder;
+  const int code =
+      std::system(("(ulimit -f 8; exec " + std::string(SUREFOOT_PROGRAM) + " train --episodes 3000 --json --log " +
+                   folder.file("log.csv") + " 2>" + folder.file("err") + ") | grep -q '\"hash\"'")
+                      .c_str());
+  EXPECT_EQ(code, 0) << "the result is printed all the same";
+  EXPECT_NE(contentOf(folder.file("err")).find("log.csv cannot be written"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(folder.file("log.csv")));
+}
+
+TEST(Train, TooLittleMemoryIsASentence) {
+  const Folder folder;
+  const int status = std::system(("ulimit -v 1000000; " + std::string(SUREFOOT_PROGRAM) +
+                                  " train --episodes 2000 --jobs 512 --lives 512 >/dev/null 2>" + folder.file("err"))
+                                     .c_str());
+  ASSERT_TRUE(WIFEXITED(status));
+  if (WEXITSTATUS(status) != 0) {  // where the memory does not suffice
+    EXPECT_EQ(WEXITSTATUS(status), 2);
+    EXPECT_NE(contentOf(folder.file("err")).find("memory"), std::string::npos);
+  }
 }
 
 TEST(Train, DivergenceHasAnExitCodeOfItsOwn) {

@@ -56,7 +56,14 @@ TEST(Usage, ImpossibleCombinationsAreRefused) {
   expectRefusal("train --episodes 3 --set features.pole_angle=1000 --set features.pole_rate=1000", 2, {"weights"});
   expectRefusal("train --episodes 3 --set policy.epsilon=0.1 --set policy.epsilon=0.2", 2, {"twice"});
   expectRefusal("train --episodes 3 --episodes 4", 2, {"--episodes"});
-  expectRefusal("train --episodes", 2, {"--episodes"});
+  expectRefusal("train --episodes", 2, {"--episodes", "value"});
+  expectRefusal("train --episodes 3 --log --json", 2, {"--log", "--json"});
+  expectRefusal("train --seed --episodes 3", 2, {"--seed"});
+  expectRefusal("--policy trl", 2, {"--policy", "window"});
+  expectRefusal("train --episodes 3 --set policy.epsilon=0.1 junk", 2, {"junk"});
+  expectRefusal("train --episodes 3 --set '[policy.epsilon=.1]'", 2, {"[policy.epsilon"});
+  expectRefusal("train --episodes '1\n2' --policy '\033[31m'", 2);
+  expectRefusal("''", 2);
   expectRefusal("window --lives 2", 2, {"--lives"});
 }
 

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/requests.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+#include <thread>
+
+#include "core/text.h"
+
+namespace surefoot {
+
+namespace {
+
+Result<std::int64_t> parseCount(const std::string& option, const std::string& text, std::int64_t most) {
+  std::int64_t value = 0;
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (code == std::errc{} && end == text.data() + text.size() && value >= 1 && value <= most) return value;
+  return Error{fmt::format("{}: \"{}\" is not allowed; it takes a whole number from 1 to {}.", option,
+                           text.substr(0, 60), most)};
+}
+
+Result<std::uint64_t> parseSeed(const std::string& text) {
+  std::uint64_t value = 0;
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (code == std::errc{} && end == text.data() + text.size()) return value;
+  return Error{fmt::format("--seed: \"{}\" is not allowed; it takes a whole number from 0 to {}.", text.substr(0, 60),
+                           std::numeric_limits<std::uint64_t>::max())};
+}
+
+Result<std::vector<Assignment>> parseAssignments(const std::vector<std::string>& texts) {
+  std::vector<Assignment> assignments;
+  for (const std::string& text : texts) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos || equals == 0)
+      return Error{fmt::format("--set: \"{}\" is not KEY=VALUE, such as policy.epsilon=0.05.", text.substr(0, 60))};
+    assignments.push_back({text.substr(0, equals), text.substr(equals + 1)});
+    for (std::size_t i = 0; i + 1 < assignments.size(); ++i)
+      if (assignments[i].key == assignments.back().key && assignments[i].value != assignments.back().value)
+        return Error{fmt::format("--set: {} is given twice, as {} and as {}; give it once.", assignments[i].key,
+                                 assignments[i].value, assignments.back().value)};
+  }
+  return assignments;
+}
+
+/// A key of a policy that is not the chosen one would have no effect: a slip worth a word.
+Status checkPolicyKeys(const Registry& registry, const std::string& policy,
+                       const std::vector<Assignment>& assignments) {
+  const auto chosen = findEntry(registry.policies, "--policy", policy);
+  if (!chosen) return chosen.error();
+  const std::vector<std::string> used = policyKeys(**chosen);
+  for (const Assignment& a : assignments) {
+    if (!a.key.starts_with("policy.") || std::find(used.begin(), used.end(), a.key) != used.end()) continue;
+    std::vector<std::string> owners;
+    for (const PolicyEntry& entry : registry.policies) {
+      const auto keys = policyKeys(entry);
+      if (std::find(keys.begin(), keys.end(), a.key) != keys.end()) owners.push_back(entry.name);
+    }
+    if (!owners.empty())
+      return Error{
+          fmt::format("{}: the policy {} does not use it; it belongs to {}.", a.key, policy, joinWords(owners))};
+  }
+  return Done{};
+}
+
+Result<std::vector<double>> parseQ(const std::string& text) {
+  std::vector<double> q;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const auto value =
+        parseNumber(fmt::format("--q, value {}", q.size() + 1), std::string_view(text).substr(begin, end - begin));
+    if (!value)
+      return text.empty() ? Error{"--q: the list is empty; action values are needed, such as 1,2,3."} : value.error();
+    q.push_back(*value);
+    begin = end + 1;
+  }
+  if (q.size() > kMaxActions)
+    return Error{fmt::format("--q: {} values are given; 1 to {} are allowed.", q.size(), kMaxActions)};
+  return q;
+}
+
+}  // namespace
+
+Result<TrainRequest> makeTrainRequest(const Registry& registry, const TrainOptions& o, bool window) {
+  const auto assignments = parseAssignments(o.assignments);
+  if (!assignments) return assignments.error();
+  if (!window)
+    if (const Status s = checkPolicyKeys(registry, o.names.policy, *assignments); !s) return s.error();
+  auto configuration = configure(registry, o.names, *assignments);
+  if (!configuration) return configuration.error();
+
+  TrainRequest request{.configuration = std::move(*configuration), .json = o.json, .log = o.log, .turbo = o.turbo};
+  Configuration& c = request.configuration;
+  if (o.seed) {
+    const auto seed = parseSeed(*o.seed);
+    if (!seed) return seed.error();
+    c.seed = *seed;
+  }
+  if (o.minutes) {
+    const Parameter minutes{.key = "--minutes", .low = 0.001, .high = 1e6};
+    const auto value = parseValue(minutes, *o.minutes);
+    if (!value) return value.error();
+    c.minutes = *value;
+  }
+  if (o.episodes) {
+    const auto value = parseCount("--episodes", *o.episodes, 1'000'000'000);
+    if (!value) return value.error();
+    c.episodes = *value;
+  }
+  const auto lives = o.lives ? parseCount("--lives", *o.lives, 1'000'000) : Result<std::int64_t>(1);
+  if (!lives) return lives.error();
+  c.lives = static_cast<int>(*lives);
+  const std::int64_t cores = std::max(1u, std::thread::hardware_concurrency());
+  const auto jobs = o.jobs ? parseCount("--jobs", *o.jobs, 1024) : Result<std::int64_t>(cores);
+  if (!jobs) return jobs.error();
+  request.jobs = static_cast<int>(*jobs);
+
+  if (window && c.lives > 1)
+    return Error{fmt::format("--lives: the window shows one life, not {}; `surefoot train` runs many.", c.lives)};
+  if (!window && !c.minutes && !c.episodes)
+    return Error{"--minutes or --episodes: how long a life is must be given, e.g. --minutes 9."};
+  if (const auto life = makeLife(registry, c, 0, false); !life) return life.error();  // what no single check can see
+  return request;
+}
+
+Result<ProbabilitiesRequest> makeProbabilitiesRequest(const Registry& registry, const ProbabilitiesOptions& o) {
+  if (!o.q) return Error{"--q: action values are needed, such as --q 1,2,3."};
+  const auto q = parseQ(*o.q);
+  if (!q) return q.error();
+  const auto assignments = parseAssignments(o.assignments);
+  if (!assignments) return assignments.error();
+  if (const Status s = checkPolicyKeys(registry, o.policy, *assignments); !s) return s.error();
+  for (const Assignment& a : *assignments)
+    if (!a.key.starts_with("policy."))
+      return Error{fmt::format("{}: only parameters of the policy have a meaning here.", shortened(a.key))};
+  return ProbabilitiesRequest{*q, o.policy, *assignments, o.json};
+}
+
+}  // namespace surefoot
