@@ -117,7 +117,8 @@ void ActionRows::drawHead(QPainter& p, const Theme& t, const Geometry& g) const 
     const double end = x + 15 + QFontMetricsF(p.font()).horizontalAdvance(columns_[i].title) + 5;
     p.setFont(textFont(11));
     p.setPen(t.quiet);
-    p.drawText(QPointF(end, 20), tr("in force"));
+    const double room = (i + 1 < columns_.size() ? x + g.pitch : width()) - end - 10;
+    if (QFontMetricsF(p.font()).horizontalAdvance(tr("in force")) < room) p.drawText(QPointF(end, 20), tr("in force"));
   }
 }
 
@@ -164,7 +165,7 @@ void ActionRows::drawRow(QPainter& p, const Theme& t, const Geometry& g, std::si
   p.drawRect(QRectF(std::min(zero, x), middle - kBar / 2, std::abs(x - zero), kBar));
   p.setBrush(t.ink);
   p.drawRect(QRectF(x - 1.25, middle - 9, 2.5, 18));
-  number(g.qNumber, fixedText(q_[action], std::abs(q_[action]) < 9.95 ? 1 : 0), true);
+  number(g.qNumber, fixedText(q_[action], std::abs(q_[action]) < 99.95 ? 1 : 0), true);
 
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const bool inForce = columns_[i].name == session_.configuration().names.policy;
@@ -174,7 +175,8 @@ void ActionRows::drawRow(QPainter& p, const Theme& t, const Geometry& g, std::si
     p.setPen(Qt::NoPen);
     p.setBrush(colour);
     p.drawRect(QRectF(x0, middle - kBar / 2, g.bar * std::sqrt(columns_[i].pi[action]), kBar));
-    number(x0 + g.number, fixedText(100 * columns_[i].pi[action], 1), inForce);
+    const double percent = 100 * columns_[i].pi[action];
+    number(x0 + g.number, fixedText(percent, percent >= 0.005 && percent < 0.095 ? 2 : 1), inForce);
   }
 }
 
@@ -185,7 +187,10 @@ void ActionRows::drawThreshold(QPainter& p, const Theme& t, const Geometry& g) c
   pen.setDashPattern({3, 2});
   p.setPen(pen);
   p.drawLine(QPointF(x, g.top - 4), QPointF(x, g.bottom));
-  const QString text = tr("threshold %1").arg(toText(fixedText(threshold(), 0)));
+  const QString beyond = threshold() > high_  ? QStringLiteral(" ›")
+                         : threshold() < low_ ? QStringLiteral(" ‹")
+                                              : QString();
+  const QString text = tr("threshold %1").arg(toText(countText(threshold()))) + beyond;
   p.setFont(textFont(11, 500));
   const double w = QFontMetricsF(p.font()).horizontalAdvance(text) + 10;
   const QRectF flag(std::clamp(x - w / 2, 64.0, g.qNumber - 16 - w), 9, w, 17);

@@ -15,6 +15,9 @@ struct RunCurve;
 struct CurvePoint;
 struct Change;
 
+/// The next of 1, 2, 5 × a power of ten that is not below the value.
+double niceAbove(double value);
+
 /// One chart. Qt Charts draws the curves; grid, axes, marks and the list at the right are drawn here, because the
 /// chart's own axes have a hyphen for the minus sign and do not line up from chart to chart.
 class LearningChart final : public QChartView {
@@ -35,21 +38,28 @@ class LearningChart final : public QChartView {
  private:
   void refresh();
   void place();
-  void fillSeries(QLineSeries& series, const RunCurve& curve) const;
+  void chooseRanges();
+  void drawPiece(std::size_t index, const std::vector<CurvePoint>& piece, const QPen& pen);
   double xOf(const CurvePoint& point) const;  // [min], or episodes where the task has no clock
   double yOf(const CurvePoint& point) const;
   QPointF toPixel(double x, double y) const;
   void drawAxes(QPainter& p, const Theme& t) const;
-  void drawChanges(QPainter& p, const Theme& t) const;
+  /// A dashed vertical with its text: a change of a parameter, the end of learning.
+  struct Mark {
+    double x;
+    QString text;
+  };
+  std::vector<Mark> marks() const;
+  void drawMarks(QPainter& p, const Theme& t) const;
   QString textOf(const Change& change) const;
-  void drawVertical(QPainter& p, const Theme& t, double x, const QString& text, int line) const;
   void drawFallMarks(QPainter& p, const Theme& t) const;
   void drawList(QPainter& p, const Theme& t) const;
 
+  static constexpr double kLeft = 48, kRight = 98, kTop = 12, kBottom = 12, kBottomWithAxis = 40;  // gutters [px]
+
   Session& session_;
   Shows shows_;
-  QLineSeries* live_;
-  std::vector<QLineSeries*> earlier_;
+  std::vector<QLineSeries*> series_;  // one a piece, earlier lives first; those not needed are empty
   QRectF plot_;
   double xMost_ = 1, yLeast_ = 0, yMost_ = 1;
 };

@@ -97,20 +97,26 @@ LivePage::LivePage(Session& session, QWidget* parent) : QMainWindow(parent), ses
       addPanel(tr("Falls"), "falls", new LearningChart(session_, LearningChart::Shows::Falls), Qt::RightDockWidgetArea);
   falls->header().setNote(tr("cumulative; each mark on the axis is one"));
 
-  connect(&session_, &Session::stateChanged, this, [this, actions] {
+  connect(&session_, &Session::frame, this, [this, actions] {
     const bool viewing = session_.turbo() && session_.running();
-    actions->header().setNote(viewing ? tr("in the state of the real-time world") : tr("in the live state"));
+    actions->header().setNote(viewing ? tr("in the state of the real-time world; its next action is marked")
+                                      : tr("in the live state; its next action is marked"));
+    worldHeader_->setNote(worldNote());
   });
-  actions->header().setNote(tr("in the live state"));
-  connect(&session_, &Session::frame, this, [this] {
-    const bool viewing = session_.turbo() && session_.running();
-    const double factor = session_.factor();
-    const QString speed = toText(factor < 9.95 ? fixedText(factor, 1)
-                                               : countText(factor >= 1000 ? std::round(factor / 100) * 100 : factor));
-    worldHeader_->setNote(viewing              ? tr("real time, newest Q-function; the learner runs ×%1").arg(speed)
-                          : session_.running() ? tr("the learner's own, ×%1").arg(speed)
-                                               : tr("the learner's own, paused"));
-  });
+}
+
+QString LivePage::worldNote() const {
+  if (session_.runFinished()) return tr("the life is complete");
+  if (!session_.running())
+    return session_.turbo() ? tr("the learner's own, paused; turbo is on") : tr("the learner's own, paused");
+  const double factor = session_.factor();
+  const double rounded = factor >= 1000 ? std::round(factor / 100) * 100 : factor;
+  const QString speed = factor <= 0
+                            ? QString()
+                            : QStringLiteral(" ×") + toText(factor < 9.95 ? fixedText(factor, 1) : countText(rounded));
+  return session_.turbo()  ? tr("real time, newest Q-function; the learner runs") + speed
+         : speed.isEmpty() ? tr("the learner's own")
+                           : tr("the learner's own,") + speed;
 }
 
 QWidget* LivePage::makeCentre() {

@@ -39,6 +39,7 @@ class LivePage final : public QMainWindow {
   QWidget* makeCentre();
   void toggleFull(QWidget* panel);
   void shareSpace();
+  QString worldNote() const;
 
   Session& session_;
   WorldView* world_ = nullptr;

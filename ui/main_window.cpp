@@ -65,7 +65,7 @@ MainWindow::MainWindow(Session& session, QWidget* parent) : QMainWindow(parent),
   column->setSpacing(0);
   makeActions();
   bar_ = new RunBar(session_, run_);
-  messages_ = new MessageBar;
+  messages_ = new MessageBar(frame);
   pages_ = new QStackedWidget;
   live_ = new LivePage(session_);
   pages_->addWidget(live_);
@@ -76,7 +76,6 @@ MainWindow::MainWindow(Session& session, QWidget* parent) : QMainWindow(parent),
       tr("Lessons"), tr("Lessons that lead through exploring, thresholds and temperature will stand on this page in "
                         "a later version. The Live page is a good place to begin.")));
   column->addWidget(bar_);
-  column->addWidget(messages_);
   column->addWidget(pages_, 1);
   column->addWidget(new StatusLine(session_));
   setCentralWidget(frame);
@@ -84,6 +83,8 @@ MainWindow::MainWindow(Session& session, QWidget* parent) : QMainWindow(parent),
 
   connect(live_, &LivePage::refused, messages_, &MessageBar::say);
   connect(&session_, &Session::stateChanged, this, &MainWindow::refresh);
+  connect(&session_, &Session::configurationChanged, messages_, &MessageBar::dismiss);
+  connect(&session_, &Session::lifeReplaced, messages_, &MessageBar::dismiss);
   connect(&session_, &Session::frame, this, [this] {
     const QString divergence = toText(session_.snapshot().divergence);
     if (divergence != divergenceShown_ && !divergence.isEmpty()) messages_->say(divergence);
@@ -98,8 +99,11 @@ MainWindow::MainWindow(Session& session, QWidget* parent) : QMainWindow(parent),
                        messages_->say(toText(s.error().message));
                    });
   });
+  messages_->raise();
   refresh();
+  setMinimumSize(1120, 700);
   resize(1280, 800);
+  live_->world().setFocus();
   restoreSettings();
 }
 

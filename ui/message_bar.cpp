@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/message_bar.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
@@ -28,7 +29,17 @@ MessageBar::MessageBar(QWidget* parent)
     if (then) then();
   });
   connect(dismiss_, &QPushButton::clicked, this, &MessageBar::dismiss);
+  parent->installEventFilter(this);
   hide();
+}
+
+void MessageBar::place() {
+  setGeometry(0, kTop, parentWidget()->width(), std::max(36, sizeHint().height()));
+}
+
+bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize) place();
+  return QWidget::eventFilter(watched, event);
 }
 
 void MessageBar::say(const QString& sentence) {
@@ -36,7 +47,9 @@ void MessageBar::say(const QString& sentence) {
   setAccessibleName(sentence);
   answer_->hide();
   dismiss_->setText(tr("Dismiss"));
+  place();
   show();
+  raise();
 }
 
 void MessageBar::ask(const QString& sentence, const QString& answer, std::function<void()> then) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/parameter_row.h"
 
-#include <QComboBox>
 #include <QLineEdit>
 #include <QPainter>
 #include <QSignalBlocker>
@@ -9,6 +8,7 @@
 #include <cmath>
 
 #include "core/text.h"
+#include "ui/combo.h"
 #include "ui/slider.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
@@ -35,9 +35,8 @@ ParameterRow::ParameterRow(const Parameter& parameter, const std::string& policy
   const QString name = toText(parameter_.title);
   setToolTip(tip(parameter_));
   if (parameter_.kind == Kind::Choice) {
-    choice_ = new QComboBox(this);
+    choice_ = new Combo(name, this);
     for (const std::string& c : parameter_.choices) choice_->addItem(toText(c));
-    choice_->setAccessibleName(name);
     connect(choice_, &QComboBox::activated, this, [this](int index) { Q_EMIT edited(toText(parameter_.key), index); });
   } else {
     slider_ = new Slider(this);
@@ -89,13 +88,16 @@ int ParameterRow::sliderAt(double value) const {
   return static_cast<int>(std::lround(share * Slider::kSteps));
 }
 
+// As many decimals as the range asks for, more if the value has them, so that a column of numbers stands still.
 QString ParameterRow::textOf(double value) const {
-  QString text = QString::number(value, 'g', 6);
-  const double size = std::abs(value);
-  if (parameter_.kind == Kind::Real && size < 10 && size >= 0.01 && text.size() < 4)
-    text = QString::number(value, 'f', 2);
-  if (text.size() > 7) text = QString::number(value, 'g', 3);
-  if (parameter_.sliderHigh >= 10 && value == std::floor(value) && size < 1e6) text = QString::number(value, 'f', 0);
+  int decimals = 0;
+  if (parameter_.kind == Kind::Real && parameter_.sliderHigh - parameter_.sliderLow < 32)
+    decimals = parameter_.sliderHigh >= 2 ? 1 : 2;
+  const auto exact = [&] { return std::abs(value - QString::number(value, 'f', decimals).toDouble()) < 1e-12; };
+  while (parameter_.kind == Kind::Real && decimals < 4 && !exact()) ++decimals;
+  QString text = QString::number(value, 'f', decimals);
+  constexpr int kMost = 7;  // characters that fit
+  if (text.size() > kMost || (value != 0.0 && text.toDouble() == 0.0)) text = QString::number(value, 'g', 3);
   return text.replace('-', QChar(0x2212));
 }
 
@@ -132,7 +134,9 @@ void ParameterRow::numberTyped() {
   number_->setModified(false);
   QString text = number_->text().trimmed();
   text.replace(QChar(0x2212), '-').replace(',', '.');
-  const Result<double> value = parseValue(parameter_, text.toStdString());
+  Parameter named = parameter_;  // the form speaks of "Exploration", not of policy.epsilon
+  named.key = parameter_.title;
+  const Result<double> value = parseValue(named, text.toStdString());
   if (value)
     Q_EMIT edited(toText(parameter_.key), *value);
   else

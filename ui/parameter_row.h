@@ -9,12 +9,12 @@
 
 #include "core/parameters.h"
 
-class QComboBox;
 class QLineEdit;
 class QToolButton;
 
 namespace surefoot {
 
+class Combo;
 class Slider;
 
 class ParameterRow final : public QWidget {
@@ -55,7 +55,7 @@ class ParameterRow final : public QWidget {
   std::optional<std::int64_t> changedAt_;
   Slider* slider_ = nullptr;
   QLineEdit* number_ = nullptr;
-  QComboBox* choice_ = nullptr;
+  Combo* choice_ = nullptr;
   QToolButton* reset_ = nullptr;
 };
 

@@ -5,10 +5,10 @@
 #include <QEvent>
 #include <QPainter>
 #include <QSignalBlocker>
-#include <QWheelEvent>
 #include <cmath>
 
 #include "core/text.h"
+#include "ui/combo.h"
 #include "ui/icons.h"
 #include "ui/session.h"
 #include "ui/slider.h"
@@ -69,7 +69,7 @@ class BarButton final : public QAbstractButton {
     p.setPen(Qt::NoPen);
     p.setBrush(Qt::NoBrush);
     if (look_ == Look::Main) {
-      p.setBrush(t.ink);
+      p.setBrush(isEnabled() ? t.ink : t.track);
       ink = t.panel;
     } else if (look_ == Look::Framed) {
       p.setPen(QPen(pressed ? t.ink : t.outline, pressed ? 1.75 : 1));
@@ -107,20 +107,6 @@ class BarButton final : public QAbstractButton {
   Look look_;
 };
 
-/// A combo box with a chevron in ink: the style sheet that flattens the frame takes the arrow away.
-class BarCombo final : public QComboBox {
- public:
-  using QComboBox::QComboBox;
-
- protected:
-  void paintEvent(QPaintEvent* event) override {
-    QComboBox::paintEvent(event);
-    QPainter p(this);
-    drawIcon(p, Icon::Chevron, QRectF(width() - 26, 0, 20, height()), themeOf(*this).ink);
-  }
-  void wheelEvent(QWheelEvent* event) override { event->ignore(); }
-};
-
 QIcon markerIcon(const std::string& policy, const Theme& t) {
   QPixmap pixmap(32, 32);
   pixmap.setDevicePixelRatio(2);
@@ -148,7 +134,7 @@ RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
   connect(pace_, &QSlider::valueChanged, this, [this](int position) { session_.setPace(paceAt(position)); });
   buttons_.push_back(new BarButton(actions.turbo, Icon::Turbo, BarButton::Look::Framed, this));
 
-  scenario_ = makeCombo(tr("Scenario"));
+  scenario_ = new Combo(tr("Scenario"), this);
   for (const auto& entry : session.registry().scenarios)
     if (entry.environment == session.configuration().names.environment) {
       scenario_->addItem(toText(entry.title), toText(entry.name));
@@ -157,9 +143,9 @@ RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
   connect(scenario_, &QComboBox::activated, this,
           [this](int i) { session_.setScenario(scenario_->itemData(i).toString().toStdString()); });
   scenario_->setPlaceholderText(tr("Changed model"));
-  agent_ = makeCombo(tr("Learning rule"));
+  agent_ = new Combo(tr("Learning rule"), this);
   for (const auto& entry : session.registry().agents) agent_->addItem(toText(entry.title), toText(entry.name));
-  policy_ = makeCombo(tr("Policy"));
+  policy_ = new Combo(tr("Policy"), this);
   for (const auto& entry : session.registry().policies) {
     policy_->addItem(toText(entry.title), toText(entry.name));
     policy_->setItemData(policy_->count() - 1, toText(entry.help), Qt::ToolTipRole);
@@ -173,36 +159,19 @@ RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
   });
   connect(&session_, &Session::configurationChanged, this, &RunBar::refresh);
   connect(&session_, &Session::frame, this, [this] { update(); });
-  styleCombos();
+  setMarkers();
   refresh();
 }
 
-QComboBox* RunBar::makeCombo(const QString& name) {
-  auto* combo = new BarCombo(this);
-  combo->setAccessibleName(name);
-  combo->setToolTip(name);
-  return combo;
-}
-
-void RunBar::styleCombos() {
+void RunBar::setMarkers() {
   const Theme& t = themeOf(*this);
-  const QString style =
-      QStringLiteral(
-          "QComboBox { border: 1px solid %1; border-radius: 4px; padding: 0 8px; background: %2; color: %3; }"
-          "QComboBox:focus { border: 2px solid %4; padding: 0 7px; }"
-          "QComboBox::drop-down { border: none; width: 18px; } QComboBox::down-arrow { image: none; }"
-          "QComboBox QAbstractItemView { background: %2; color: %3; selection-background-color: %5; selection-color: "
-          "%3;"
-          " border: 1px solid %1; }")
-          .arg(t.outline.name(), t.panel.name(), t.ink.name(), t.accent.name(), t.fill.name());
-  for (QComboBox* combo : {scenario_, agent_, policy_}) combo->setStyleSheet(style);
   for (int i = 0; i < policy_->count(); ++i)
     policy_->setItemIcon(i, markerIcon(policy_->itemData(i).toString().toStdString(), t));
 }
 
 void RunBar::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) styleCombos();
+  if (event->type() == QEvent::PaletteChange) setMarkers();
 }
 
 void RunBar::changePace(int notches) {
@@ -275,11 +244,11 @@ void RunBar::paintEvent(QPaintEvent*) {
     drawSymbol(p, right - w, baseline, text);
     right -= w + gap;
   };
-  const LifeTotals& totals = session_.snapshot().totals;
+  const CurvePoint now = session_.latest();
   put(tr("episodes"), 11, 400, t.quiet, 30, 6);
-  put(toText(countText(static_cast<double>(totals.episodes))), 13, 500, t.ink, 30, 20);
+  put(toText(countText(static_cast<double>(now.episode))), 13, 500, t.ink, 30, 20);
   put(tr("falls"), 11, 400, t.quiet, 30, 7);
-  put(toText(countText(static_cast<double>(totals.falls))), 24, 500, t.fallText, 30, 0);
+  put(toText(countText(static_cast<double>(now.falls))), 24, 500, t.fallText, 30, 0);
 }
 
 }  // namespace surefoot

@@ -34,8 +34,7 @@ class RunBar final : public QWidget {
  private:
   void layOut();
   void refresh();
-  void styleCombos();
-  QComboBox* makeCombo(const QString& name);
+  void setMarkers();
 
   Session& session_;
   RunActions actions_;

@@ -7,6 +7,25 @@ namespace {
 constexpr std::int64_t kLeastEpisodes = 20;
 }
 
+void RunCurves::update(const std::string& policy, const std::vector<CurvePoint>& points,
+                       const std::vector<Change>& changes) {
+  live_ = {points, {}};
+  if (points.empty()) return;
+  std::vector<Change> switches;
+  for (const Change& change : changes)
+    if (change.key == "policy" && change.step < points.back().lifeSteps) switches.push_back(change);
+  auto next = switches.begin();
+  live_.pieces.push_back({switches.empty() ? policy : switches.front().before, {}});
+  for (const CurvePoint& point : points) {
+    for (; next != switches.end() && next->step < point.lifeSteps; ++next) {
+      CurvePiece piece{next->after, {}};
+      if (!live_.pieces.back().points.empty()) piece.points.push_back(live_.pieces.back().points.back());
+      live_.pieces.push_back(std::move(piece));
+    }
+    live_.pieces.back().points.push_back(point);
+  }
+}
+
 void RunCurves::archive() {
   if (!live_.points.empty() && live_.points.back().episode >= kLeastEpisodes) {
     earlier_.push_back(std::move(live_));

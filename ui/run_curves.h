@@ -6,20 +6,28 @@
 #include <vector>
 
 #include "core/experiment/learning_curve.h"
+#include "core/experiment/life.h"
 
 namespace surefoot {
 
-struct RunCurve {
+/// A piece of a curve learned under one policy.
+struct CurvePiece {
   std::string policy;
   std::vector<CurvePoint> points;
+};
+
+struct RunCurve {
+  std::vector<CurvePoint> points;
+  std::vector<CurvePiece> pieces;  ///< the same points, cut where the policy changed; each begins where the last ended
+  std::string policy() const { return pieces.empty() ? "" : pieces.back().policy; }
 };
 
 class RunCurves {
  public:
   static constexpr std::size_t kMostEarlier = 5;
 
-  /// The points of the life that runs, and the policy of its last episode.
-  void update(const std::string& policy, const std::vector<CurvePoint>& points) { live_ = {policy, points}; }
+  /// The points of the life that runs, the policy of its last episode, and what was changed meanwhile.
+  void update(const std::string& policy, const std::vector<CurvePoint>& points, const std::vector<Change>& changes);
   /// The life that ran becomes an earlier one; one too short to say anything is forgotten.
   void archive();
 

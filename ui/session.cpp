@@ -66,7 +66,7 @@ void Session::tick() {
   learner_->takeSnapshot();
   learner_->wantSnapshot();
   if (learner_->takeValues() && values()) {
-    curves_.update(values()->policy, values()->curve);
+    curves_.update(values()->policy, values()->curve, values()->changes);
     Q_EMIT valuesArrived();
   }
   if (sinceValues_.elapsed() >= kValuesEvery) {
@@ -75,8 +75,8 @@ void Session::tick() {
   }
   if (snapshot().life != lifeShown_) {
     lifeShown_ = snapshot().life;
-    stepsBefore_ = fallsBefore_ = 0;
-    stepsPerSecond_ = speedSeconds_ = 0;
+    fallsBefore_ = snapshot().totals.falls;
+    restartMeasuring();
   }
   if (running_ && runFinished()) {
     running_ = false;
@@ -95,6 +95,16 @@ void Session::measureSpeed() {
   stepsPerSecond_ = static_cast<double>(snapshot().steps - stepsBefore_) / speedSeconds_;
   stepsBefore_ = snapshot().steps;
   speedSeconds_ = 0;
+}
+
+void Session::restartMeasuring() {
+  stepsPerSecond_ = speedSeconds_ = 0;
+  stepsBefore_ = snapshot().steps;
+}
+
+CurvePoint Session::latest() const {
+  const auto& points = curves_.live().points;
+  return points.empty() ? CurvePoint{} : points.back();
 }
 
 void Session::show(double seconds) {
@@ -116,22 +126,27 @@ void Session::show(double seconds) {
   if (falls == fallsBefore_ + 1) sinceFall_.start();  // one fall; a jump by many is a change of the world shown
   fallsBefore_ = falls;
   shown_.flash = sinceFall_.isValid() && sinceFall_.elapsed() < kFlash;
+  // The next episode has begun already, but a fall wants to be seen: the fallen pose stays for as long as the flash.
+  if (shown_.flash && !viewing && !snapshot().fallenPose.empty()) shown_.pose = snapshot().fallenPose;
 }
 
 void Session::setRunning(bool running) {
   if (running && runFinished()) return;
+  restartMeasuring();
   running_ = running;
   learner_->send(SetRunning{running});
   Q_EMIT stateChanged();
 }
 
 void Session::setTurbo(bool turbo) {
+  restartMeasuring();
   turbo_ = turbo;
   learner_->send(SetTurbo{turbo});
   Q_EMIT stateChanged();
 }
 
 void Session::setPace(double pace) {
+  restartMeasuring();
   pace_ = pace;
   learner_->send(SetPace{pace});
   Q_EMIT stateChanged();

@@ -45,7 +45,9 @@ class Session final : public QObject {
   bool running() const { return running_; }
   bool turbo() const { return turbo_; }
   double pace() const { return pace_; }
-  /// Learning steps per second of wall-clock time, as measured.
+  /// Falls and episodes as of the newest curve, so that every number on the screen is of the same moment.
+  CurvePoint latest() const;
+  /// Learning steps per second of wall-clock time, as measured; 0: not yet.
   double stepsPerSecond() const { return stepsPerSecond_; }
   /// How many times faster than real time; 0 where the task has no clock.
   double factor() const;
@@ -84,6 +86,7 @@ class Session final : public QObject {
   void tick();
   void show(double seconds);
   void measureSpeed();
+  void restartMeasuring();
   void makeViewer();
   Result<std::unique_ptr<Life>> makeFirstLife() const;
   void adopt(std::unique_ptr<Life> life);

@@ -21,14 +21,17 @@ QStringList StatusLine::segments() const {
   const Snapshot& s = session_.snapshot();
   QStringList list;
   if (!std::isnan(s.simulatedSeconds))
-    list << tr("%1 min simulated").arg(toText(fixedText(s.simulatedSeconds / 60, 2)));
+    list << tr("%1 min simulated")
+                .arg(toText(s.simulatedSeconds < 6e4 ? fixedText(s.simulatedSeconds / 60, 2)
+                                                     : countText(s.simulatedSeconds / 60)));
   list << tr("%1 steps").arg(toText(countText(static_cast<double>(s.steps))));
   const double speed = session_.stepsPerSecond();
-  if (session_.running())
+  if (session_.running() && speed > 0)
     list << (speed >= 1e5 ? tr("%1 M steps/s").arg(toText(fixedText(speed / 1e6, 2)))
                           : tr("%1 steps/s").arg(toText(countText(speed))));
   const Parameters& p = session_.configuration().parameters;
-  if (s.totals.successes > 0 && p.find("environment.goal_reward")) {
+  constexpr int kEnough = 20;  // successful episodes, before their mean says anything
+  if (s.totals.successes >= kEnough && p.find("environment.goal_reward")) {
     // eq. 4.1: threshold = γ^n*·R_goal, n* the mean transitions of the successful episodes so far.
     const double n = static_cast<double>(s.totals.successSteps) / static_cast<double>(s.totals.successes);
     const double threshold = std::pow(p.get("agent.discount"), n) * p.get("environment.goal_reward");

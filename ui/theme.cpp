@@ -105,12 +105,19 @@ QMenu::item:selected { background: %3; }
 QMenu::item:disabled { color: %5; }
 QMenu::separator { height: 1px; background: %4; margin: 4px 8px; }
 QToolTip { background: %1; color: %2; border: 1px solid %4; padding: 4px; }
+QComboBox { border: 1px solid %6; border-radius: 4px; padding: 0 8px; background: %1; color: %2; }
+QComboBox:focus { border: 2px solid %7; padding: 0 7px; }
+QComboBox::drop-down { border: none; width: 18px; }
+QComboBox::down-arrow { image: none; }
+QComboBox QAbstractItemView { background: %1; color: %2; selection-background-color: %4; selection-color: %2;
+  border: 1px solid %6; outline: none; padding: 2px; }
 QScrollArea { border: none; background: transparent; }
 QScrollBar:vertical { background: transparent; width: 8px; margin: 0; }
 QScrollBar::handle:vertical { background: %6; border-radius: 3px; min-height: 24px; margin: 1px; }
 QScrollBar::add-line, QScrollBar::sub-line { height: 0; }
 )")
-      .arg(t.panel.name(), t.ink.name(), t.fill.name(), t.hairline.name(), t.quiet.name(), t.outline.name());
+      .arg(t.panel.name(), t.ink.name(), t.fill.name(), t.hairline.name(), t.quiet.name(), t.outline.name(),
+           t.accent.name());
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ constexpr double kJump = 0.05;       // the tip does not move that far in a fram
 WorldView::WorldView(Session& session, QWidget* parent) : QWidget(parent), session_(session) {
   setAccessibleName(tr("World"));
   setAttribute(Qt::WA_OpaquePaintEvent);
+  setFocusPolicy(Qt::StrongFocus);
   connect(&session_, &Session::frame, this, &WorldView::nextFrame);
 }
 

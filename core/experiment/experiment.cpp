@@ -59,6 +59,8 @@ class Pool {
       while (!done_.wait_for(lock, std::chrono::milliseconds(250), [this] { return working_ == 0; }))
         if (options_.progress) options_.progress(progress());
     }
+    if (outOfMemory_)
+      return Error{"There is not enough memory for this; take fewer tiles, tilings or jobs, shorter lives, or no log."};
     if (error_) return *error_;
     if (options_.progress) options_.progress(progress());
     std::vector<LifeResult> lives;
@@ -77,7 +79,8 @@ class Pool {
     try {
       for (int index = next_++; index < configuration_.lives && !interrupted(); index = next_++) live(index);
     } catch (const std::bad_alloc&) {
-      giveUp({"There is not enough memory for this; take fewer tiles, tilings or jobs, shorter lives, or no log."});
+      outOfMemory_ = true;  // and nothing more here: even an error message would need some
+      givenUp_ = true;
     }
     const std::lock_guard lock(mutex_);
     --working_;
@@ -124,7 +127,7 @@ class Pool {
   std::vector<std::optional<LifeResult>> results_;
   std::vector<Meter> meters_;
   std::atomic<int> next_{0}, livesDone_{0};
-  std::atomic<bool> givenUp_{false};
+  std::atomic<bool> givenUp_{false}, outOfMemory_{false};
   std::mutex mutex_;  // guards working_ and error_
   std::condition_variable done_;
   int working_ = 0;

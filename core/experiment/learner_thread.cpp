@@ -75,6 +75,7 @@ void LearnerThread::step() {
   if (totals.episodes == before) return;
   curve_.add(life_->log().last(), totals.falls);
   curvePolicy_ = life_->policyName();
+  if (!turbo_ && life_->log().last().falls > 0) fallenPose_ = life_->environment().pose();
   end_.add(life_->log().last(), life_->environment().task().highestReturn);
 }
 
@@ -122,6 +123,7 @@ void LearnerThread::carryOut(Command& command) {
       ++t.lifeNumber_;
       t.curve_ = {};
       t.end_ = {};
+      t.fallenPose_.clear();
       t.stepTime_ = stepTimeOf(*t.life_);
       t.valuesWanted_ = true;
     }
@@ -151,6 +153,7 @@ void LearnerThread::fill(Snapshot& s) const {
   s.averageReward = life_->log().averageReward();
   s.state.assign(environment.state().begin(), environment.state().end());
   s.pose = environment.pose();
+  s.fallenPose = fallenPose_;
   s.q.resize(environment.task().actions.size());
   life_->agent().values().evaluate(s.state, Layer::Sum, s.q);
   s.action = life_->nextAction();

@@ -81,6 +81,7 @@ class LearnerThread {
   std::uint64_t lifeNumber_ = 1;
   LearningCurve curve_;
   std::string curvePolicy_;
+  std::vector<double> fallenPose_;
   EndOfLearning end_;
   bool running_ = false, turbo_ = false;
   double pace_ = 1.0;

@@ -20,8 +20,9 @@ struct Snapshot {
   LifeTotals totals;
   double averageReward = 0;
   std::vector<double> state, pose;
-  std::vector<double> q;  ///< q̂(s, ·) in that state
-  Action action = 0;      ///< that will be carried out in it
+  std::vector<double> fallenPose;  ///< of the last fall, unless turbo was on
+  std::vector<double> q;           ///< q̂(s, ·) in that state
+  Action action = 0;               ///< that will be carried out in it
   bool running = false;
   bool finished = false;   ///< the limit that was asked for is reached
   std::string divergence;  ///< why it had to stop, or empty

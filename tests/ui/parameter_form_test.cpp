@@ -48,7 +48,7 @@ TEST(ParameterForm, ATypedNumberOutOfRangeIsRefusedInASentence) {
   QTest::keyClick(number, Qt::Key_Return);
   EXPECT_EQ(w.session->configuration().parameters.get("policy.epsilon"), 0.05);
   EXPECT_TRUE(w.window->messages().isVisible());
-  EXPECT_TRUE(w.window->messages().accessibleName().contains("policy.epsilon"));
+  EXPECT_TRUE(w.window->messages().accessibleName().contains("Exploration"));
   EXPECT_EQ(number->text(), "0.05");
 }
 

@@ -20,7 +20,7 @@ shot() {
   local server=$!
   while [ ! -s "$home/display" ]; do sleep 0.1; done
   local environment=(env DISPLAY=":$(cat "$home/display")" QT_QPA_PLATFORM=xcb HOME="$home" XDG_CONFIG_HOME="$home/config" XDG_RUNTIME_DIR="$home")
-  "${environment[@]}" "$program" window --policy epsilon-greedy --seed 3 --minutes 7 --turbo &
+  "${environment[@]}" "$program" window --policy epsilon-greedy --minutes 7 --turbo &
   local pid=$! window
   window=$("${environment[@]}" xdotool search --sync --onlyvisible --name '^Surefoot$' | head -1)
   "${environment[@]}" xdotool windowmove --sync "$window" 0 0 windowsize --sync "$window" "$width" "$height" windowfocus --sync "$window"

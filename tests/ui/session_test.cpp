@@ -32,14 +32,14 @@ TEST(Session, ARestartBeginsAgainWithTheSameBits) {
   ASSERT_TRUE(w.waitFor([&] { return !curve.empty() && curve.back().episode == 300; }));
   w.session->setPolicy("greedy");  // after the end: the life that was keeps its own policy's colour
   QTest::qWait(300);
-  EXPECT_EQ(w.session->curves().live().policy, "softmax");
+  EXPECT_EQ(w.session->curves().live().policy(), "softmax");
   w.session->setPolicy("softmax");
   w.session->restart();
   ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().life == 2 && w.session->snapshot().finished; }, 60'000));
   EXPECT_EQ(w.session->snapshot().totals.falls, first.falls);
   EXPECT_EQ(w.session->snapshot().totals.successSteps, first.successSteps);
   ASSERT_EQ(w.session->curves().earlier().size(), 1u) << "the first life stays as a faint curve";
-  EXPECT_EQ(w.session->curves().earlier()[0].policy, "softmax");
+  EXPECT_EQ(w.session->curves().earlier()[0].policy(), "softmax");
 }
 
 TEST(Session, AChangedParameterReachesTheLearnerAndIsNoted) {

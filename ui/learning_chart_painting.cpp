@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is drawn around the curves: grid, axes, marks of changes and falls, and the list at the right.
+#include <algorithm>
+#include <cmath>
+
+#include "core/text.h"
+#include "ui/learning_charts.h"
+#include "ui/session.h"
+#include "ui/symbol_text.h"
+#include "ui/theme.h"
+
+namespace surefoot {
+
+void LearningChart::drawBackground(QPainter* painter, const QRectF& rect) {
+  QChartView::drawBackground(painter, rect);
+  drawAxes(*painter, themeOf(*this));
+}
+
+void LearningChart::drawForeground(QPainter* painter, const QRectF&) {
+  const Theme& t = themeOf(*this);
+  if (session_.curves().live().points.empty() && session_.curves().earlier().empty()) {
+    painter->setFont(textFont(11));
+    painter->setPen(t.quiet);
+    painter->drawText(plot_, Qt::AlignCenter,
+                      shows_ == Shows::Falls ? tr("Falls appear here. None so far.")
+                                             : tr("The average appears with the first episodes."));
+    return;
+  }
+  shows_ == Shows::Falls ? drawFallMarks(*painter, t) : drawMarks(*painter, t);
+  drawList(*painter, t);
+}
+
+void LearningChart::drawAxes(QPainter& p, const Theme& t) const {
+  p.setFont(textFont(11));
+  const double yStep = niceAbove((yMost_ - yLeast_) / 5.0001);
+  for (double y = std::ceil(yLeast_ / yStep) * yStep; y <= yMost_ + 1e-9; y += yStep) {
+    const double at = std::round(toPixel(0, y).y()) + 0.5;
+    p.setPen(QPen(t.hairline, 1));
+    p.drawLine(QPointF(plot_.left(), at), QPointF(plot_.right(), at));
+    p.setPen(t.quiet);
+    drawSymbol(p, QRectF(0, at - 8, kLeft - 8, 16), Qt::AlignRight, toText(countText(y)));
+  }
+  const double base = std::round(plot_.bottom()) + 0.5;
+  p.setPen(QPen(t.outline, 1));
+  p.drawLine(QPointF(plot_.left(), base), QPointF(plot_.right(), base));
+  const double xStep = niceAbove(xMost_ / 8.0001);
+  for (double x = 0; x <= xMost_ + 1e-9; x += xStep) {
+    const double at = toPixel(x, 0).x();
+    p.setPen(QPen(t.outline, 1));
+    p.drawLine(QPointF(at, base), QPointF(at, base + 4));
+    if (shows_ != Shows::Falls) continue;
+    p.setPen(t.quiet);
+    drawSymbol(p, QRectF(at - 30, base + 5, 60, 16), Qt::AlignHCenter,
+               xStep < 1 ? toText(fixedText(x, 1)) : toText(countText(x)));
+  }
+  if (shows_ == Shows::Falls)
+    p.drawText(QRectF(plot_.left(), base + 20, plot_.width(), 16), Qt::AlignHCenter | Qt::AlignVCenter,
+               session_.task().stepTime ? tr("simulated time [min]") : tr("episodes"));
+}
+
+QString LearningChart::textOf(const Change& change) const {
+  const QString values = QStringLiteral("%1 → %2");
+  if (change.key == "policy") {
+    const auto title = [&](const std::string& name) {
+      const auto entry = findEntry(session_.registry().policies, "policy", name);
+      return toText(entry ? (*entry)->title : name);
+    };
+    return values.arg(title(change.before), title(change.after));
+  }
+  const auto* entry = session_.configuration().parameters.find(change.key);
+  const QString title = toText(entry ? entry->parameter.title : change.key).toLower();
+  return title + ' ' + values.arg(toText(change.before), toText(change.after)).replace('-', QChar(0x2212));
+}
+
+std::vector<LearningChart::Mark> LearningChart::marks() const {
+  const ValueSnapshot* v = session_.values();
+  const double perStep = session_.task().stepTime.value_or(0.0) / 60.0;
+  std::vector<Mark> list;
+  if (!v || perStep <= 0) return list;
+  // A slider that is drawn makes many changes; those of one parameter that follow closely are one mark.
+  std::vector<Change> groups;
+  const double near = 0.04 * xMost_ / perStep;
+  for (const Change& change : v->changes) {
+    if (!groups.empty() && groups.back().key == change.key &&
+        static_cast<double>(change.step - groups.back().step) < near)
+      groups.back().after = change.after;
+    else
+      groups.push_back(change);
+  }
+  constexpr std::size_t kMost = 12;
+  for (std::size_t i = groups.size() > kMost ? groups.size() - kMost : 0; i < groups.size(); ++i)
+    if (groups[i].before != groups[i].after)
+      list.push_back({static_cast<double>(groups[i].step) * perStep, textOf(groups[i])});
+  if (v->endOfLearning > 0)
+    list.push_back({static_cast<double>(v->endOfLearningSteps) * perStep, tr("end of learning")});
+  return list;
+}
+
+void LearningChart::drawMarks(QPainter& p, const Theme& t) const {
+  const std::vector<Mark> list = marks();
+  QPen pen(t.ink, 1, Qt::CustomDashLine);
+  pen.setDashPattern({2, 3});
+  p.setPen(pen);
+  for (const Mark& mark : list) {
+    const double at = std::round(toPixel(mark.x, 0).x()) + 0.5;
+    p.drawLine(QPointF(at, plot_.top()), QPointF(at, plot_.bottom()));
+  }
+  // Each text on the lowest line where it covers no other; the newest come first, and one without room is left out.
+  p.setFont(textFont(11));
+  std::vector<QRectF> taken;
+  for (auto mark = list.rbegin(); mark != list.rend(); ++mark) {
+    const double at = toPixel(mark->x, 0).x(), w = symbolWidth(p.font(), mark->text) + 4;
+    const double left = at + 5 + w < plot_.right() ? at + 4 : std::max(plot_.left(), at - 4 - w);
+    for (double y = plot_.bottom() - 17; y > plot_.top() + 10; y -= 15) {
+      const QRectF where(left, y, w, 15);
+      if (std::any_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(where); }))
+        continue;
+      QColor veil = t.panel;
+      veil.setAlphaF(0.88f);
+      p.fillRect(where, veil);
+      p.setPen(t.quiet);
+      drawSymbol(p, where, Qt::AlignLeft, mark->text);
+      taken.push_back(where);
+      break;
+    }
+  }
+}
+
+void LearningChart::drawFallMarks(QPainter& p, const Theme& t) const {
+  const auto& points = session_.curves().live().points;
+  p.setPen(QPen(t.fall, 1));
+  double last = -10;
+  std::int64_t falls = 0;
+  for (const CurvePoint& point : points) {
+    const double at = std::round(toPixel(xOf(point), 0).x()) + 0.5;
+    if (point.falls > falls && at - last >= 2) {
+      p.drawLine(QPointF(at, plot_.bottom() - 8), QPointF(at, plot_.bottom() - 1));
+      last = at;
+      falls = point.falls;
+    }
+  }
+}
+
+void LearningChart::drawList(QPainter& p, const Theme& t) const {
+  struct Item {
+    double value;
+    std::string policy;
+    bool live;
+  };
+  std::vector<Item> items;
+  const RunCurves& curves = session_.curves();
+  for (const RunCurve& c : curves.earlier()) items.push_back({yOf(c.points.back()), c.policy(), false});
+  if (!curves.live().points.empty()) items.push_back({yOf(curves.live().points.back()), curves.live().policy(), true});
+  std::stable_sort(items.begin(), items.end(), [](const Item& a, const Item& b) { return a.value > b.value; });
+  double y = plot_.top() + 2;
+  for (const Item& item : items) {
+    drawMarker(p, {plot_.right() + 12, y}, policyLook(item.policy, t), item.live);
+    const auto entry = findEntry(session_.registry().policies, "policy", item.policy);
+    QString text = shows_ == Shows::Falls ? toText(countText(item.value)) : entry ? toText((*entry)->title) : QString();
+    if (item.live && shows_ == Shows::AverageReward) text += tr(", live");
+    p.setFont(textFont(11, item.live ? 500 : 400));
+    p.setPen(item.live ? t.ink : t.quiet);
+    drawSymbol(p, QRectF(plot_.right() + 20, y - 8, kRight - 22, 16), Qt::AlignLeft, text);
+    y += 15;
+  }
+}
+
+}  // namespace surefoot
