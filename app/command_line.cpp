@@ -21,21 +21,22 @@ void addOption(CLI::App& app, const std::string& name, std::optional<std::string
       ->type_name(type);
 }
 
+void addAssignments(CLI::App& app, std::vector<std::string>& assignments, const std::string& help) {
+  app.add_option("--set", assignments, help)->type_name("KEY=VALUE")->expected(1)->allow_extra_args(false)->take_all();
+}
+
 void addTrainOptions(CLI::App& app, TrainOptions& o) {
   const auto choice = [&](const char* name, std::string& value, const char* help) {
-    app.add_option(name, value, help)->type_name("NAME")->capture_default_str();
+    CLI::Option* option = app.add_option(name, value, help)->type_name("NAME");
+    if (!value.empty()) option->capture_default_str();
   };
   choice("--environment", o.names.environment, "what to learn in");
-  choice("--preset", o.names.preset, "constants of the environment");
-  choice("--scenario", o.names.scenario, "deviation from the actual system: actual, 1 … 6");
+  choice("--preset", o.names.preset, "constants of the environment: thesis (the default) or lab");
+  choice("--scenario", o.names.scenario, "deviation from the actual system: actual (the default), 1 … 6");
   choice("--agent", o.names.agent, "learning rule");
   choice("--features", o.names.features, "representation of the state");
   choice("--policy", o.names.policy, "action-selection rule");
-  app.add_option("--set", o.assignments, "a parameter, e.g. policy.temperature=1; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->take_all();
+  addAssignments(app, o.assignments, "a parameter, e.g. policy.temperature=1; may be repeated");
   addOption(app, "--seed", o.seed, "master seed, 0 to 18446744073709551615 [1]", "N");
   addOption(app, "--minutes", o.minutes, "length of a life in simulated minutes", "T");
   addOption(app, "--episodes", o.episodes, "length of a life in episodes; whichever comes first ends it", "N");
@@ -94,75 +95,74 @@ Status checkSwallowed(const CLI::App& command) {
   return Done{};
 }
 
+/// The program's commands and options, bound to the texts that they were given.
+struct CommandLine {
+  CLI::App app{"Surefoot: reinforcement learning that avoids falling. Without a command it opens the window.",
+               "surefoot"};
+  CLI::App* train = app.add_subcommand("train", "learn without a window: one life, or many on all cores");
+  CLI::App* window = app.add_subcommand("window", "open the workbench, with the options of train");
+  CLI::App* list = app.add_subcommand("list", "name everything that can be chosen or set");
+  CLI::App* probabilities = app.add_subcommand("probabilities", "the probability of every action, given its value");
+  TrainOptions trainOptions, windowOptions;
+  ListRequest listOptions;
+  ProbabilitiesOptions probabilitiesOptions;
+
+  CommandLine() {
+    app.require_subcommand(0, 1);
+    addTrainOptions(*train, trainOptions);
+    addTrainOptions(*window, windowOptions);
+    window->add_flag("--turbo", windowOptions.turbo, "learn flat out from the start");
+    list->add_flag("--json", listOptions.json, "as JSON");
+    addOption(*probabilities, "--q", probabilitiesOptions.q, "action values, separated by commas", "Q1,Q2,…");
+    probabilities->add_option("--policy", probabilitiesOptions.policy, "action-selection rule")
+        ->type_name("NAME")
+        ->capture_default_str();
+    addAssignments(*probabilities, probabilitiesOptions.assignments, "a parameter of the policy; may be repeated");
+    probabilities->add_flag("--json", probabilitiesOptions.json, "as JSON");
+    for (CLI::App* command : {&app, train, window, list, probabilities}) {
+      command->set_help_flag("-h,--help", "print this help");
+      command->set_version_flag("--version", std::string("surefoot ") + kVersion, "print the version");
+      command->allow_extras();
+    }
+  }
+
+  /// What was given and no option takes, or an option that took what was not meant for it.
+  Status checkLeftovers() const {
+    const auto chosen = app.get_subcommands();
+    if (const auto extras = app.remaining(false); !extras.empty()) return unexpected(app, *train, extras.front());
+    if (chosen.empty()) return Done{};
+    if (const Status s = checkSwallowed(*chosen.front()); !s) return s;
+    const auto extras = chosen.front()->remaining(false);
+    return extras.empty() ? Status(Done{}) : Status(unexpected(*chosen.front(), *train, extras.front()));
+  }
+};
+
+/// A checked request of one kind as a request of any.
+template <class R>
+Result<Request> any(Result<R> request) {
+  if (!request) return request.error();
+  return Request(std::move(*request));
+}
+
 }  // namespace
 
 Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv) {
-  CLI::App app{"Surefoot: reinforcement learning that avoids falling. Without a command it opens the window.",
-               "surefoot"};
-  app.set_version_flag("--version", std::string("surefoot ") + kVersion, "print the version");
-  app.set_help_flag("-h,--help", "print this help");
-  app.require_subcommand(0, 1);
-
-  TrainOptions trainOptions, windowOptions;
-  ListRequest list;
-  ProbabilitiesOptions probabilities;
-
-  CLI::App* trainCommand = app.add_subcommand("train", "learn without a window: one life, or many on all cores");
-  addTrainOptions(*trainCommand, trainOptions);
-  CLI::App* windowCommand = app.add_subcommand("window", "open the workbench, with the options of train");
-  addTrainOptions(*windowCommand, windowOptions);
-  windowCommand->add_flag("--turbo", windowOptions.turbo, "learn flat out from the start");
-  CLI::App* listCommand = app.add_subcommand("list", "name everything that can be chosen or set");
-  listCommand->add_flag("--json", list.json, "as JSON");
-  CLI::App* probabilitiesCommand =
-      app.add_subcommand("probabilities", "the probability of every action, given its value");
-  addOption(*probabilitiesCommand, "--q", probabilities.q, "action values, separated by commas", "Q1,Q2,…");
-  probabilitiesCommand->add_option("--policy", probabilities.policy, "action-selection rule")
-      ->type_name("NAME")
-      ->capture_default_str();
-  probabilitiesCommand->add_option("--set", probabilities.assignments, "a parameter of the policy")
-      ->type_name("KEY=VALUE")
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->take_all();
-  probabilitiesCommand->add_flag("--json", probabilities.json, "as JSON");
-  for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-    command->set_help_flag("-h,--help", "print this help");
-    command->set_version_flag("--version", std::string("surefoot ") + kVersion, "print the version");
-    command->allow_extras();
-  }
-  app.allow_extras();
-
+  CommandLine line;
   try {
-    app.parse(argc, argv);
+    line.app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    return Request(PrintRequest{app.help()});
+    return Request(PrintRequest{line.app.help()});
   } catch (const CLI::CallForVersion&) {
     return Request(PrintRequest{std::string("surefoot ") + kVersion + "\n"});
   } catch (const CLI::ParseError& error) {
     return plain(error);
   }
+  if (const Status s = line.checkLeftovers(); !s) return s.error();
 
-  const auto chosen = app.get_subcommands();
-  if (const auto extras = app.remaining(false); !extras.empty()) return unexpected(app, *trainCommand, extras.front());
-  if (!chosen.empty()) {
-    if (const Status s = checkSwallowed(*chosen.front()); !s) return s.error();
-    if (const auto extras = chosen.front()->remaining(false); !extras.empty())
-      return unexpected(*chosen.front(), *trainCommand, extras.front());
-  }
-
-  if (!chosen.empty() && chosen.front() == listCommand) return Request(list);
-  if (!chosen.empty() && chosen.front() == trainCommand) {
-    auto request = makeTrainRequest(registry, trainOptions, false);
-    if (!request) return request.error();
-    return Request(std::move(*request));
-  }
-  if (!chosen.empty() && chosen.front() == probabilitiesCommand) {
-    auto request = makeProbabilitiesRequest(registry, probabilities);
-    if (!request) return request.error();
-    return Request(std::move(*request));
-  }
-  auto request = makeTrainRequest(registry, windowOptions, true);
+  if (line.list->parsed()) return Request(line.listOptions);
+  if (line.train->parsed()) return any(makeTrainRequest(registry, line.trainOptions, false));
+  if (line.probabilities->parsed()) return any(makeProbabilitiesRequest(registry, line.probabilitiesOptions));
+  auto request = makeTrainRequest(registry, line.windowOptions, true);
   if (!request) return request.error();
   return Request(WindowRequest{std::move(*request)});
 }

@@ -31,6 +31,7 @@ void onSignal(int) {
 const std::atomic<bool>& watchForInterrupt() {
   struct sigaction action {};
   action.sa_handler = onSignal;
+  action.sa_flags = SA_RESTART;
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
   return interrupted;
 }

@@ -14,17 +14,10 @@ namespace {
 /// Every parameter that any environment with any agent declares, each key once.
 Parameters allParameters(const Registry& registry) {
   Parameters all;
-  for (const PolicyEntry& entry : registry.policies) {
-    const auto policy = entry.make();
-    Fields fields("policy.");
-    policy->declare(fields);
-    all.add(fields);
-  }
+  for (const PolicyEntry& entry : registry.policies) all.add(*entry.make(), "policy.");
   for (const EnvironmentEntry& environmentEntry : registry.environments) {
     const auto environment = environmentEntry.make();
-    Fields fields("environment.");
-    environment->declare(fields);
-    all.add(fields);
+    all.add(*environment, "environment.");
     for (const AgentEntry& agent : registry.agents)
       for (const FeatureEntry& features : registry.features)
         static_cast<void>(
@@ -90,8 +83,9 @@ std::string table(const Parameters& parameters) {
     const std::string range =
         p.kind == Kind::Choice ? joinWords(p.choices, "or") : fmt::format("{} … {}", p.low, p.high);
     std::string name = p.symbol.empty() ? p.key : fmt::format("{} ({})", p.key, p.symbol);
-    text += fmt::format("  {:<32} default {} {}, {}, applies {}\n      {} Default: {}.\n", name,
-                        formatValue(p, p.fallback), p.unit, range, whenName(p.when), p.help, p.origin);
+    text +=
+        fmt::format("  {:<32} default {}{}, {}, applies {}\n      {} Default: {}.\n", name, formatValue(p, p.fallback),
+                    p.unit.empty() ? "" : " " + p.unit, range, whenName(p.when), p.help, p.origin);
   }
   return text;
 }

@@ -56,5 +56,7 @@ int main(int argc, char** argv) {
     return surefoot::run(argc, argv);
   } catch (const std::bad_alloc&) {
     return surefoot::fail({"there is not enough memory for this; take fewer tiles, tilings or lives."});
+  } catch (const std::exception& error) {
+    return surefoot::fail({std::string("something went wrong that should not: ") + error.what() + "."});
   }
 }

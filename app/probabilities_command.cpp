@@ -12,13 +12,11 @@ int probabilitiesCommand(const Registry& registry, const ProbabilitiesRequest& r
   const auto entry = findEntry(registry.policies, "--policy", request.policy);
   if (!entry) return fail(entry.error());
   const auto policy = (*entry)->make();
-  Fields fields("policy.");
-  policy->declare(fields);
   Parameters parameters;
-  parameters.add(fields);
+  parameters.add(*policy, "policy.");
   for (const Assignment& a : request.assignments)
     if (const Status s = parameters.set(a.key, std::string_view(a.value)); !s) return fail(s.error());
-  parameters.apply(fields);
+  parameters.applyTo(*policy, "policy.");
 
   std::vector<double> pi(request.q.size());
   policy->probabilities(request.q, pi);

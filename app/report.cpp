@@ -71,20 +71,24 @@ std::string meanText(const std::vector<double>& values, int decimals) {
 std::string resultAsJson(const Configuration& configuration, const std::vector<LifeResult>& lives) {
   Json list = Json::array();
   for (const LifeResult& r : lives) {
-    Json life = {{"life", r.life},
-                 {"episodes", r.totals.episodes},
-                 {"falls", r.totals.falls},
-                 {"successes", r.totals.successes},
-                 {"steps", r.steps},
-                 {"simulated_minutes", finite(r.simulatedSeconds / 60.0)},
-                 {"average_reward", r.totals.episodes > 0 ? finite(r.averageReward) : Json(nullptr)},
-                 {"transitions_success", mean(r.totals.successSteps, r.totals.successes)},
-                 {"transitions_failure", mean(r.totals.failureSteps, r.totals.failures)},
-                 {"states_outside", r.statesOutside},
-                 {"complete", r.complete},
-                 {"steps_per_second", finite(static_cast<double>(r.steps) / r.cpuSeconds)},
-                 {"hash", fmt::format("{:016x}", r.hash)}};
+    Json life = {
+        {"life", r.life},
+        {"episodes", r.totals.episodes},
+        {"falls", r.totals.falls},
+        {"successes", r.totals.successes},
+        {"steps", r.steps},
+        {"simulated_minutes", finite(r.simulatedSeconds / 60.0)},
+        {"average_reward", r.totals.episodes > 0 ? finite(r.averageReward) : Json(nullptr)},
+        {"transitions_success", mean(r.totals.successSteps, r.totals.successes)},
+        {"transitions_failure", mean(r.totals.failureSteps, r.totals.failures)},
+        {"states_outside", r.statesOutside},
+        {"complete", r.complete},
+        {"steps_per_second", finite(r.cpuSeconds > 0 ? static_cast<double>(r.steps) / r.cpuSeconds : std::nan(""))},
+        {"hash", fmt::format("{:016x}", r.hash)}};
     if (!r.divergence.empty()) life["diverged"] = r.divergence;
+    for (const Change& change : r.changes)
+      life["changes"].push_back(
+          {{"step", change.step}, {"key", change.key}, {"before", change.before}, {"after", change.after}});
     list.push_back(std::move(life));
   }
   const Json result = {{"version", kVersion},

@@ -28,14 +28,19 @@ class ProgressLine {
     const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
     const auto filled = static_cast<std::size_t>(p.share * 24);
     const std::string eta = p.share > 0.001 ? duration(elapsed / p.share - elapsed) : "…";
-    fmt::print(stderr, "\r[{}{}] {:3.0f} %  {} of {} lives, {} falls, {} elapsed, {} left \033[K",
-               std::string(filled, '#'), std::string(24 - filled, '.'), p.share * 100, p.livesDone, lives_, p.falls,
-               duration(elapsed), eta);
-    std::fflush(stderr);
+    write(fmt::format("\r[{}{}] {:3.0f} %  {} of {} lives, {} falls, {} elapsed, {} left \033[K",
+                      std::string(filled, '#'), std::string(24 - filled, '.'), p.share * 100, p.livesDone, lives_,
+                      p.falls, duration(elapsed), eta));
   }
-  ~ProgressLine() { fmt::print(stderr, "\r\033[K"); }
+  ~ProgressLine() { write("\r\033[K"); }
 
  private:
+  /// The terminal may be gone by now; that is no reason to lose the run.
+  static void write(const std::string& text) {
+    std::fputs(text.c_str(), stderr);
+    std::fflush(stderr);
+  }
+
   int lives_;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };

@@ -40,13 +40,14 @@ void onMessage(QtMsgType type, const QMessageLogContext& context, const QString&
   std::fprintf(stderr, "%s\n", qPrintable(text));
 }
 
-/// What `train` would report of the life that the window ran.
-int report(const WindowRequest& request, const Life& life, std::optional<WholeFile> log) {
+/// What `train` would report of the life that the window ran, with the configuration that it ran under in the end.
+int report(const WindowRequest& request, const Configuration& configuration, const Life& life,
+           std::optional<WholeFile> log) {
   const std::vector<LifeResult> lives = {summarise(life, 0, 0.0)};
-  if (log)
-    if (const Status s = log->commit(logAsCsv(lives, life.environment().task().stepTime)); !s) return fail(s.error());
-  if (request.json)
-    if (const int code = print(resultAsJson(request.configuration, lives)); code != kDone) return code;
+  const Status logged = log ? log->commit(logAsCsv(lives, life.environment().task().stepTime)) : Status(Done{});
+  const int printed = request.json ? print(resultAsJson(configuration, lives)) : kDone;
+  if (!logged) return fail(logged.error());
+  if (printed != kDone) return printed;
   return life.diverged() ? fail({life.divergence(), ErrorKind::Diverged}) : kDone;
 }
 
@@ -87,8 +88,8 @@ int windowCommand(const Registry& registry, const WindowRequest& request, int ar
 
   QApplication::exec();
   const std::unique_ptr<Life> life = session.finish();
-  const int code = report(request, *life, std::move(log));
-  return code == kDone && interrupted ? kInterrupted : code;
+  const int code = report(request, session.configuration(), *life, std::move(log));
+  return code == kDone && interrupted && !life->finished() ? kInterrupted : code;
 }
 
 }  // namespace surefoot

@@ -69,6 +69,8 @@ class Environment : public Configurable {
   /// The numbers below the picture.
   virtual std::vector<ReadOut> readOuts(std::span<const double> pose) const = 0;
 
+  /// Whether the parameters go together: what no range of a single one can say. Names the keys.
+  virtual Status check() const { return Done{}; }
   /// Parameters were changed through declare(): from here on they hold. Called between two episodes.
   virtual void parametersChanged() {}
 };

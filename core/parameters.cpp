@@ -130,6 +130,18 @@ void Parameters::apply(const Fields& fields) const {
     if (const Entry* entry = find(field.parameter.key)) field.set(entry->value);
 }
 
+void Parameters::add(Configurable& component, const std::string& prefix) {
+  Fields fields(prefix);
+  component.declare(fields);
+  add(fields);
+}
+
+void Parameters::applyTo(Configurable& component, const std::string& prefix) const {
+  Fields fields(prefix);
+  component.declare(fields);
+  apply(fields);
+}
+
 namespace {
 std::size_t editDistance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);

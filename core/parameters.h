@@ -6,7 +6,8 @@
 //     void declare(Fields& f) { f.real(temperature, {.key = "temperature", .low = 1e-6, .high = 1e6, …}); }
 //   };
 //
-// The member initialiser is the default. Command line, form, file, validation and manual are all made from the list.
+// The member initialiser is the default. Values; used by one thread at a time. Command line, form, file, validation and
+// manual are all made from the list.
 #pragma once
 
 #include <functional>
@@ -108,6 +109,8 @@ class Parameters {
 
   /// Appends what `fields` declares, with the members' values, unless the key is there already.
   void add(const Fields& fields);
+  /// The same with everything that a component declares under a prefix.
+  void add(Configurable& component, const std::string& prefix);
   const std::vector<Entry>& all() const { return entries_; }
   const Entry* find(std::string_view key) const;
   double get(std::string_view key) const;  ///< asserts that the key is there
@@ -117,6 +120,8 @@ class Parameters {
 
   /// Copies every value into the member of the same key.
   void apply(const Fields& fields) const;
+  /// The same with everything that a component declares under a prefix.
+  void applyTo(Configurable& component, const std::string& prefix) const;
 
  private:
   Entry* entry(std::string_view key);

@@ -11,6 +11,7 @@ namespace surefoot {
 
 /// An action by its index, 0 … actions − 1. The environment knows what it means (a torque, a move).
 using Action = int;
+inline constexpr Action kNoAction = -1;
 
 /// Most actions an environment may have, and most reward terms. Buffers of these sizes live on the stack.
 inline constexpr int kMaxActions = 4096;

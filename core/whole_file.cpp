@@ -44,9 +44,12 @@ Result<WholeFile> WholeFile::createNew(const std::string& what, const std::strin
     return unwritable(what, path, fmt::format("the folder {}: {}", folder, std::strerror(errno)));
 
   // A file without a name, where the file system has such: whatever ends the program, nothing is left behind.
-  const int nameless = open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, usualMode());
-  if (nameless >= 0) return WholeFile(what, path, "", nameless);
-  if (errno != EOPNOTSUPP && errno != EISDIR && errno != ENOENT) return unwritable(what, path, std::strerror(errno));
+  // (Its name is given through /proc, which a bare chroot may lack.)
+  if (access("/proc/self/fd", X_OK) == 0) {
+    const int nameless = open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, usualMode());
+    if (nameless >= 0) return WholeFile(what, path, "", nameless);
+    if (errno != EOPNOTSUPP && errno != EISDIR && errno != ENOENT) return unwritable(what, path, std::strerror(errno));
+  }
 
   std::string temporary = folder + "/.surefoot-XXXXXX";
   const int named = mkostemp(temporary.data(), O_CLOEXEC);
@@ -67,6 +70,18 @@ WholeFile::~WholeFile() {
   if (!temporary_.empty()) unlink(temporary_.c_str());
 }
 
+// Every way refuses to replace a file that has appeared meanwhile.
+bool WholeFile::giveName() const {
+  if (temporary_.empty()) {
+    const std::string self = fmt::format("/proc/self/fd/{}", descriptor_);
+    return linkat(AT_FDCWD, self.c_str(), AT_FDCWD, path_.c_str(), AT_SYMLINK_FOLLOW) == 0;
+  }
+  if (renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE) == 0) return true;
+  if (errno != EINVAL || link(temporary_.c_str(), path_.c_str()) != 0) return false;
+  unlink(temporary_.c_str());
+  return true;
+}
+
 Status WholeFile::commit(std::string_view content) {
   while (!content.empty()) {
     const ssize_t written = write(descriptor_, content.data(), content.size());
@@ -74,11 +89,7 @@ Status WholeFile::commit(std::string_view content) {
     if (written < 0) return unwritable(what_, path_, std::strerror(errno));
     content.remove_prefix(static_cast<std::size_t>(written));
   }
-  // Either way of giving the name refuses to replace a file that has appeared meanwhile.
-  const std::string source = temporary_.empty() ? fmt::format("/proc/self/fd/{}", descriptor_) : temporary_;
-  if (fsync(descriptor_) != 0 || linkat(AT_FDCWD, source.c_str(), AT_FDCWD, path_.c_str(), AT_SYMLINK_FOLLOW) != 0)
-    return unwritable(what_, path_, std::strerror(errno));
-  if (!temporary_.empty()) unlink(temporary_.c_str());
+  if (fsync(descriptor_) != 0 || !giveName()) return unwritable(what_, path_, std::strerror(errno));
   close(std::exchange(descriptor_, -1));
   return Done{};
 }

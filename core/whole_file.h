@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A file that appears whole or not at all: written without a name in the same folder, synced, then given its name.
+// Used by one thread; createNew also reads the process's umask.
 #pragma once
 
 #include <string>
@@ -30,6 +31,7 @@ class WholeFile {
         path_(std::move(path)),
         temporary_(std::move(temporary)),
         descriptor_(descriptor) {}
+  bool giveName() const;
 
   std::string what_, path_;
   std::string temporary_;  // its name meanwhile; empty where the file system lets a file have none

@@ -89,10 +89,12 @@ void ActionRows::paintEvent(QPaintEvent*) {
   const Geometry g = geometry();
   drawHead(p, t, g);
   if (q_.empty()) return;
-  const double highlight = g.top + (static_cast<double>(q_.size()) - 1 - chosen_) * g.row;
-  p.setPen(Qt::NoPen);
-  p.setBrush(t.fill);
-  p.drawRoundedRect(QRectF(4, highlight + 2, width() - 8, g.row - 4), 4, 4);
+  if (chosen_ != kNoAction) {
+    const double highlight = g.top + (static_cast<double>(q_.size()) - 1 - chosen_) * g.row;
+    p.setPen(Qt::NoPen);
+    p.setBrush(t.fill);
+    p.drawRoundedRect(QRectF(4, highlight + 2, width() - 8, g.row - 4), 4, 4);
+  }
   drawScales(p, t, g);
   for (std::size_t a = 0; a < q_.size(); ++a) drawRow(p, t, g, a);
   drawThreshold(p, t, g);
@@ -139,8 +141,8 @@ void ActionRows::drawScales(QPainter& p, const Theme& t, const Geometry& g) cons
       p.setPen(QPen(percent == 0 ? t.outline : t.hairline, 1));
       p.drawLine(QPointF(x, g.top), QPointF(x, g.bottom));
       p.setPen(t.quiet);
-      if (percent != 1 || g.bar > 90)  // in a narrow column there is no room for it
-        drawSymbol(p, QRectF(x - 30, g.bottom + 4, 60, 16), Qt::AlignHCenter, QString::number(percent));
+      const bool room = percent >= 10 || g.bar > (percent == 1 ? 90 : 40);
+      if (room) drawSymbol(p, QRectF(x - 30, g.bottom + 4, 60, 16), Qt::AlignHCenter, QString::number(percent));
     }
     drawSymbol(p, QRectF(x0 + g.number - 20, g.bottom + 4, 20, 16), Qt::AlignRight, QStringLiteral("%"));
   }

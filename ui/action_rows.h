@@ -60,7 +60,7 @@ class ActionRows final : public QWidget {
   Session& session_;
   std::vector<Column> columns_;
   std::vector<double> q_;
-  int chosen_ = 0;
+  Action chosen_ = kNoAction;
   double low_ = -100, high_ = 200;  // scale of Q
   bool dragging_ = false;
   QElapsedTimer sinceUpdate_;

@@ -6,9 +6,7 @@
 #include <QStyleOption>
 #include <QToolButton>
 #include <QVBoxLayout>
-#include <cmath>
 
-#include "core/text.h"
 #include "ui/action_rows.h"
 #include "ui/learning_charts.h"
 #include "ui/panel.h"
@@ -109,14 +107,9 @@ QString LivePage::worldNote() const {
   if (session_.runFinished()) return tr("the life is complete");
   if (!session_.running())
     return session_.turbo() ? tr("the learner's own, paused; turbo is on") : tr("the learner's own, paused");
-  const double factor = session_.factor();
-  const double rounded = factor >= 1000 ? std::round(factor / 100) * 100 : factor;
-  const QString speed = factor <= 0
-                            ? QString()
-                            : QStringLiteral(" ×") + toText(factor < 9.95 ? fixedText(factor, 1) : countText(rounded));
-  return session_.turbo()  ? tr("real time, newest Q-function; the learner runs") + speed
-         : speed.isEmpty() ? tr("the learner's own")
-                           : tr("the learner's own,") + speed;
+  const QString speed = session_.factorText();
+  if (session_.turbo()) return tr("real time, newest Q-function; the learner runs %1").arg(speed);
+  return speed.isEmpty() ? tr("the learner's own") : tr("the learner's own, %1").arg(speed);
 }
 
 QWidget* LivePage::makeCentre() {

@@ -86,9 +86,10 @@ MainWindow::MainWindow(Session& session, QWidget* parent) : QMainWindow(parent),
   connect(&session_, &Session::configurationChanged, messages_, &MessageBar::dismiss);
   connect(&session_, &Session::lifeReplaced, messages_, &MessageBar::dismiss);
   connect(&session_, &Session::frame, this, [this] {
-    const QString divergence = toText(session_.snapshot().divergence);
-    if (divergence != divergenceShown_ && !divergence.isEmpty()) messages_->say(divergence);
-    divergenceShown_ = divergence;
+    const QString trouble = toText(session_.snapshot().trouble);
+    if (trouble != troubleShown_ && !trouble.isEmpty()) messages_->say(trouble);
+    troubleShown_ = trouble;
+    session_.setLookedAt(isVisible() && !isMinimized());
   });
   connect(&session_, &Session::needsNewTable, this, [this](const QString& key, double value) {
     const auto* entry = session_.configuration().parameters.find(key.toStdString());
@@ -131,7 +132,9 @@ void MainWindow::makeActions() {
   shortcuts_.push_back(run_.faster);
   connect(run_.run, &QAction::triggered, &session_, [this] { session_.setRunning(!session_.running()); });
   connect(run_.step, &QAction::triggered, &session_, &Session::stepOnce);
-  connect(run_.restart, &QAction::triggered, &session_, &Session::restart);
+  connect(run_.restart, &QAction::triggered, this, [this] {
+    if (const Status s = session_.restart(); !s) messages_->say(toText(s.error().message));
+  });
   connect(run_.turbo, &QAction::toggled, &session_, &Session::setTurbo);
   connect(run_.faster, &QAction::triggered, this, [this] { bar_->changePace(+1); });
   connect(run_.slower, &QAction::triggered, this, [this] { bar_->changePace(-1); });
@@ -210,6 +213,7 @@ void MainWindow::setPage(int page) {
 }
 
 void MainWindow::refresh() {
+  setWindowTitle(session_.runFinished() ? tr("Surefoot: the life is complete") : tr("Surefoot"));
   run_.run->setText(session_.running() ? tr("&Pause") : tr("&Run"));
   run_.run->setEnabled(!session_.runFinished());
   run_.run->setToolTip(session_.runFinished() ? tr("The life is complete; restart it to run again")

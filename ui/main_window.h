@@ -49,7 +49,7 @@ class MainWindow final : public QMainWindow {
   LivePage* live_ = nullptr;
   std::vector<QAbstractButton*> tabs_;
   std::vector<QAction*> shortcuts_;
-  QString divergenceShown_;
+  QString troubleShown_;
 };
 
 }  // namespace surefoot

@@ -138,7 +138,7 @@ void ParameterForm::refresh() {
   const std::vector<std::string> keys = policyKeys(**policy);
   const std::set<std::string> inForce(keys.begin(), keys.end());
   for (ParameterRow* row : rows_) {
-    row->show(c.parameters.get(row->key()), session_.changedAt(row->key()));
+    row->show(c.parameters.get(row->key()), session_.base(row->key()), session_.changedAt(row->key()));
     row->setInForce(inForce.contains(row->key()));
   }
 }
@@ -149,9 +149,9 @@ void ParameterForm::edit(const QString& key, double value) {
 }
 
 void ParameterForm::resetAll() {
-  for (const auto& entry : session_.configuration().parameters.all())
-    if (entry.value != entry.parameter.fallback && entry.parameter.when != When::NewTable)
-      edit(toText(entry.parameter.key), entry.parameter.fallback);
+  const Parameters before = session_.configuration().parameters;
+  for (const auto& entry : before.all())
+    if (entry.parameter.when != When::NewTable) edit(toText(entry.parameter.key), session_.base(entry.parameter.key));
 }
 
 }  // namespace surefoot

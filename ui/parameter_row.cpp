@@ -59,7 +59,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, const std::string& policy
   reset_->setFont(small);
   reset_->setStyleSheet(QStringLiteral("QToolButton { border: none; background: transparent; padding: 0; }"));
   reset_->hide();
-  connect(reset_, &QToolButton::clicked, this, [this] { Q_EMIT edited(toText(parameter_.key), parameter_.fallback); });
+  connect(reset_, &QToolButton::clicked, this, [this] { Q_EMIT edited(toText(parameter_.key), base_); });
   setFixedHeight(kRow);
 }
 
@@ -101,10 +101,11 @@ QString ParameterRow::textOf(double value) const {
   return text.replace('-', QChar(0x2212));
 }
 
-void ParameterRow::show(double value, std::optional<std::int64_t> changedAt) {
+void ParameterRow::show(double value, double base, std::optional<std::int64_t> changedAt) {
   value_ = value;
-  changedAt_ = value == parameter_.fallback ? std::nullopt : changedAt;
-  const bool changed = value != parameter_.fallback;
+  base_ = base;
+  changedAt_ = value == base ? std::nullopt : changedAt;
+  const bool changed = value != base;
   if (choice_) {
     const QSignalBlocker blocker(choice_);
     choice_->setCurrentIndex(static_cast<int>(value));
@@ -174,8 +175,8 @@ void ParameterRow::paintEvent(QPaintEvent*) {
   QString unit = toText(parameter_.unit);
   if (QFontMetricsF(p.font()).horizontalAdvance(unit) > kUnit - 3) unit.remove(' ');
   p.drawText(QPointF(width() - kUnit + 3, baseline - 0.5), unit);
-  if (!changedAt_ && value_ == parameter_.fallback) return;
-  const QString fallback = textOf(parameter_.fallback);
+  if (value_ == base_) return;
+  const QString fallback = textOf(base_);
   const QString text =
       changedAt_ ? tr("set at step %1, default %2").arg(toText(countText(static_cast<double>(*changedAt_))), fallback)
                  : tr("default %1").arg(fallback);

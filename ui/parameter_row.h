@@ -21,12 +21,12 @@ class ParameterRow final : public QWidget {
   Q_OBJECT
 
  public:
-  /// `policies`: whose marker stands before the name, for a parameter that belongs to one policy.
+  /// `policy`: whose marker stands before the name, or empty.
   ParameterRow(const Parameter& parameter, const std::string& policy, QWidget* parent = nullptr);
 
   const std::string& key() const { return parameter_.key; }
-  /// Shows a value and since which step it holds, if it was changed.
-  void show(double value, std::optional<std::int64_t> changedAt);
+  /// Shows a value, what Reset goes back to, and since which step it holds, if it was changed.
+  void show(double value, double base, std::optional<std::int64_t> changedAt);
   /// Whether the marker's policy is in force.
   void setInForce(bool inForce);
 
@@ -50,8 +50,7 @@ class ParameterRow final : public QWidget {
   Parameter parameter_;
   std::string policy_;
   bool inForce_ = false;
-  double value_ = 0.0;
-  bool showing_ = false;
+  double value_ = 0.0, base_ = 0.0;
   std::optional<std::int64_t> changedAt_;
   Slider* slider_ = nullptr;
   QLineEdit* number_ = nullptr;

@@ -30,14 +30,6 @@ int positionOf(double pace) {
   return static_cast<int>(std::lround(Slider::kSteps * std::log(pace / kSlowest) / std::log(kFastest / kSlowest)));
 }
 
-/// "×4,300", and less than ten with a decimal.
-QString factorText(double factor) {
-  const double rounded = factor >= 1000  ? std::round(factor / 100) * 100
-                         : factor >= 100 ? std::round(factor / 10) * 10
-                                         : factor;
-  return QStringLiteral("×") + toText(factor < 9.95 ? fixedText(factor, 1) : countText(rounded));
-}
-
 /// 32 px high; filled with ink (the main one), framed with a text (turbo), or quiet.
 class BarButton final : public QAbstractButton {
  public:
@@ -231,8 +223,7 @@ void RunBar::paintEvent(QPaintEvent*) {
   p.drawText(QRectF(paceLabel_, 8, 40, kButton), Qt::AlignVCenter,
              QStringLiteral("%1×").arg(pace < 9.95 && pace != 1.0 ? QString::number(pace, 'f', 1)
                                                                   : QString::number(pace, 'f', 0)));
-  if (session_.running() && session_.factor() > 0)
-    p.drawText(QRectF(factorLabel_, 8, 64, kButton), Qt::AlignVCenter, factorText(session_.factor()));
+  if (session_.running()) p.drawText(QRectF(factorLabel_, 8, 64, kButton), Qt::AlignVCenter, session_.factorText());
 
   // Falls large; from the right: "episodes", its number, "falls", its number.
   double right = width() - 12;

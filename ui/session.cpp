@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <new>
+
+#include "core/text.h"
 
 namespace surefoot {
 
@@ -18,7 +21,8 @@ Session::Session(const Registry& registry, Configuration configuration, bool kee
       registry_(registry),
       configuration_(std::move(configuration)),
       keepRows_(keepRows) {
-  auto life = makeFirstLife();
+  base_ = baseOf(configuration_.names);
+  auto life = makeLifeOf(configuration_);
   assert(life && "the configuration was checked before");
   learner_ = std::make_unique<LearnerThread>(std::move(*life));
   makeViewer();
@@ -31,8 +35,17 @@ Session::Session(const Registry& registry, Configuration configuration, bool kee
 
 Session::~Session() = default;
 
-Result<std::unique_ptr<Life>> Session::makeFirstLife() const {
-  return makeLife(registry_, configuration_, 0, keepRows_);
+Result<std::unique_ptr<Life>> Session::makeLifeOf(const Configuration& configuration) const {
+  try {
+    return makeLife(registry_, configuration, 0, keepRows_);
+  } catch (const std::bad_alloc&) {
+    return Error{"There is not enough memory for this; take fewer tiles or tilings."};
+  }
+}
+
+Parameters Session::baseOf(const Names& names) const {
+  const auto plain = configure(registry_, names, {});
+  return plain ? plain->parameters : configuration_.parameters;
 }
 
 void Session::makeViewer() {
@@ -48,8 +61,12 @@ const ValueSnapshot* Session::values() const {
   return v.values && v.life == lifeSent_ ? &v : nullptr;
 }
 
-double Session::factor() const {
-  return stepsPerSecond_ * task().stepTime.value_or(0.0);
+QString Session::factorText() const {
+  const double factor = stepsPerSecond_ * task().stepTime.value_or(0.0);
+  if (factor <= 0) return {};
+  const double unit = factor >= 1000 ? 100 : factor >= 100 ? 10 : 1;
+  return QStringLiteral("×") +
+         QString::fromStdString(factor < 9.95 ? fixedText(factor, 1) : countText(std::round(factor / unit) * unit));
 }
 
 std::optional<std::int64_t> Session::changedAt(const std::string& key) const {
@@ -69,7 +86,7 @@ void Session::tick() {
     curves_.update(values()->policy, values()->curve, values()->changes);
     Q_EMIT valuesArrived();
   }
-  if (sinceValues_.elapsed() >= kValuesEvery) {
+  if (lookedAt_ && sinceValues_.elapsed() >= kValuesEvery) {
     sinceValues_.restart();
     learner_->wantValues();
   }
@@ -167,28 +184,26 @@ void Session::adopt(std::unique_ptr<Life> life) {
   Q_EMIT lifeReplaced();
 }
 
-void Session::restart() {
-  auto life = makeFirstLife();
-  assert(life && "every change was checked when it was made");
+Status Session::restart() {
+  auto life = makeLifeOf(configuration_);
+  if (!life) return life.error();
   adopt(std::move(*life));
+  return Done{};
 }
 
 Status Session::setParameter(const std::string& key, double value) {
+  Configuration changed = configuration_;
+  if (const Status s = changed.parameters.set(key, value); !s) return s;
   const Parameters::Entry* entry = configuration_.parameters.find(key);
-  if (entry && entry->parameter.when == When::NewTable && value != entry->value) {
-    const auto checked = checkValue(entry->parameter, value);
-    if (!checked) return checked.error();
+  if (entry->value == value) return Done{};
+  if (entry->parameter.when == When::NewTable) {
     Q_EMIT needsNewTable(QString::fromStdString(key), value);
     return Done{};
   }
-  if (const Status s = configuration_.parameters.set(key, value); !s) return s;
+  if (const auto environment = makeEnvironment(registry_, changed); !environment) return environment.error();
+  configuration_ = std::move(changed);
   learner_->send(SetParameter{key, value});
-  const auto apply = [&](Configurable& part, const char* prefix) {
-    Fields fields(prefix);
-    part.declare(fields);
-    configuration_.parameters.apply(fields);
-  };
-  apply(viewer_->policy(), "policy.");
+  configuration_.parameters.applyTo(viewer_->policy(), "policy.");
   if (key.starts_with("environment.")) makeViewer();
   Q_EMIT configurationChanged();
   return Done{};
@@ -197,7 +212,7 @@ Status Session::setParameter(const std::string& key, double value) {
 Status Session::setParameterAndRestart(const std::string& key, double value) {
   Configuration changed = configuration_;
   if (const Status s = changed.parameters.set(key, value); !s) return s;
-  auto life = makeLife(registry_, changed, 0, keepRows_);
+  auto life = makeLifeOf(changed);
   if (!life) return life.error();
   configuration_ = std::move(changed);
   adopt(std::move(*life));
@@ -219,6 +234,7 @@ void Session::setScenario(const std::string& name) {
   const auto entry = findEntry(registry_.scenarios, "scenario", name);
   if (!entry) return;
   configuration_.names.scenario = name;
+  base_ = baseOf(configuration_.names);
   for (const auto& [key, value] : (*entry)->values)
     if (!setParameter(key, value)) return;
   Q_EMIT configurationChanged();

@@ -19,7 +19,7 @@ namespace surefoot {
 /// What the panels show: the learner's world, or in turbo the viewer's.
 struct Shown {
   std::vector<double> state, pose, q;
-  Action action = 0;
+  Action action = kNoAction;
   bool flash = false;  ///< it fell within the last 200 ms
 };
 
@@ -49,21 +49,25 @@ class Session final : public QObject {
   CurvePoint latest() const;
   /// Learning steps per second of wall-clock time, as measured; 0: not yet.
   double stepsPerSecond() const { return stepsPerSecond_; }
-  /// How many times faster than real time; 0 where the task has no clock.
-  double factor() const;
+  /// How many times faster than real time, as text: "×4,300". Empty where it is not known (yet).
+  QString factorText() const;
+  /// What a parameter is worth under the chosen preset and scenario: what Reset goes back to.
+  double base(const std::string& key) const { return base_.get(key); }
   /// The step at which a parameter was last changed, if it was.
   std::optional<std::int64_t> changedAt(const std::string& key) const;
   /// The life has reached its limit, or diverged.
   bool runFinished() const {
-    return snapshot().life == lifeSent_ && (snapshot().finished || !snapshot().divergence.empty());
+    return snapshot().life == lifeSent_ && (snapshot().finished || !snapshot().trouble.empty());
   }
 
+  /// Whether anyone can see the window; a hidden one asks the learner for nothing but the moment.
+  void setLookedAt(bool lookedAt) { lookedAt_ = lookedAt; }
   void setRunning(bool running);
   void setTurbo(bool turbo);
   void setPace(double pace);
   void stepOnce();
   /// A new life with the present configuration and the same seed; the old one stays as a faint curve.
-  void restart();
+  Status restart();
   /// Changes a parameter of the running life, or, if it needs a new table, asks for a restart first (needsNewTable).
   Status setParameter(const std::string& key, double value);
   /// The same, with the new life at once.
@@ -88,12 +92,14 @@ class Session final : public QObject {
   void measureSpeed();
   void restartMeasuring();
   void makeViewer();
-  Result<std::unique_ptr<Life>> makeFirstLife() const;
+  Result<std::unique_ptr<Life>> makeLifeOf(const Configuration& configuration) const;
+  Parameters baseOf(const Names& names) const;
   void adopt(std::unique_ptr<Life> life);
 
   const Registry& registry_;
   Configuration configuration_;
-  bool keepRows_;
+  Parameters base_;
+  bool keepRows_, lookedAt_ = true;
   std::unique_ptr<LearnerThread> learner_;
   std::unique_ptr<Viewer> viewer_;
   Shown shown_;

@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <cmath>
 
+#include "core/experiment/rule_of_thumb.h"
 #include "core/text.h"
 #include "ui/session.h"
 #include "ui/symbol_text.h"
@@ -31,10 +32,10 @@ QStringList StatusLine::segments() const {
                           : tr("%1 steps/s").arg(toText(countText(speed))));
   const Parameters& p = session_.configuration().parameters;
   constexpr int kEnough = 20;  // successful episodes, before their mean says anything
-  if (s.totals.successes >= kEnough && p.find("environment.goal_reward")) {
-    // eq. 4.1: threshold = γ^n*·R_goal, n* the mean transitions of the successful episodes so far.
+  if (s.totals.successes >= kEnough && p.find("environment.goal_reward") && p.find("environment.time_reward")) {
     const double n = static_cast<double>(s.totals.successSteps) / static_cast<double>(s.totals.successes);
-    const double threshold = std::pow(p.get("agent.discount"), n) * p.get("environment.goal_reward");
+    const double threshold =
+        ruleOfThumb(p.get("agent.discount"), n, p.get("environment.goal_reward"), p.get("environment.time_reward"));
     list << tr("n* %1 → rule-of-thumb threshold %2").arg(toText(fixedText(n, 0)), toText(fixedText(threshold, 0)));
   }
   list << tr("seed %1").arg(session_.configuration().seed);

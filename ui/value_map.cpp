@@ -64,13 +64,17 @@ QString numberText(double value, const MapScale& scale) {
   return QStringLiteral("10") + kSuperscripts[static_cast<std::size_t>(std::lround(std::log10(value))) % 10];
 }
 
-void drawHatching(QPainter& p, const QRectF& square, const Theme& t) {
-  p.setPen(QPen(t.outline, 1));
-  for (double d = 0; d < square.width() + square.height(); d += 6)
-    p.drawLine(QPointF(square.left() + d - square.height(), square.bottom()), QPointF(square.left() + d, square.top()));
-}
-
 }  // namespace
+
+void ValueMap::drawHatching(QPainter& p, const QRectF& where, const Theme& t) {
+  p.save();
+  p.setClipRect(where);
+  p.setRenderHint(QPainter::Antialiasing);
+  p.setPen(QPen(t.outline, 1));
+  for (double d = 0; d < where.width() + where.height(); d += 6)
+    p.drawLine(QPointF(where.left() + d - where.height(), where.bottom()), QPointF(where.left() + d, where.top()));
+  p.restore();
+}
 
 void ValueMap::draw(QPainter& p, const QRectF& square, const Theme& t, const Task& task, std::span<const double> live,
                     double ringRadius) const {

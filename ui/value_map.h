@@ -43,6 +43,8 @@ class ValueMap {
   /// Draws the map into a square; hatching, frame, and the ring of the live state.
   void draw(QPainter& painter, const QRectF& square, const Theme& theme, const Task& task, std::span<const double> live,
             double ringRadius) const;
+  /// What stands for "never visited".
+  static void drawHatching(QPainter& painter, const QRectF& where, const Theme& theme);
   /// Draws a bar with numbers at its right.
   static void drawBar(QPainter& painter, const QRectF& bar, const MapScale& scale, const Theme& theme,
                       std::span<const double> numbers);

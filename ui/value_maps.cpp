@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/text.h"
+#include "ui/learning_charts.h"
 #include "ui/session.h"
 #include "ui/symbol_text.h"
 
@@ -18,13 +19,6 @@ constexpr int kCell = 3, kSmallCell = 2;              // [px]
 constexpr double kFamiliar = 0.25;  // share of the active tiles below which a state counts as never visited
 constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
 
-/// A round number for ticks: about `count` of them in the range.
-double tickStep(double range, int count) {
-  const double raw = range / count, power = std::pow(10.0, std::floor(std::log10(raw)));
-  for (const double m : {1.0, 2.0, 5.0})
-    if (m * power >= raw) return m * power;
-  return 10 * power;
-}
 }  // namespace
 
 ValueMaps::ValueMaps(Session& session, QWidget* parent) : QWidget(parent), session_(session) {
@@ -109,7 +103,7 @@ QString ValueMaps::note() const {
 void ValueMaps::drawAxes(QPainter& p, const QRectF& m, const Theme& t) const {
   const StateVariable &x = session_.task().state[0], &y = session_.task().state[1];
   p.setFont(textFont(11));
-  const double xStep = tickStep(x.viewHigh - x.viewLow, 4), yStep = tickStep(y.viewHigh - y.viewLow, 6);
+  const double xStep = niceAbove((x.viewHigh - x.viewLow) / 4), yStep = niceAbove((y.viewHigh - y.viewLow) / 6);
   const auto text = [](double v, double step) { return toText(fixedText(v, step < 1 ? 1 : 0)); };
   for (double v = std::ceil(x.viewLow / xStep) * xStep; v <= x.viewHigh; v += xStep) {
     const double at = m.left() + (v - x.viewLow) / (x.viewHigh - x.viewLow) * m.width();
@@ -174,13 +168,7 @@ void ValueMaps::paintEvent(QPaintEvent*) {
   drawAxes(p, g.big, t);
 
   const QRectF key(g.lower.left(), g.lower.bottom() + 25, 16, 10);
-  p.save();
-  p.setClipRect(key);
-  p.setRenderHint(QPainter::Antialiasing);
-  p.setPen(QPen(t.outline, 1));
-  for (int x = -12; x < 18; x += 5)
-    p.drawLine(QPointF(key.left() + x, key.bottom()), QPointF(key.left() + x + 10, key.top()));
-  p.restore();
+  ValueMap::drawHatching(p, key, t);
   p.setPen(QPen(t.outline, 1));
   p.drawRect(key);
   p.setFont(textFont(11));

@@ -81,9 +81,9 @@ void WorldView::drawFloor(QPainter& p, const Theme& t) const {
   const double y = floorLevel(), scale = pixelsPerMetre();
   p.setPen(QPen(t.ink, 1.25));
   p.drawLine(QPointF(0, y), QPointF(width(), y));
-  // Ticks 1, 2 or 5 × a power of ten apart, at least 8 px; a number on every tenth.
+  // Ticks a power of ten apart, at least 5 px; a number on every tenth.
   double step = 1e-3;
-  while (step * scale < 8) step *= 10;
+  while (step * scale < 5) step *= 10;
   const double left = scene_.focus.x - width() / 2.0 / scale, right = scene_.focus.x + width() / 2.0 / scale;
   p.setFont(textFont(11));
   const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step * 10) - 1e-9)));

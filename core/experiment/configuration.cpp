@@ -9,7 +9,15 @@ namespace surefoot {
 
 namespace {
 
-Status assign(const AssignmentEntry& entry, std::string_view what, Configuration& c) {
+/// Sets the values of a preset or scenario; `name` empty: the first that is meant for the environment, if any.
+Status assign(const std::vector<AssignmentEntry>& entries, std::string_view what, std::string& name, Configuration& c) {
+  if (name.empty())
+    for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry)
+      if (entry->environment == c.names.environment) name = entry->name;
+  if (name.empty()) return Done{};
+  const auto found = findEntry(entries, what, name);
+  if (!found) return found.error();
+  const AssignmentEntry& entry = **found;
   if (entry.environment != c.names.environment)
     return Error{fmt::format("{}: \"{}\" belongs to the environment {}, not to {}.", what, entry.name,
                              entry.environment, c.names.environment)};
@@ -32,36 +40,24 @@ Result<Configuration> configure(const Registry& registry, const Names& names,
   if (!agent) return agent.error();
   const auto policy = findEntry(registry.policies, "policy", names.policy);
   if (!policy) return policy.error();
-  const auto preset = findEntry(registry.presets, "preset", names.preset);
-  if (!preset) return preset.error();
-  const auto scenario = findEntry(registry.scenarios, "scenario", names.scenario);
-  if (!scenario) return scenario.error();
 
-  for (const PolicyEntry& entry : registry.policies) {
-    const auto prototype = entry.make();
-    Fields fields("policy.");
-    prototype->declare(fields);
-    c.parameters.add(fields);
-  }
+  for (const PolicyEntry& entry : registry.policies) c.parameters.add(*entry.make(), "policy.");
   const auto world = (*environment)->make();
-  Fields fields("environment.");
-  world->declare(fields);
-  c.parameters.add(fields);
+  c.parameters.add(*world, "environment.");
   if (const Status s = (*agent)->declare(world->task(), names.features, c.parameters); !s) return s.error();
 
-  if (const Status s = assign(**preset, "preset", c); !s) return s.error();
-  if (const Status s = assign(**scenario, "scenario", c); !s) return s.error();
+  if (const Status s = assign(registry.presets, "preset", c.names.preset, c); !s) return s.error();
+  if (const Status s = assign(registry.scenarios, "scenario", c.names.scenario, c); !s) return s.error();
   for (const Assignment& a : assignments)
     if (const Status s = c.parameters.set(a.key, std::string_view(a.value)); !s) return s.error();
   return c;
 }
 
 std::vector<std::string> policyKeys(const PolicyEntry& policy) {
-  const auto prototype = policy.make();
-  Fields fields("policy.");
-  prototype->declare(fields);
+  Parameters parameters;
+  parameters.add(*policy.make(), "policy.");
   std::vector<std::string> keys;
-  for (const auto& field : fields.all()) keys.push_back(field.parameter.key);
+  for (const auto& entry : parameters.all()) keys.push_back(entry.parameter.key);
   return keys;
 }
 
@@ -70,9 +66,7 @@ Result<std::unique_ptr<Policy>> makePolicy(const Registry& registry, const std::
   const auto entry = findEntry(registry.policies, "policy", name);
   if (!entry) return entry.error();
   auto policy = (*entry)->make();
-  Fields fields("policy.");
-  policy->declare(fields);
-  parameters.apply(fields);
+  parameters.applyTo(*policy, "policy.");
   return policy;
 }
 
@@ -80,9 +74,8 @@ Result<std::unique_ptr<Environment>> makeEnvironment(const Registry& registry, c
   const auto entry = findEntry(registry.environments, "environment", c.names.environment);
   if (!entry) return entry.error();
   auto environment = (*entry)->make();
-  Fields fields("environment.");
-  environment->declare(fields);
-  c.parameters.apply(fields);
+  c.parameters.applyTo(*environment, "environment.");
+  if (const Status s = environment->check(); !s) return s.error();
   environment->parametersChanged();
   return environment;
 }

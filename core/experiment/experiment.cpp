@@ -148,6 +148,7 @@ LifeResult summarise(const Life& life, int index, double cpuSeconds) {
   r.hash = life.hash();
   if (life.diverged()) r.divergence = life.divergence();
   r.complete = life.finished() && !life.diverged();
+  r.changes = life.changes();
   r.rows = life.log().rows();
   return r;
 }

@@ -22,6 +22,7 @@ struct LifeResult {
   double cpuSeconds = 0.0;         ///< of its thread
   std::uint64_t hash = 0;
   std::string divergence;        ///< why it stopped, or empty
+  std::vector<Change> changes;   ///< of parameters, while it went on
   bool complete = false;         ///< a limit was reached; false: diverged or interrupted
   std::vector<EpisodeRow> rows;  ///< only if asked for
 };

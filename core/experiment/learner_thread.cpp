@@ -2,6 +2,7 @@
 #include "core/experiment/learner_thread.h"
 
 #include <algorithm>
+#include <new>
 
 namespace surefoot {
 
@@ -52,15 +53,24 @@ void LearnerThread::want(std::atomic<bool>& flag) {
 
 void LearnerThread::run() {
   while (!stop_.load(std::memory_order_relaxed)) {
-    if (mail_.load(std::memory_order_relaxed)) obey();
-    if (!canStep())
-      wait();
-    else if (turbo_)
-      stepFlatOut();
-    else
-      stepInPace();
-    answer();
+    try {
+      lifeOn();
+    } catch (const std::bad_alloc&) {  // a copy of a table did not fit; the life itself goes on no more
+      outOfMemory_ = true;
+      valuesWanted_ = false;
+    }
   }
+}
+
+void LearnerThread::lifeOn() {
+  if (mail_.load(std::memory_order_relaxed)) obey();
+  if (!canStep())
+    wait();
+  else if (turbo_)
+    stepFlatOut();
+  else
+    stepInPace();
+  answer();
 }
 
 void LearnerThread::wait() {
@@ -124,6 +134,7 @@ void LearnerThread::carryOut(Command& command) {
       t.curve_ = {};
       t.end_ = {};
       t.fallenPose_.clear();
+      t.outOfMemory_ = false;
       t.stepTime_ = stepTimeOf(*t.life_);
       t.valuesWanted_ = true;
     }
@@ -156,10 +167,11 @@ void LearnerThread::fill(Snapshot& s) const {
   s.fallenPose = fallenPose_;
   s.q.resize(environment.task().actions.size());
   life_->agent().values().evaluate(s.state, Layer::Sum, s.q);
-  s.action = life_->nextAction();
+  s.action = life_->inEpisode() ? life_->nextAction() : kNoAction;
   s.running = canStep();
   s.finished = life_->finished() && !life_->diverged();
-  s.divergence = life_->diverged() ? life_->divergence() : "";
+  s.trouble = life_->diverged() ? life_->divergence() : "";
+  if (outOfMemory_) s.trouble = "There is not enough memory to show what is learned; take fewer tiles or tilings.";
 }
 
 void LearnerThread::fill(ValueSnapshot& s) const {

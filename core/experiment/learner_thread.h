@@ -64,13 +64,14 @@ class LearnerThread {
   using Clock = std::chrono::steady_clock;
 
   void run();
+  void lifeOn();
   void wait();
   void obey();
   void carryOut(Command& command);
   void stepFlatOut();
   void stepInPace();
   void step();
-  bool canStep() const { return running_ && !life_->finished(); }
+  bool canStep() const { return running_ && !outOfMemory_ && !life_->finished(); }
   void want(std::atomic<bool>& flag);
   void answer();
   void fill(Snapshot& snapshot) const;
@@ -83,7 +84,7 @@ class LearnerThread {
   std::string curvePolicy_;
   std::vector<double> fallenPose_;
   EndOfLearning end_;
-  bool running_ = false, turbo_ = false;
+  bool running_ = false, turbo_ = false, outOfMemory_ = false;
   double pace_ = 1.0;
   double stepTime_;  // [s]; tasks without a clock take 20 steps a second
   Clock::time_point nextStep_{};

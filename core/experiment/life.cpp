@@ -28,9 +28,7 @@ Life::Life(LifeParts parts, Random world, Random policy, LifeLimits limits, bool
 
 void Life::beginEpisode() {
   if (environmentChanged_) {
-    Fields fields("environment.");
-    environment_->declare(fields);
-    parameters_.apply(fields);
+    parameters_.applyTo(*environment_, "environment.");
     environment_->parametersChanged();
     environmentChanged_ = false;
   }
@@ -67,9 +65,9 @@ Status Life::set(std::string_view key, double value) {
   if (const Status s = parameters_.set(key, value); !s) return s;
   if (value == before) return Done{};
 
-  if (entry->parameter.when == When::NextEpisode) {
-    environmentChanged_ = true;
-  } else {
+  // What an environment says of its task may depend on any of its parameters; it says so anew at the next episode.
+  if (key.starts_with("environment.")) environmentChanged_ = true;
+  if (entry->parameter.when == When::Now) {
     const auto applyTo = [&](Configurable& part, const char* prefix) {
       Fields fields(prefix);
       part.declare(fields);
@@ -94,9 +92,7 @@ void Life::note(const std::string& key, const std::string& before, const std::st
 void Life::setPolicy(const std::string& name, std::unique_ptr<Policy> policy) {
   if (name != policyName_) note("policy", policyName_, name);
   policyName_ = name;
-  Fields fields("policy.");
-  policy->declare(fields);
-  parameters_.apply(fields);
+  parameters_.applyTo(*policy, "policy.");
   policy_ = std::move(policy);
   agent_->setPolicy(*policy_);
 }

@@ -69,6 +69,7 @@ class Life {
   double simulatedSeconds() const;
   /// The action that the next step will carry out.
   Action nextAction() const { return action_; }
+  bool inEpisode() const { return inEpisode_; }
   /// Every row of the log and every weight, in 64 bits.
   std::uint64_t hash() const;
 

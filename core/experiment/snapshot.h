@@ -22,10 +22,10 @@ struct Snapshot {
   std::vector<double> state, pose;
   std::vector<double> fallenPose;  ///< of the last fall, unless turbo was on
   std::vector<double> q;           ///< q̂(s, ·) in that state
-  Action action = 0;               ///< that will be carried out in it
+  Action action = kNoAction;       ///< that will be carried out in it; kNoAction between two episodes
   bool running = false;
-  bool finished = false;   ///< the limit that was asked for is reached
-  std::string divergence;  ///< why it had to stop, or empty
+  bool finished = false;  ///< the limit that was asked for is reached
+  std::string trouble;    ///< why it had to stop before, or empty
 };
 
 /// What was learned so far: large, sent a few times a second and only while somebody looks.

@@ -11,6 +11,9 @@ namespace surefoot {
 /// The number of a feature, or of a weight.
 using Index = std::uint32_t;
 
+/// The most features that may be on at once. Buffers of this size live on the stack.
+inline constexpr int kMostActive = 128;
+
 /// A value class with binary features, a fixed number of which is on in every state. No virtual call per feature.
 ///  - size(): how many features there are;
 ///  - active(): how many of them are on in a state (the tilings of a tile coder);

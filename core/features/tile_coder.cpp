@@ -21,7 +21,7 @@ void TileCoder::Settings::declare(Fields& f) {
                       .symbol = "",
                       .unit = "",
                       .low = 1,
-                      .high = 128,
+                      .high = kMostActive,
                       .sliderLow = 1,
                       .sliderHigh = 32,
                       .when = When::NewTable,
@@ -126,6 +126,7 @@ bool TileCoder::activeFeatures(std::span<const double> state, std::span<Index> o
     double step = std::floor(state[d] * dim.scale);
     Index position = 0;
     if (dim.wraps) {
+      if (!std::isfinite(step)) step = 0, inside = false;
       step -= std::floor(step / dim.cycle) * dim.cycle;
       position = static_cast<Index>(step);
     } else {

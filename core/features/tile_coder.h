@@ -30,7 +30,7 @@ class TileCoder {
     std::vector<StateVariable> variables_;
   };
 
-  /// Refused if a wrapping variable has no whole number of tiles, or the table for `actions` actions would be too
+  /// Refused if a wrapping variable has no whole number of tiles, or the table for all actions would be too
   /// large.
   static Result<TileCoder> create(const Task& task, const Settings& settings);
 

@@ -57,6 +57,7 @@ class LinearActionValue final : public ActionValueFunction {
   LinearActionValue(F features, int actions, const InitialValue& initial, std::uint64_t seed)
       : features_(std::move(features)),
         actions_(static_cast<std::size_t>(actions)) {
+    assert(features_.active() <= kMostActive);
     const double low = initial.low / features_.active();
     const double high = initial.high / features_.active();
     weights_.resize(features_.size() * actions_);
@@ -88,7 +89,7 @@ class LinearActionValue final : public ActionValueFunction {
   Index weight(Index i, Action a) const { return i * static_cast<Index>(actions_) + static_cast<Index>(a); }
   double* data() { return weights_.data(); }
   void countVisit(std::span<const Index> x) {
-    for (const Index i : x) ++visits_[i];
+    for (const Index i : x) visits_[i] += visits_[i] != kMostVisits;
   }
 
   // ActionValueFunction
@@ -125,7 +126,7 @@ class LinearActionValue final : public ActionValueFunction {
  private:
   /// The active features of a state, for those who only look.
   struct Looked {
-    std::array<Index, 128> x;
+    std::array<Index, kMostActive> x;
     std::size_t count;
     std::span<const Index> features() const { return {x.data(), count}; }
     const Index* begin() const { return x.data(); }
@@ -137,6 +138,8 @@ class LinearActionValue final : public ActionValueFunction {
     features_.activeFeatures(state, std::span(looked.x.data(), looked.count));
     return looked;
   }
+
+  static constexpr std::uint32_t kMostVisits = ~std::uint32_t{0};
 
   F features_;
   std::size_t actions_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/pendulum/pendulum.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <numbers>
 
@@ -75,6 +77,16 @@ Pendulum::~Pendulum() = default;
 void Pendulum::parametersChanged() {
   task_ = makeTask(settings_);
   world_ = std::make_unique<PendulumWorld>(settings_);
+}
+
+Status Pendulum::check() const {
+  const PendulumSettings& s = settings_;
+  for (const auto& [key, angle] :
+       {std::pair{"start_angle", s.startAngle}, std::pair{"balanced_angle", s.balancedAngle}})
+    if (angle >= s.fallAngle)
+      return Error{
+          fmt::format("environment.{} = {} must be below environment.fall_angle = {}.", key, angle, s.fallAngle)};
+  return Done{};
 }
 
 void Pendulum::reset(Random& random) {

@@ -39,6 +39,7 @@ class Pendulum final : public Environment {
   std::vector<double> pose() const override;
   void draw(std::span<const double> pose, Scene& scene) const override;
   std::vector<ReadOut> readOuts(std::span<const double> pose) const override;
+  Status check() const override;
   void parametersChanged() override;
 
   /// Simulates one transition with any torque [N m]; no reward, no ending. For tests against the equations.

@@ -25,7 +25,7 @@ class PendulumWorld {
   double poleRate() const;   // [rad/s]
   double wheelRate() const;  // [rad/s]
 
-  /// The largest time that Box2D measured for its last step [ms]; 0 as long as box2d_clock.cpp is linked in.
+  /// The time that Box2D measured for its last step [ms]; 0 as long as box2d_clock.cpp is linked in.
   float profiledStep() const { return world_.GetProfile().step; }
 
  private:

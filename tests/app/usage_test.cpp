@@ -52,6 +52,11 @@ TEST(Usage, NumbersOutOfRangeNameValueAndRange) {
 TEST(Usage, ImpossibleCombinationsAreRefused) {
   expectRefusal("train", 2, {"--minutes", "--episodes"});
   expectRefusal("train --episodes 3 --policy softmax --set policy.threshold=1", 2, {"policy.threshold", "trl"});
+  expectRefusal("train --episodes 3 --set environment.start_angle=1.5", 2, {"start_angle", "fall_angle"});
+  expectRefusal(
+      "train --episodes 3 --set environment.fall_angle=0.06 --set environment.start_angle=0.01 --set "
+      "environment.balanced_angle=0.1",
+      2, {"balanced_angle"});
   expectRefusal("train --episodes 3 --set features.initial_low=3", 2, {"features.initial_low"});
   expectRefusal("train --episodes 3 --set features.pole_angle=1000 --set features.pole_rate=1000", 2, {"weights"});
   expectRefusal("train --episodes 3 --set policy.epsilon=0.1 --set policy.epsilon=0.2", 2, {"twice"});

@@ -5,19 +5,11 @@
 #include <cmath>
 #include <set>
 
-#include "core/experiment/configuration.h"
-#include "physics/register.h"
+#include "tests/core/experiment/test_setup.h"
 
 namespace surefoot {
 
 namespace {
-
-Registry everything() {
-  Registry registry;
-  registerCore(registry);
-  registerPhysics(registry);
-  return registry;
-}
 
 template <class Entry>
 void expectGoodNames(const std::vector<Entry>& entries) {
@@ -34,7 +26,7 @@ void expectGoodNames(const std::vector<Entry>& entries) {
 }  // namespace
 
 TEST(Contract, EveryNameIsUniqueAndExplained) {
-  const Registry r = everything();
+  const Registry r = fullRegistry();
   expectGoodNames(r.environments);
   expectGoodNames(r.features);
   expectGoodNames(r.agents);
@@ -44,7 +36,7 @@ TEST(Contract, EveryNameIsUniqueAndExplained) {
 }
 
 TEST(Contract, EveryParameterHasTitleHelpOriginAndADefaultInRange) {
-  const Registry r = everything();
+  const Registry r = fullRegistry();
   for (const EnvironmentEntry& environment : r.environments) {
     Names names;
     names.environment = environment.name;
@@ -65,7 +57,7 @@ TEST(Contract, EveryParameterHasTitleHelpOriginAndADefaultInRange) {
 }
 
 TEST(Contract, EveryPolicyIsADistributionForAnyValues) {
-  const Registry r = everything();
+  const Registry r = fullRegistry();
   Random random(23);
   for (const PolicyEntry& entry : r.policies) {
     const auto policy = entry.make();
@@ -91,7 +83,7 @@ TEST(Contract, EveryPolicyIsADistributionForAnyValues) {
 TEST(Contract, EveryPolicyTakesTheMostActionsThereMayBe) {
   std::vector<double> q(kMaxActions), pi(kMaxActions);
   for (std::size_t a = 0; a < q.size(); ++a) q[a] = static_cast<double>(a);
-  for (const PolicyEntry& entry : everything().policies) {
+  for (const PolicyEntry& entry : fullRegistry().policies) {
     entry.make()->probabilities(q, pi);
     double sum = 0;
     for (const double p : pi) sum += p;
@@ -100,7 +92,7 @@ TEST(Contract, EveryPolicyTakesTheMostActionsThereMayBe) {
 }
 
 TEST(Contract, EveryEnvironmentKeepsItsWord) {
-  for (const EnvironmentEntry& entry : everything().environments) {
+  for (const EnvironmentEntry& entry : fullRegistry().environments) {
     const auto environment = entry.make();
     const Task& task = environment->task();
     ASSERT_FALSE(task.actions.empty());
@@ -126,7 +118,7 @@ TEST(Contract, EveryEnvironmentKeepsItsWord) {
 }
 
 TEST(Contract, EveryPresetAndScenarioConfigures) {
-  const Registry r = everything();
+  const Registry r = fullRegistry();
   for (const auto* list : {&r.presets, &r.scenarios})
     for (const AssignmentEntry& entry : *list) {
       Names names;
@@ -140,7 +132,7 @@ TEST(Contract, EveryPresetAndScenarioConfigures) {
 
 // Looking at a learner changes nothing: two equal lives, one of them watched all the time.
 TEST(Contract, LookingDoesNotTouchTheLearner) {
-  const Registry r = everything();
+  const Registry r = fullRegistry();
   for (const EnvironmentEntry& environment : r.environments)
     for (const AgentEntry& agent : r.agents)
       for (const PolicyEntry& policy : r.policies) {

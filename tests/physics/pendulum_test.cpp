@@ -115,11 +115,22 @@ TEST(Scenarios, AreThoseOfTable41) {
     EXPECT_EQ(registry.scenarios[i].name, names[i]);
     for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(registry.scenarios[i].values[k].second, expected[i][k]);
   }
-  EXPECT_NEAR(0.088 / 0.08 - 1, 0.10, 1e-12);
-  EXPECT_NEAR(0.03 / 1.5, 0.02, 1e-12);
-  EXPECT_NEAR(0.02 / 1.5, 0.013, 5e-4);
-  EXPECT_NEAR(0.05 / 1.5, 0.033, 5e-4);
-  EXPECT_NEAR(1 - 0.04 / 0.08, 0.50, 1e-12);
+  const auto value = [&](std::size_t scenario, std::size_t k) { return registry.scenarios[scenario].values[k].second; };
+  const double torque = 1.5;
+  EXPECT_NEAR(value(1, 0) / value(0, 0) - 1, 0.10, 1e-12);
+  EXPECT_NEAR(value(1, 1) / torque, 0.02, 1e-12);
+  EXPECT_NEAR(value(2, 1) / torque, 0.013, 5e-4);
+  EXPECT_NEAR(value(3, 1) / torque, 0.033, 5e-4);
+  EXPECT_NEAR(1 - value(2, 0) / value(0, 0), 0.50, 1e-12);
+}
+
+TEST(Pendulum, AnglesThatDoNotGoTogetherAreNamed) {
+  PendulumSettings s;
+  EXPECT_TRUE(Pendulum(s).check());
+  s.startAngle = 1.5;
+  const Status status = Pendulum(s).check();
+  ASSERT_FALSE(status);
+  EXPECT_NE(status.error().message.find("environment.start_angle"), std::string::npos);
 }
 
 TEST(Pendulum, DrawsAPoleWhereTheStateSays) {

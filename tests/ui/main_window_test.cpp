@@ -110,12 +110,10 @@ TEST(MainWindow, APanelTakesTheWholePageAndGivesItBack) {
   Panel* maps = w.window->findChild<Panel*>("maps");
   const QSize before = maps->size();
   Q_EMIT maps->header().fullSizeAsked();
-  QTest::qWait(50);
-  EXPECT_GT(maps->width(), 1000);
+  EXPECT_TRUE(w.waitFor([&] { return maps->width() > 1000; }));
   EXPECT_FALSE(w.window->findChild<Panel*>("falls")->isVisible());
   Q_EMIT maps->header().fullSizeAsked();
-  QTest::qWait(50);
-  EXPECT_EQ(maps->size(), before);
+  EXPECT_TRUE(w.waitFor([&] { return maps->size() == before; }));
   EXPECT_TRUE(w.window->findChild<Panel*>("falls")->isVisible());
 }
 

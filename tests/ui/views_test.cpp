@@ -77,6 +77,11 @@ TEST(ActionRows, TheThresholdIsALineToDrag) {
 TEST(ValueMaps, ShowLearnedValuesAndHatchTheRest) {
   Learned w;
   const QImage image = w.picture<ValueMaps>();
+  int panel = 0, other = 0;  // upper left, where no pole ever is: the panel's colour between the lines of the hatching
+  for (int y = 28; y < 60; ++y)
+    for (int x = 50; x < 82; ++x) ++(image.pixelColor(x, y) == lightTheme().panel ? panel : other);
+  EXPECT_GT(panel, 200);
+  EXPECT_GT(other, 100);
   QSet<QRgb> colours;
   for (int y = 30; y < 200; ++y)
     for (int x = 50; x < 230; ++x) colours.insert(image.pixel(x, y));

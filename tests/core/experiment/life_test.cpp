@@ -32,6 +32,15 @@ TEST(Life, AParameterOfTheWorldWaitsForTheNextEpisode) {
   EXPECT_LE(life->log().last().steps, 3);
 }
 
+// The goal of a task is known anew at the next episode, though a reward holds at once.
+TEST(Life, AChangedRewardChangesWhatTheTaskSaysOfItself) {
+  const Registry r = fullRegistry();
+  auto life = lifeOf(r, pendulumConfiguration(r));
+  ASSERT_TRUE(life->set("environment.goal_reward", 400));
+  while (life->log().totals().episodes < 2) life->step();
+  EXPECT_EQ(life->environment().task().highestReturn, 400);
+}
+
 TEST(Life, APolicyParameterHoldsAtOnce) {
   const Registry r = fullRegistry();
   auto life = lifeOf(r, pendulumConfiguration(r));

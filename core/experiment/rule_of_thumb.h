@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which threshold to choose for TRL (thesis, section 4.3): the value that the first pair of a successful episode will
+// have.
+#pragma once
+
+#include <cmath>
+
+namespace surefoot {
+
+/// eq. 4.1 and 4.3: γ^n*·R_goal + Σ_{k=1..n*} γ^k·R_time, n* the mean transitions of the successful episodes during
+/// learning, any positive real, so that the sum is γ(1 − γ^n*)/(1 − γ)·R_time, or n*·R_time for γ = 1. (By eq. 2.6 the
+/// first pair is worth γ^(n* − 1)·R; this is the thesis's exponent.)
+inline double ruleOfThumb(double discount, double transitions, double goalReward, double timeReward) {
+  const double power = std::pow(discount, transitions);
+  const double steps = discount < 1.0 ? discount * (1.0 - power) / (1.0 - discount) : transitions;
+  return power * goalReward + steps * timeReward;
+}
+
+}  // namespace surefoot
