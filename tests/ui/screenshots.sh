@@ -22,7 +22,7 @@ shot() {
   local environment=(env DISPLAY=":$(cat "$home/display")" QT_QPA_PLATFORM=xcb HOME="$home" XDG_CONFIG_HOME="$home/config" XDG_RUNTIME_DIR="$home")
   "${environment[@]}" "$program" window --policy epsilon-greedy --minutes 7 --turbo &
   local pid=$! window
-  window=$("${environment[@]}" xdotool search --sync --onlyvisible --name '^Surefoot' | head -1)
+  window=$("${environment[@]}" timeout 20 xdotool search --sync --onlyvisible --name '^Surefoot' | head -1)
   "${environment[@]}" xdotool windowmove --sync "$window" 0 0 windowsize --sync "$window" "$width" "$height" windowfocus --sync "$window"
   # A life of seven minutes under each policy, TRL last; the others stay as faint curves.
   local keys
