@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "core/types.h"
 
@@ -18,6 +19,8 @@ class ActionValueFunction {
   virtual int actions() const = 0;
   /// q ← q̂(s, ·) of one layer.
   virtual void evaluate(std::span<const double> state, Layer layer, std::span<double> q) const = 0;
+  /// Whether Layer::Positive and Layer::Negative differ from the sum.
+  virtual bool split() const { return false; }
   /// Mean over the features of s of how often each was visited (its state was updated, for any action).
   virtual double visits(std::span<const double> state) const = 0;
   /// Share of the features of s that were ever visited, 0 … 1.
@@ -26,7 +29,8 @@ class ActionValueFunction {
   virtual void average(std::span<const float> perWeight, std::span<const double> state,
                        std::span<double> out) const = 0;
 
-  virtual std::span<const double> weights() const = 0;
+  /// The weights, a table for each estimate.
+  virtual std::vector<std::span<const double>> tables() const = 0;
   virtual std::unique_ptr<ActionValueFunction> clone() const = 0;
   /// Copies the content of a function of the same shape, without allocation.
   virtual void assign(const ActionValueFunction& other) = 0;

@@ -26,12 +26,10 @@ class Agent : public Configurable {
   /// Learns from an outcome cut off by a time limit: the value of `state`, where it would have gone on, is estimated.
   virtual void truncate(const Outcome& outcome, std::span<const double> state, Random& random) = 0;
 
-  /// Which layers values() can show; Sum is always among them.
-  virtual std::vector<Layer> layers() const { return {Layer::Sum}; }
   virtual const ActionValueFunction& values() const = 0;
   /// z for every weight, for those who look. `z` is resized.
   virtual void eligibility(std::vector<float>& z) const = 0;
-  /// The values have left any sensible range (see kDivergedError); the life should stop.
+  /// The values have left any sensible range; the life should stop.
   virtual bool diverged() const = 0;
   /// How many states so far lay outside the range that the features cover.
   virtual std::int64_t statesOutside() const = 0;
@@ -40,9 +38,6 @@ class Agent : public Configurable {
   void setPolicy(const Policy& policy) { policy_ = &policy; }
 
  protected:
-  /// A temporal-difference error beyond this counts as divergence: rewards are at most 1e6 a step.
-  static constexpr double kDivergedError = 1e12;
-
   const Policy* policy_ = nullptr;
 };
 

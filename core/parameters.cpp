@@ -70,12 +70,28 @@ void Fields::integer(int& member, Parameter parameter) {
 void Fields::add(Field field) {
   Parameter& parameter = field.parameter;
   parameter.key = prefix_ + parameter.key;
+  if (!title_.empty()) {
+    parameter.title[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(parameter.title[0])));
+    parameter.title = title_ + " " + parameter.title;
+  }
   if (parameter.sliderLow == parameter.sliderHigh) {
     parameter.sliderLow = parameter.low;
     parameter.sliderHigh = parameter.high;
   }
   parameter.fallback = field.get();
   fields_.push_back(std::move(field));
+}
+
+void Fields::under(const std::string& prefix, const std::string& title, const std::function<void(Fields&)>& declare) {
+  const std::string outerPrefix = std::exchange(prefix_, prefix), outerTitle = std::exchange(title_, title);
+  declare(*this);
+  prefix_ = outerPrefix;
+  title_ = outerTitle;
+}
+
+void Fields::setOrder(std::string_view key, int order) {
+  for (Field& field : fields_)
+    if (field.parameter.key == key) field.parameter.order = order;
 }
 
 void Parameters::add(const Fields& fields) {

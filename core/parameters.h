@@ -83,12 +83,16 @@ class Fields {
          [&member](double value) { member = static_cast<Enum>(static_cast<int>(value)); }});
   }
 
+  /// Declares a part under a prefix of its own, e.g. "positive." with titles that begin with "Q⁺".
+  void under(const std::string& prefix, const std::string& title, const std::function<void(Fields&)>& declare);
+  /// Moves a parameter declared so far to another place in the form (Parameter::order).
+  void setOrder(std::string_view key, int order);
   const std::vector<Field>& all() const { return fields_; }
 
  private:
   void add(Field field);
 
-  std::string prefix_;
+  std::string prefix_, title_;
   std::vector<Field> fields_;
 };
 

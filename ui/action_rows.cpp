@@ -48,6 +48,8 @@ void ActionRows::nextFrame() {
   sinceUpdate_.restart();
   if (session_.shown().q.empty()) return;
   q_ = session_.shown().q;
+  positive_ = session_.shown().qPositive;
+  negative_ = session_.shown().qNegative;
   chosen_ = session_.shown().action;
   for (Column& column : columns_) {
     column.pi.resize(q_.size());
@@ -163,8 +165,16 @@ void ActionRows::drawRow(QPainter& p, const Theme& t, const Geometry& g, std::si
 
   const double zero = xOf(0, g), x = xOf(q_[action], g);
   p.setPen(Qt::NoPen);
-  p.setBrush(QColor::fromRgb(divergingColour(q_[action] >= 0 ? 0.5 : -0.5, t.dark)));
-  p.drawRect(QRectF(std::min(zero, x), middle - kBar / 2, std::abs(x - zero), kBar));
+  const auto bar = [&](double value) {
+    p.setBrush(QColor::fromRgb(divergingColour(value >= 0 ? 0.5 : -0.5, t.dark)));
+    p.drawRect(QRectF(std::min(zero, xOf(value, g)), middle - kBar / 2, std::abs(xOf(value, g) - zero), kBar));
+  };
+  if (positive_.empty()) {
+    bar(q_[action]);
+  } else {
+    bar(positive_[action]);
+    bar(negative_[action]);
+  }
   p.setBrush(t.ink);
   p.drawRect(QRectF(x - 1.25, middle - 9, 2.5, 18));
   number(g.qNumber, fixedText(q_[action], std::abs(q_[action]) < 99.95 ? 1 : 0), true);

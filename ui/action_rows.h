@@ -59,7 +59,7 @@ class ActionRows final : public QWidget {
 
   Session& session_;
   std::vector<Column> columns_;
-  std::vector<double> q_;
+  std::vector<double> q_, positive_, negative_;  // the parts are empty where the agent keeps one estimate
   Action chosen_ = kNoAction;
   double low_ = -100, high_ = 200;  // scale of Q
   bool dragging_ = false;

@@ -116,7 +116,9 @@ void LearningChart::refresh() {
     for (std::size_t i = 0; i < std::min(curve.pieces.size(), kMostPieces); ++i) {
       QColor colour = policyLook(curve.pieces[i].policy, t).colour;
       if (!live) colour.setAlphaF(0.55f);
-      drawPiece(used++, curve.pieces[i].points, QPen(colour, live ? 2 : 1.25));
+      QPen pen(colour, live ? 2 : 1.25);
+      if (curve.agent == "sarsa-2q") pen.setDashPattern({5, 2.5});  // the dash says the learning rule
+      drawPiece(used++, curve.pieces[i].points, pen);
     }
   };
   for (const RunCurve& curve : curves.earlier()) draw(curve, false);

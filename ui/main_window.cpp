@@ -91,6 +91,13 @@ MainWindow::MainWindow(Session& session, QWidget* parent) : QMainWindow(parent),
     troubleShown_ = trouble;
     session_.setLookedAt(isVisible() && !isMinimized());
   });
+  connect(bar_, &RunBar::agentAsked, this, [this](const QString& name, const QString& title) {
+    messages_->ask(
+        tr("%1 needs a new table, so learning starts again from the beginning, with the same seed.").arg(title),
+        tr("Start again"), [this, name] {
+          if (const Status s = session_.setAgent(name.toStdString()); !s) messages_->say(toText(s.error().message));
+        });
+  });
   connect(&session_, &Session::needsNewTable, this, [this](const QString& key, double value) {
     const auto* entry = session_.configuration().parameters.find(key.toStdString());
     messages_->ask(tr("%1 = %2 needs a new table, so learning starts again from the beginning, with the same seed.")

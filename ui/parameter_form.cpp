@@ -82,11 +82,14 @@ ParameterForm::ParameterForm(Session& session, QWidget* parent) : QScrollArea(pa
   setFrameShape(QFrame::NoFrame);
   setMinimumWidth(264);
   build();
+  connect(&session_, &Session::parametersReplaced, this, &ParameterForm::build);
   connect(&session_, &Session::configurationChanged, this, &ParameterForm::refresh);
   connect(&session_, &Session::valuesArrived, this, &ParameterForm::refresh);
 }
 
 void ParameterForm::build() {
+  rows_.clear();  // setWidget() below deletes the old page
+  orders_.clear();
   auto* page = new QWidget;
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(12, 0, 12, 12);

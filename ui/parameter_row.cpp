@@ -170,7 +170,10 @@ void ParameterRow::paintEvent(QPaintEvent*) {
   const double baseline = kRow / 2.0 + 4.5;
   p.drawText(QPointF(kName, baseline), title);
   p.setPen(t.quiet);
-  drawSymbol(p, kName + QFontMetricsF(font).horizontalAdvance(title) + 5, baseline, toText(parameter_.symbol));
+  const double symbolLeft = kName + QFontMetricsF(font).horizontalAdvance(title) + 5;
+  const QString symbol = toText(parameter_.symbol);
+  const double room = (slider_ ? slider_->x() + 4 : width() / 2) - symbolLeft;
+  if (symbolWidth(font, symbol) <= room) drawSymbol(p, symbolLeft, baseline, symbol);
   p.setFont(textFont(11));
   QString unit = toText(parameter_.unit);
   if (QFontMetricsF(p.font()).horizontalAdvance(unit) > kUnit - 3) unit.remove(' ');

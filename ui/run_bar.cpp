@@ -136,7 +136,15 @@ RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
           [this](int i) { session_.setScenario(scenario_->itemData(i).toString().toStdString()); });
   scenario_->setPlaceholderText(tr("Changed model"));
   agent_ = new Combo(tr("Learning rule"), this);
-  for (const auto& entry : session.registry().agents) agent_->addItem(toText(entry.title), toText(entry.name));
+  for (const auto& entry : session.registry().agents) {
+    agent_->addItem(toText(entry.title), toText(entry.name));
+    agent_->setItemData(agent_->count() - 1, toText(entry.help), Qt::ToolTipRole);
+  }
+  connect(agent_, &QComboBox::activated, this, [this](int i) {
+    const QString name = agent_->itemData(i).toString();
+    refresh();  // until it is agreed to
+    if (name.toStdString() != session_.configuration().names.agent) Q_EMIT agentAsked(name, agent_->itemText(i));
+  });
   policy_ = new Combo(tr("Policy"), this);
   for (const auto& entry : session.registry().policies) {
     policy_->addItem(toText(entry.title), toText(entry.name));
@@ -202,7 +210,7 @@ void RunBar::layOut() {
   factorLabel_ = buttons_[3]->x() + 88;
   x = static_cast<int>(factorLabel_) + 68;
   for (QComboBox* combo : {scenario_, agent_, policy_}) {
-    const int w = combo == scenario_ ? 148 : combo == policy_ ? 116 : 96;
+    const int w = combo == scenario_ ? 148 : combo == policy_ ? 116 : 132;
     combo->setGeometry(x, 8, w, kButton);
     x += w + 8;
   }

@@ -26,6 +26,10 @@ class RunBar final : public QWidget {
   /// One notch up or down the slider.
   void changePace(int notches);
 
+ Q_SIGNALS:
+  /// Another learning rule was chosen; it needs a new table.
+  void agentAsked(const QString& name, const QString& title);
+
  protected:
   void paintEvent(QPaintEvent*) override;
   void resizeEvent(QResizeEvent*) override { layOut(); }

@@ -7,9 +7,9 @@ namespace {
 constexpr std::int64_t kLeastEpisodes = 20;
 }
 
-void RunCurves::update(const std::string& policy, const std::vector<CurvePoint>& points,
+void RunCurves::update(const std::string& agent, const std::string& policy, const std::vector<CurvePoint>& points,
                        const std::vector<Change>& changes) {
-  live_ = {points, {}};
+  live_ = {agent, points, {}};
   if (points.empty()) return;
   std::vector<Change> switches;
   for (const Change& change : changes)

@@ -17,6 +17,7 @@ struct CurvePiece {
 };
 
 struct RunCurve {
+  std::string agent;
   std::vector<CurvePoint> points;
   std::vector<CurvePiece> pieces;  ///< the same points, cut where the policy changed; each begins where the last ended
   std::string policy() const { return pieces.empty() ? "" : pieces.back().policy; }
@@ -26,8 +27,10 @@ class RunCurves {
  public:
   static constexpr std::size_t kMostEarlier = 5;
 
-  /// The points of the life that runs, the policy of its last episode, and what was changed meanwhile.
-  void update(const std::string& policy, const std::vector<CurvePoint>& points, const std::vector<Change>& changes);
+  /// The points of the life that runs, its learning rule, the policy of its last episode, and what was changed
+  /// meanwhile.
+  void update(const std::string& agent, const std::string& policy, const std::vector<CurvePoint>& points,
+              const std::vector<Change>& changes);
   /// The life that ran becomes an earlier one; one too short to say anything is forgotten.
   void archive();
 

@@ -83,7 +83,7 @@ void Session::tick() {
   learner_->takeSnapshot();
   learner_->wantSnapshot();
   if (learner_->takeValues() && values()) {
-    curves_.update(values()->policy, values()->curve, values()->changes);
+    curves_.update(configuration_.names.agent, values()->policy, values()->curve, values()->changes);
     Q_EMIT valuesArrived();
   }
   if (lookedAt_ && sinceValues_.elapsed() >= kValuesEvery) {
@@ -132,12 +132,15 @@ void Session::show(double seconds) {
     shown_.state.assign(viewer_->environment().state().begin(), viewer_->environment().state().end());
     shown_.pose = viewer_->pose();
     shown_.q = viewer_->q();
+    fillParts(*values()->values);
     shown_.action = viewer_->action();
     falls = viewer_->falls();
   } else {
     shown_.state = snapshot().state;
     shown_.pose = snapshot().pose;
     shown_.q = snapshot().q;
+    shown_.qPositive = snapshot().qPositive;
+    shown_.qNegative = snapshot().qNegative;
     shown_.action = snapshot().action;
   }
   if (falls == fallsBefore_ + 1) sinceFall_.start();  // one fall; a jump by many is a change of the world shown
@@ -145,6 +148,13 @@ void Session::show(double seconds) {
   shown_.flash = sinceFall_.isValid() && sinceFall_.elapsed() < kFlash;
   // The next episode has begun already, but a fall wants to be seen: the fallen pose stays for as long as the flash.
   if (shown_.flash && !viewing && !snapshot().fallenPose.empty()) shown_.pose = snapshot().fallenPose;
+}
+
+void Session::fillParts(const ActionValueFunction& values) {
+  for (auto* part : {&shown_.qPositive, &shown_.qNegative}) part->resize(values.split() ? shown_.q.size() : 0);
+  if (!values.split()) return;
+  values.evaluate(shown_.state, Layer::Positive, shown_.qPositive);
+  values.evaluate(shown_.state, Layer::Negative, shown_.qNegative);
 }
 
 void Session::setRunning(bool running) {
@@ -228,6 +238,28 @@ void Session::setPolicy(const std::string& name) {
   learner_->send(SetPolicy{name, std::move(*forLearner)});
   viewer_->setPolicy(std::move(*forViewer));
   Q_EMIT configurationChanged();
+}
+
+Status Session::setAgent(const std::string& name) {
+  if (name == configuration_.names.agent) return Done{};
+  Names names = configuration_.names;
+  names.agent = name;
+  auto changed = configure(registry_, names, {});
+  if (!changed) return changed.error();
+  for (const auto& entry : configuration_.parameters.all())
+    if (changed->parameters.find(entry.parameter.key))
+      if (const Status s = changed->parameters.set(entry.parameter.key, entry.value); !s) return s;
+  changed->seed = configuration_.seed;
+  changed->minutes = configuration_.minutes;
+  changed->episodes = configuration_.episodes;
+  auto life = makeLifeOf(*changed);
+  if (!life) return life.error();
+  configuration_ = std::move(*changed);
+  base_ = baseOf(names);
+  adopt(std::move(*life));
+  Q_EMIT parametersReplaced();
+  Q_EMIT configurationChanged();
+  return Done{};
 }
 
 void Session::setScenario(const std::string& name) {

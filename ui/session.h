@@ -19,6 +19,7 @@ namespace surefoot {
 /// What the panels show: the learner's world, or in turbo the viewer's.
 struct Shown {
   std::vector<double> state, pose, q;
+  std::vector<double> qPositive, qNegative;  ///< empty where the agent keeps one estimate
   Action action = kNoAction;
   bool flash = false;  ///< it fell within the last 200 ms
 };
@@ -73,6 +74,8 @@ class Session final : public QObject {
   /// The same, with the new life at once.
   Status setParameterAndRestart(const std::string& key, double value);
   void setPolicy(const std::string& name);
+  /// Another learning rule has another table: a new life begins, with every parameter that both know.
+  Status setAgent(const std::string& name);
   void setScenario(const std::string& name);
 
   /// Ends the learner's thread; the life as it is.
@@ -84,11 +87,13 @@ class Session final : public QObject {
   void stateChanged();   ///< running, turbo, pace
   void configurationChanged();
   void lifeReplaced();
+  void parametersReplaced();  ///< another agent: other parameters
   void needsNewTable(const QString& key, double value);
 
  private:
   void tick();
   void show(double seconds);
+  void fillParts(const ActionValueFunction& values);
   void measureSpeed();
   void restartMeasuring();
   void makeViewer();

@@ -30,17 +30,22 @@ ValueMaps::ValueMaps(Session& session, QWidget* parent) : QWidget(parent), sessi
   });
 }
 
+bool ValueMaps::split() const {
+  return session_.values() && session_.values()->values->split();
+}
+
 ValueMaps::Geometry ValueMaps::geometry() const {
-  const double room = std::min((width() - 145.0) / 1.5, height() - kTop - kUnder);
+  const bool oneBar = split();
+  const double room = std::min((width() - (oneBar ? 103.0 : 145.0)) / 1.5, height() - kTop - kUnder);
   const double m = std::floor(std::max(room, 60.0) / kCell) * kCell;
   const double s = std::floor((m - 28) / 2 / kSmallCell) * kSmallCell;
   Geometry g;
   g.big = QRectF(kLeft, kTop, m, m);
-  g.bigBar = QRectF(g.big.right() + 8, kTop, 10, m);
-  const double x = g.big.right() + 60;
+  const double x = g.big.right() + (oneBar ? 16 : 60);
   g.upper = QRectF(x, kTop, s, s);
-  g.upperBar = QRectF(x + s + 8, kTop, 10, s);
   g.lower = QRectF(x, kTop + m - s, s, s);
+  g.bigBar = QRectF(oneBar ? x + s + 8 : g.big.right() + 8, kTop, 10, m);
+  g.upperBar = QRectF(x + s + 8, kTop, 10, s);
   g.lowerBar = QRectF(x + s + 8, kTop + m - s, 10, s);
   return g;
 }
@@ -53,43 +58,56 @@ void ValueMaps::recompute() {
   const Geometry g = geometry();
   slice_.at = session_.shown().state;
   qScale_ = {MapScale::Kind::Diverging, std::min(task.lowestReturn, -1.0), std::max(task.highestReturn, 1.0)};
-  eligibilityScale_ = {MapScale::Kind::Positive, 0, 1};
 
   const ActionValueFunction& values = *v->values;
   std::vector<double> q(static_cast<std::size_t>(values.actions()));
-  const auto best = [&q] { return *std::max_element(q.begin(), q.end()); };
-  const auto known = [&](std::span<const double> s) { return values.familiarity(s) >= kFamiliar; };
-  q_.compute(
-      task, slice_, static_cast<int>(g.big.width()) / kCell, qScale_,
-      [&](std::span<const double> s) {
-        if (!known(s)) return kNever;
-        values.evaluate(s, Layer::Sum, q);
-        return best();
-      },
-      dark);
-
+  const auto best = [&](std::span<const double> s) {
+    if (values.familiarity(s) < kFamiliar) return kNever;
+    values.evaluate(s, Layer::Sum, q);
+    return *std::max_element(q.begin(), q.end());
+  };
+  q_.compute(task, slice_, static_cast<int>(g.big.width()) / kCell, qScale_, best, dark);
   const int cells = static_cast<int>(g.upper.width()) / kSmallCell;
-  double most = 10;
-  visits_.compute(
-      task, slice_, cells, visitScale_,
-      [&](std::span<const double> s) {
-        most = std::max(most, values.visits(s));
-        return known(s) ? values.visits(s) : kNever;
-      },
-      dark);
-  visitScale_ = {MapScale::Kind::Viridis, 1,
-                 std::pow(10.0, std::ceil(std::log10(most)))};  // settles with the next picture
-  eligibility_.compute(
-      task, slice_, cells, eligibilityScale_,
-      [&](std::span<const double> s) {
-        if (!known(s)) return kNever;
-        values.average(v->eligibility, s, q);
-        return best();
-      },
-      dark);
+  split() ? computeParts(cells, dark) : computeTraces(cells, dark);
   any_ = true;
   Q_EMIT noteChanged(note());
   update();
+}
+
+// Both parts of the action that is best by their sum, so that the large map is the sum of the small ones.
+void ValueMaps::computeParts(int cells, bool dark) {
+  const ActionValueFunction& values = *session_.values()->values;
+  std::vector<double> q(static_cast<std::size_t>(values.actions())), part(q.size());
+  const auto partOf = [&](Layer layer) {
+    return [&, layer](std::span<const double> s) {
+      if (values.familiarity(s) < kFamiliar) return kNever;
+      values.evaluate(s, Layer::Sum, q);
+      values.evaluate(s, layer, part);
+      return part[static_cast<std::size_t>(std::max_element(q.begin(), q.end()) - q.begin())];
+    };
+  };
+  upper_.compute(session_.task(), slice_, cells, qScale_, partOf(Layer::Positive), dark);
+  lower_.compute(session_.task(), slice_, cells, qScale_, partOf(Layer::Negative), dark);
+}
+
+void ValueMaps::computeTraces(int cells, bool dark) {
+  const ValueSnapshot& v = *session_.values();
+  const ActionValueFunction& values = *v.values;
+  std::vector<double> z(static_cast<std::size_t>(values.actions()));
+  double most = 10;
+  const auto visits = [&](std::span<const double> s) {
+    most = std::max(most, values.visits(s));
+    return values.familiarity(s) < kFamiliar ? kNever : values.visits(s);
+  };
+  const auto eligibility = [&](std::span<const double> s) {
+    if (values.familiarity(s) < kFamiliar) return kNever;
+    values.average(v.eligibility, s, z);
+    return *std::max_element(z.begin(), z.end());
+  };
+  upper_.compute(session_.task(), slice_, cells, visitScale_, visits, dark);
+  visitScale_ = {MapScale::Kind::Viridis, 1, std::pow(10.0, std::ceil(std::log10(most)))};  // settles with the next
+  eligibilityScale_ = {MapScale::Kind::Positive, 0, 1};
+  lower_.compute(session_.task(), slice_, cells, eligibilityScale_, eligibility, dark);
 }
 
 QString ValueMaps::note() const {
@@ -145,28 +163,38 @@ void ValueMaps::paintEvent(QPaintEvent*) {
   p.setFont(textFont(13, 500));
   p.setPen(t.ink);
   p.drawText(QPointF(g.big.left(), kTop - 8), QStringLiteral("Q"));
-  p.drawText(QPointF(g.upper.left(), kTop - 8), tr("Visits"));
-  p.drawText(QPointF(g.lower.left(), g.lower.top() - 8), tr("Eligibility"));
   if (!any_) {
     p.setFont(textFont(11));
     p.setPen(t.quiet);
     p.drawText(g.big, Qt::AlignCenter | Qt::TextWordWrap, tr("The map appears with the first steps."));
     return;
   }
-  const Task& task = session_.task();
-  q_.draw(p, g.big, t, task, live, 6);
-  visits_.draw(p, g.upper, t, task, live, 4);
-  eligibility_.draw(p, g.lower, t, task, live, 4);
-  const double half = qScale_.high / 2;
-  const double qNumbers[] = {qScale_.low, qScale_.low / 2, 0, half, qScale_.high};
+  q_.draw(p, g.big, t, session_.task(), live, 6);
+  const double qNumbers[] = {qScale_.low, qScale_.low / 2, 0, qScale_.high / 2, qScale_.high};
   ValueMap::drawBar(p, g.bigBar, qScale_, t, qNumbers);
+  drawSmallMaps(p, g, t);
+  drawAxes(p, g.big, t);
+  drawKey(p, g, t);
+}
+
+void ValueMaps::drawSmallMaps(QPainter& p, const Geometry& g, const Theme& t) const {
+  const bool parts = split();
+  p.setFont(textFont(13, 500));
+  p.setPen(t.ink);
+  p.drawText(QPointF(g.upper.left(), kTop - 8), parts ? QStringLiteral("Q⁺") : tr("Visits"));
+  p.drawText(QPointF(g.lower.left(), g.lower.top() - 8), parts ? QStringLiteral("Q⁻") : tr("Eligibility"));
+  const std::vector<double>& live = session_.shown().state;
+  upper_.draw(p, g.upper, t, session_.task(), live, 4);
+  lower_.draw(p, g.lower, t, session_.task(), live, 4);
+  if (parts) return;
   const double middle = std::pow(10.0, std::floor(std::log10(visitScale_.high) / 2));
   const double visitNumbers[] = {1, middle, visitScale_.high};
   ValueMap::drawBar(p, g.upperBar, visitScale_, t, visitNumbers);
   const double eligibilityNumbers[] = {0, 0.5, 1};
   ValueMap::drawBar(p, g.lowerBar, eligibilityScale_, t, eligibilityNumbers);
-  drawAxes(p, g.big, t);
+}
 
+void ValueMaps::drawKey(QPainter& p, const Geometry& g, const Theme& t) const {
   const QRectF key(g.lower.left(), g.lower.bottom() + 25, 16, 10);
   ValueMap::drawHatching(p, key, t);
   p.setPen(QPen(t.outline, 1));

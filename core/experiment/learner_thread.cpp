@@ -165,8 +165,15 @@ void LearnerThread::fill(Snapshot& s) const {
   s.state.assign(environment.state().begin(), environment.state().end());
   s.pose = environment.pose();
   s.fallenPose = fallenPose_;
+  const ActionValueFunction& values = life_->agent().values();
   s.q.resize(environment.task().actions.size());
-  life_->agent().values().evaluate(s.state, Layer::Sum, s.q);
+  values.evaluate(s.state, Layer::Sum, s.q);
+  const bool split = values.split();
+  for (auto* part : {&s.qPositive, &s.qNegative}) part->resize(split ? s.q.size() : 0);
+  if (split) {
+    values.evaluate(s.state, Layer::Positive, s.qPositive);
+    values.evaluate(s.state, Layer::Negative, s.qNegative);
+  }
   s.action = life_->inEpisode() ? life_->nextAction() : kNoAction;
   s.running = canStep();
   s.finished = life_->finished() && !life_->diverged();

@@ -98,12 +98,17 @@ void Life::setPolicy(const std::string& name, std::unique_ptr<Policy> policy) {
 }
 
 std::string Life::divergence() const {
-  const double stepSize = parameters_.get("agent.step_size");
-  const bool accumulating = parameters_.get("agent.trace") != 0.0;
-  std::string cause = fmt::format("agent.step_size = {} is the likely cause; try a smaller one", stepSize);
-  if (accumulating)
-    cause = fmt::format(
-        "agent.trace = accumulating with agent.step_size = {} is the likely cause; try replacing traces", stepSize);
+  // The largest step size is the likeliest cause; accumulating traces make any of them larger.
+  const Parameters::Entry* largest = nullptr;
+  for (const auto& entry : parameters_.all())
+    if (entry.parameter.key.ends_with(".step_size") && (!largest || entry.value > largest->value)) largest = &entry;
+  std::string cause = "try smaller rewards";
+  if (largest)
+    cause = fmt::format("{} = {} is the likely cause; try a smaller one", largest->parameter.key, largest->value);
+  const Parameters::Entry* trace = parameters_.find("agent.trace");
+  if (largest && trace && trace->value != 0.0)
+    cause = fmt::format("agent.trace = accumulating with {} = {} is the likely cause; try replacing traces",
+                        largest->parameter.key, largest->value);
   return fmt::format("The action values diverged at step {}, in episode {}: {}.", steps_, log_.totals().episodes + 1,
                      cause);
 }
@@ -115,7 +120,8 @@ double Life::simulatedSeconds() const {
 
 std::uint64_t Life::hash() const {
   Hash64 hash = log_.hash();
-  for (const double w : agent_->values().weights()) hash.add(w);
+  for (const auto& table : agent_->values().tables())
+    for (const double w : table) hash.add(w);
   return hash.value();
 }
 

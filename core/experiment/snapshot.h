@@ -20,9 +20,10 @@ struct Snapshot {
   LifeTotals totals;
   double averageReward = 0;
   std::vector<double> state, pose;
-  std::vector<double> fallenPose;  ///< of the last fall, unless turbo was on
-  std::vector<double> q;           ///< q̂(s, ·) in that state
-  Action action = kNoAction;       ///< that will be carried out in it; kNoAction between two episodes
+  std::vector<double> fallenPose;            ///< of the last fall, unless turbo was on
+  std::vector<double> q;                     ///< q̂(s, ·) in that state
+  std::vector<double> qPositive, qNegative;  ///< its two parts, where the agent keeps them apart; else empty
+  Action action = kNoAction;                 ///< that will be carried out in it; kNoAction between two episodes
   bool running = false;
   bool finished = false;  ///< the limit that was asked for is reached
   std::string trouble;    ///< why it had to stop before, or empty

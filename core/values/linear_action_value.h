@@ -6,12 +6,14 @@
 // Weights lie as [feature][action], so that one feature number serves all actions.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <vector>
 
 #include "core/action_value.h"
 #include "core/features/feature_map.h"
+#include "core/parameters.h"
 #include "core/random.h"
 
 namespace surefoot {
@@ -88,6 +90,7 @@ class LinearActionValue final : public ActionValueFunction {
   /// The number of the weight of feature i and action a.
   Index weight(Index i, Action a) const { return i * static_cast<Index>(actions_) + static_cast<Index>(a); }
   double* data() { return weights_.data(); }
+  std::size_t weightCount() const { return weights_.size(); }
   void countVisit(std::span<const Index> x) {
     for (const Index i : x) visits_[i] += visits_[i] != kMostVisits;
   }
@@ -114,7 +117,7 @@ class LinearActionValue final : public ActionValueFunction {
       for (std::size_t a = 0; a < actions_; ++a) out[a] += static_cast<double>(perWeight[i * actions_ + a]);
     for (double& value : out) value /= features_.active();
   }
-  std::span<const double> weights() const override { return weights_; }
+  std::vector<std::span<const double>> tables() const override { return {weights_}; }
   std::unique_ptr<ActionValueFunction> clone() const override { return std::make_unique<LinearActionValue>(*this); }
   void assign(const ActionValueFunction& other) override {
     const auto& same = dynamic_cast<const LinearActionValue&>(other);

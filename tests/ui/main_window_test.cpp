@@ -5,11 +5,14 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QMenuBar>
+#include <QPushButton>
 #include <QSettings>
 
 #include "tests/ui/window_setup.h"
 #include "ui/live_page.h"
+#include "ui/message_bar.h"
 #include "ui/panel.h"
+#include "ui/parameter_row.h"
 #include "ui/slider.h"
 #include "ui/theme.h"
 
@@ -77,6 +80,26 @@ TEST(MainWindow, PolicyAndScenarioAreChosenInTheToolbar) {
   Q_EMIT scenario->activated(scenario->findData("3"));
   EXPECT_EQ(w.session->configuration().parameters.get("environment.friction"), 0.05);
   EXPECT_EQ(w.session->configuration().names.scenario, "3");
+}
+
+TEST(MainWindow, AnotherLearningRuleStartsAgainAndShowsItsParts) {
+  Window w;
+  auto* agent = w.named<QComboBox>("Learning rule");
+  Q_EMIT agent->activated(agent->findData("sarsa-2q"));
+  EXPECT_EQ(w.session->configuration().names.agent, "sarsa") << "not before it is agreed to";
+  ASSERT_TRUE(w.window->messages().isVisible());
+  for (auto* button : w.window->messages().findChildren<QPushButton*>())
+    if (button->text() == "Start again") QTest::mouseClick(button, Qt::LeftButton);
+  EXPECT_EQ(w.session->configuration().names.agent, "sarsa-2q");
+  w.session->setTurbo(true);
+  w.session->setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->values() && w.session->shown().qNegative.size() == 5; }));
+  for (std::size_t a = 0; a < 5; ++a)
+    EXPECT_NEAR(w.session->shown().q[a], w.session->shown().qPositive[a] + w.session->shown().qNegative[a], 1e-9);
+  std::set<std::string> rows;
+  for (const ParameterRow* row : w.window->findChildren<ParameterRow*>()) rows.insert(row->key());
+  EXPECT_TRUE(rows.contains("negative.scale"));
+  EXPECT_FALSE(rows.contains("agent.step_size"));
 }
 
 TEST(MainWindow, EveryMenuEntryCanBeTriggered) {

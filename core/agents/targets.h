@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a learning rule takes the next state to be worth, given q̂(S′, ·), π(·|S′) and the action A′ that was drawn.
+#pragma once
+
+#include <algorithm>
+#include <span>
+
+#include "core/types.h"
+
+namespace surefoot {
+
+/// Sarsa (thesis, eq. 2.5): q̂(S′, A′).
+struct SarsaTarget {
+  static double value(std::span<const double> q, std::span<const double>, Action next) {
+    return q[static_cast<std::size_t>(next)];
+  }
+  static bool cutsTrace(std::span<const double>, Action) { return false; }
+};
+
+/// Q-learning (thesis, eq. 2.7), with Watkins's traces (Sutton & Barto 2018, section 12.10): max_b q̂(S′, b); the trace
+/// is cut before an exploratory action. An action counts as greedy if its value is the greatest, however it was drawn.
+struct WatkinsTarget {
+  static double value(std::span<const double> q, std::span<const double>, Action) {
+    return *std::max_element(q.begin(), q.end());
+  }
+  static bool cutsTrace(std::span<const double> q, Action next) {
+    return q[static_cast<std::size_t>(next)] < *std::max_element(q.begin(), q.end());
+  }
+};
+
+/// Expected Sarsa (Sutton & Barto 2018, section 6.6): Σ_b π(b|S′) q̂(S′, b). Traces are not cut.
+struct ExpectedTarget {
+  static double value(std::span<const double> q, std::span<const double> pi, Action) {
+    double sum = 0.0;
+    for (std::size_t b = 0; b < q.size(); ++b) sum += pi[b] * q[b];
+    return sum;
+  }
+  static bool cutsTrace(std::span<const double>, Action) { return false; }
+};
+
+}  // namespace surefoot

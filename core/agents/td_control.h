@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Temporal-difference control with one estimate (Sutton & Barto 2018, chapters 6, 10 and 12): Sarsa(λ), Watkins's Q(λ)
+// and Expected Sarsa(λ), which differ in their target only.
+#pragma once
+
+#include <utility>
+
+#include "core/agent.h"
+#include "core/agents/targets.h"
+#include "core/values/estimate.h"
+
+namespace surefoot {
+
+/// What every learning rule has, besides its estimates.
+struct ControlSettings {
+  double discount = 0.98;  ///< γ
+  TraceSettings traces;
+  void declare(Fields& f);
+};
+
+template <class Target, FeatureMap F>
+class TdControl final : public Agent {
+ public:
+  TdControl(LinearActionValue<F> values, const EstimateSettings& estimate, const ControlSettings& control)
+      : estimate_(std::move(values), estimate),
+        control_(control) {
+    q_.resize(static_cast<std::size_t>(estimate_.values().actions()));
+    pi_.resize(q_.size());
+  }
+
+  void declare(Fields& f) override {
+    estimate_.settings().declare(f);
+    control_.declare(f);
+  }
+
+  Action start(std::span<const double> state, Random& random) override {
+    estimate_.clearTrace();
+    a_ = choose(state, random);
+    estimate_.go();
+    return a_;
+  }
+
+  Action step(const Outcome& outcome, std::span<const double> state, Random& random) override {
+    const Action next = choose(state, random);
+    learn(outcome.reward, control_.discount * Target::value(q_, pi_, next));
+    if (Target::cutsTrace(q_, next)) estimate_.clearTrace();
+    estimate_.go();
+    return a_ = next;
+  }
+
+  void end(const Outcome& outcome) override { learn(outcome.reward, 0.0); }
+
+  void truncate(const Outcome& outcome, std::span<const double> state, Random& random) override {
+    const Action next = choose(state, random);
+    learn(outcome.reward, control_.discount * Target::value(q_, pi_, next));
+  }
+
+  const ActionValueFunction& values() const override { return estimate_.values(); }
+  void eligibility(std::vector<float>& z) const override {
+    z.assign(estimate_.values().weightCount(), 0.0f);
+    for (const auto& entry : estimate_.trace().entries()) z[entry.weight] = static_cast<float>(entry.z);
+  }
+  bool diverged() const override { return estimate_.diverged(); }
+  std::int64_t statesOutside() const override { return estimate_.statesOutside(); }
+
+ private:
+  /// A′ ~ π(·|S′); leaves q̂(S′, ·) in q_ and π(·|S′) in pi_.
+  Action choose(std::span<const double> state, Random& random) {
+    estimate_.look(state, q_);
+    policy_->probabilities(q_, pi_);
+    return sample(pi_, random);
+  }
+
+  void learn(double reward, double next) { estimate_.learn(a_, reward, next, control_.discount, control_.traces); }
+
+  Estimate<F> estimate_;
+  ControlSettings control_;
+  std::vector<double> q_, pi_;  // one entry an action
+  Action a_ = 0;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Q = Q⁺ + Q⁻ (thesis, eq. 6.4), for those who look: two linear estimates of different resolution as one function.
+#pragma once
+
+#include "core/values/linear_action_value.h"
+
+namespace surefoot {
+
+template <FeatureMap P, FeatureMap N>
+class SplitActionValue final : public ActionValueFunction {
+ public:
+  /// Looks through to two functions that outlive it, as long as it is not a clone.
+  SplitActionValue(const LinearActionValue<P>& positive, const LinearActionValue<N>& negative)
+      : positive_(&positive),
+        negative_(&negative) {}
+
+  int actions() const override { return positive_->actions(); }
+  void evaluate(std::span<const double> state, Layer layer, std::span<double> q) const override {
+    if (layer == Layer::Negative) return negative_->evaluate(state, layer, q);
+    positive_->evaluate(state, layer, q);
+    if (layer == Layer::Positive) return;
+    std::vector<double> negative(q.size());
+    negative_->evaluate(state, layer, negative);
+    for (std::size_t a = 0; a < q.size(); ++a) q[a] += negative[a];
+  }
+  bool split() const override { return true; }
+  double visits(std::span<const double> state) const override { return positive_->visits(state); }
+  double familiarity(std::span<const double> state) const override {
+    return std::max(positive_->familiarity(state), negative_->familiarity(state));
+  }
+  /// The weights of Q⁺ come first.
+  void average(std::span<const float> perWeight, std::span<const double> state, std::span<double> out) const override {
+    positive_->average(perWeight.first(positive_->weightCount()), state, out);
+  }
+  std::vector<std::span<const double>> tables() const override {
+    return {positive_->tables().front(), negative_->tables().front()};
+  }
+  std::unique_ptr<ActionValueFunction> clone() const override {
+    auto copy = std::make_unique<SplitActionValue>(*positive_, *negative_);
+    copy->ownPositive_ = std::make_unique<LinearActionValue<P>>(*positive_);
+    copy->ownNegative_ = std::make_unique<LinearActionValue<N>>(*negative_);
+    copy->positive_ = copy->ownPositive_.get();
+    copy->negative_ = copy->ownNegative_.get();
+    return copy;
+  }
+  void assign(const ActionValueFunction& other) override {
+    const auto& same = dynamic_cast<const SplitActionValue&>(other);
+    assert(ownPositive_ && ownNegative_ && "only a clone has memory of its own");
+    ownPositive_->assign(*same.positive_);
+    ownNegative_->assign(*same.negative_);
+  }
+
+ private:
+  const LinearActionValue<P>* positive_;
+  const LinearActionValue<N>* negative_;
+  std::unique_ptr<LinearActionValue<P>> ownPositive_;
+  std::unique_ptr<LinearActionValue<N>> ownNegative_;
+};
+
+}  // namespace surefoot
