@@ -27,6 +27,7 @@ struct StateVariable {
   std::string perSpan{};                 ///< "/2π": the unit of a resolution, short
   double resolution = 1.0;               ///< default number of tiles per span
   std::optional<double> period{};        ///< the variable wraps after this much; none: it does not
+  bool whole = false;                    ///< takes whole numbers only: it fits a table
   double viewLow = 0.0, viewHigh = 0.0;  ///< the part that a map shows at first
 };
 
@@ -34,6 +35,7 @@ struct StateVariable {
 struct Task {
   std::vector<StateVariable> state;
   std::vector<double> actions;                      ///< the physical value of every action, e.g. a torque in N m
+  std::vector<std::string> actionNames{};           ///< what to call them, if a number says nothing: "up"
   std::string actionTitle;                          ///< "torque"
   std::string actionSymbol;                         ///< "T"
   std::string actionUnit;                           ///< "N m"

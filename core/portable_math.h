@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// exp with the same bits on every machine. The C library's own differs between processors with and without fused
-// multiply-add, and one differing bit in a probability sends two lives apart.
+// exp and cos with the same bits on every machine. The C library's own differs between processors with and without
+// fused multiply-add, and one differing bit in a probability sends two lives apart.
 #pragma once
 
 #include <bit>
@@ -46,6 +46,26 @@ inline double portableExp(double x) {
   if (k > 1023) return sum * powerOfTwo(1023) * powerOfTwo(k - 1023);
   if (k < -1022) return sum * powerOfTwo(-1000) * powerOfTwo(k + 1000);  // subnormal results are rounded once
   return sum * powerOfTwo(k);
+}
+
+/// cos x for abs(x) up to a thousand or so, to about 1e-15: x reduced by multiples of ½π in two pieces, then the Taylor
+/// polynomials of degree 16 and 17 on ± ¼π (remainder < 1e-18).
+inline double portableCos(double x) {
+  constexpr double kTwoOverPi = 0.63661977236758134308;
+  constexpr double kHalfPiHigh = 1.57079632673412561417e+00;  // 33 bits, so that k·kHalfPiHigh is exact
+  constexpr double kHalfPiLow = 6.07710050650619224932e-11;
+  const auto k = static_cast<std::int64_t>(x * kTwoOverPi + (x < 0.0 ? -0.5 : 0.5));
+  const auto kReal = static_cast<double>(k);
+  const double r = (x - kReal * kHalfPiHigh) - kReal * kHalfPiLow;
+  const double square = r * r;
+  const bool sine = (k & 1) != 0;  // cos(r + ½π) = −sin r
+  double term = sine ? r : 1.0, sum = term;
+  for (int n = sine ? 3 : 2; n <= 17; n += 2) {
+    term *= -square / (n * (n - 1));
+    sum += term;
+  }
+  const std::int64_t quadrant = k & 3;
+  return quadrant == 1 || quadrant == 2 ? -sum : sum;
 }
 
 }  // namespace surefoot

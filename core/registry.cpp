@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/agents/register.h"
+#include "core/environments/register.h"
 #include "core/policies/epsilon_greedy.h"
 #include "core/policies/greedy.h"
 #include "core/policies/softmax.h"
@@ -23,7 +24,9 @@ std::unique_ptr<Policy> makePolicy() {
 
 void registerCore(Registry& r) {
   r.features.push_back({{"tile-coder", "Tile coder", "Displaced grids of tiles, in a dense table."}});
+  r.features.push_back({{"table", "Table", "One value a state, for states of whole numbers."}});
   registerAgents(r);
+  registerEnvironments(r);
   r.policies.push_back(
       {{"epsilon-greedy", "ε-greedy", "The best action, but any with probability ε."}, makePolicy<EpsilonGreedy>});
   r.policies.push_back(

@@ -61,6 +61,8 @@ struct Scene {
   std::vector<Shape> shapes;
   Point focus;          ///< what the camera follows, horizontally
   double height = 0.3;  ///< [m] from the floor to the highest thing drawn: what must be seen
+  double width = 0.0;   ///< [m] what must be seen around the focus; 0: nothing but the height counts
+  bool metres = true;   ///< draw the floor with a metre scale
   Point tip;            ///< leaves the fading trail
   void clear() { shapes.clear(); }
 };

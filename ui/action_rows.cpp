@@ -102,11 +102,18 @@ void ActionRows::paintEvent(QPaintEvent*) {
   drawThreshold(p, t, g);
 }
 
+QString ActionRows::nameOf(std::size_t action) const {
+  const Task& task = session_.task();
+  return toText(action < task.actionNames.size() ? task.actionNames[action] : fixedText(task.actions[action], 2));
+}
+
 void ActionRows::drawHead(QPainter& p, const Theme& t, const Geometry& g) const {
   const Task& task = session_.task();
   p.setFont(textFont(11));
   p.setPen(t.quiet);
-  p.drawText(QPointF(12, 20), QStringLiteral("%1, %2").arg(toText(task.actionTitle), toText(task.actionUnit)));
+  p.drawText(QPointF(12, 20), task.actionUnit.empty()
+                                  ? toText(task.actionTitle)
+                                  : QStringLiteral("%1, %2").arg(toText(task.actionTitle), toText(task.actionUnit)));
   p.setFont(textFont(13, 500));
   p.setPen(t.ink);
   p.drawText(QRectF(g.qNumber - 40, 6, 40, 20), Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("Q"));
@@ -160,8 +167,7 @@ void ActionRows::drawRow(QPainter& p, const Theme& t, const Geometry& g, std::si
   };
   p.setPen(t.ink);
   p.setFont(textFont(13, chosen ? 500 : 400));
-  drawSymbol(p, QRectF(g.label - 50, middle - 10, 50, 20), Qt::AlignRight,
-             toText(fixedText(session_.task().actions[action], 2)));
+  drawSymbol(p, QRectF(g.label - 50, middle - 10, 50, 20), Qt::AlignRight, nameOf(action));
 
   const double zero = xOf(0, g), x = xOf(q_[action], g);
   p.setPen(Qt::NoPen);

@@ -51,6 +51,7 @@ class ActionRows final : public QWidget {
   Geometry geometry() const;
   double xOf(double value, const Geometry& g) const;
   double threshold() const;
+  QString nameOf(std::size_t action) const;
   void drawHead(QPainter& p, const Theme& t, const Geometry& g) const;
   void drawRow(QPainter& p, const Theme& t, const Geometry& g, std::size_t action) const;
   void drawScales(QPainter& p, const Theme& t, const Geometry& g) const;

@@ -43,7 +43,7 @@ void LearningChart::drawAxes(QPainter& p, const Theme& t) const {
   const double base = std::round(plot_.bottom()) + 0.5;
   p.setPen(QPen(t.outline, 1));
   p.drawLine(QPointF(plot_.left(), base), QPointF(plot_.right(), base));
-  const double xStep = niceAbove(xMost_ / 8.0001);
+  const double xStep = niceAbove(xMost_ / (xMost_ >= 10'000 ? 4.0001 : 8.0001));  // long numbers need room
   for (double x = 0; x <= xMost_ + 1e-9; x += xStep) {
     const double at = toPixel(x, 0).x();
     p.setPen(QPen(t.outline, 1));

@@ -67,7 +67,8 @@ LivePage::LivePage(Session& session, QWidget* parent) : QMainWindow(parent), ses
 
   form_ = new ParameterForm(session_);
   Panel* parameters = addPanel(tr("Parameters"), "parameters", form_, Qt::LeftDockWidgetArea);
-  parameters->header().setNote(tr("preset %1").arg(toText(session_.configuration().names.preset)));
+  if (const std::string& preset = session_.configuration().names.preset; !preset.empty())
+    parameters->header().setNote(tr("preset %1").arg(toText(preset)));
   auto* links = new QWidget;
   auto* row = new QHBoxLayout(links);
   row->setContentsMargins(0, 0, 4, 0);
@@ -108,7 +109,9 @@ QString LivePage::worldNote() const {
   if (!session_.running())
     return session_.turbo() ? tr("the learner's own, paused; turbo is on") : tr("the learner's own, paused");
   const QString speed = session_.factorText();
-  if (session_.turbo()) return tr("real time, newest Q-function; the learner runs %1").arg(speed);
+  if (session_.turbo())
+    return speed.isEmpty() ? tr("real time, newest Q-function")
+                           : tr("real time, newest Q-function; the learner runs %1").arg(speed);
   return speed.isEmpty() ? tr("the learner's own") : tr("the learner's own, %1").arg(speed);
 }
 

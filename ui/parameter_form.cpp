@@ -88,21 +88,16 @@ ParameterForm::ParameterForm(Session& session, QWidget* parent) : QScrollArea(pa
 }
 
 void ParameterForm::build() {
-  rows_.clear();  // setWidget() below deletes the old page
-  orders_.clear();
+  sections_.clear();  // setWidget() below deletes the old page
   auto* page = new QWidget;
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(12, 0, 12, 12);
   column->setSpacing(0);
-  bool first = true;
   for (const Group group : {Group::Policy, Group::Learning, Group::Rewards, Group::Representation, Group::Model}) {
     const bool newTable = group == Group::Representation, nextEpisode = group == Group::Model;
-    column->addWidget(new SectionHead(titleOf(group),
-                                      newTable      ? tr("new table")
-                                      : nextEpisode ? tr("next episode")
-                                                    : QString(),
-                                      newTable, first, page));
-    first = false;
+    const QString tag = newTable ? tr("new table") : nextEpisode ? tr("next episode") : QString();
+    Section section{new SectionHead(titleOf(group), tag, newTable, sections_.empty(), page), {}};
+    column->addWidget(section.head);
     for (const auto& entry : session_.configuration().parameters.all()) {
       const Parameter& p = entry.parameter;
       if (p.group != group) continue;
@@ -110,9 +105,9 @@ void ParameterForm::build() {
       connect(row, &ParameterRow::edited, this, &ParameterForm::edit);
       connect(row, &ParameterRow::refused, this, &ParameterForm::refused);
       column->addWidget(row);
-      rows_.push_back(row);
-      orders_.push_back(p.order);
+      section.rows.push_back({row, p.order});
     }
+    sections_.push_back(std::move(section));
   }
   column->addStretch(1);
   setWidget(page);
@@ -127,7 +122,14 @@ void ParameterForm::setShowAll(bool all) {
 
 void ParameterForm::chooseRows() {
   const int most = all_ ? 3 : height() >= kRoomForMore ? 2 : 1;
-  for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i]->setVisible(orders_[i] <= most);
+  for (const Section& section : sections_) {
+    bool any = false;
+    for (const auto& [row, order] : section.rows) {
+      row->setVisible(order <= most);
+      any |= order <= most;
+    }
+    section.head->setVisible(any);
+  }
 }
 
 void ParameterForm::resizeEvent(QResizeEvent* event) {
@@ -140,10 +142,11 @@ void ParameterForm::refresh() {
   const auto policy = findEntry(session_.registry().policies, "policy", c.names.policy);
   const std::vector<std::string> keys = policyKeys(**policy);
   const std::set<std::string> inForce(keys.begin(), keys.end());
-  for (ParameterRow* row : rows_) {
-    row->show(c.parameters.get(row->key()), session_.base(row->key()), session_.changedAt(row->key()));
-    row->setInForce(inForce.contains(row->key()));
-  }
+  for (const Section& section : sections_)
+    for (const auto& [row, order] : section.rows) {
+      row->show(c.parameters.get(row->key()), session_.base(row->key()), session_.changedAt(row->key()));
+      row->setInForce(inForce.contains(row->key()));
+    }
 }
 
 void ParameterForm::edit(const QString& key, double value) {

@@ -32,6 +32,14 @@ class ParameterForm final : public QScrollArea {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  struct Row {
+    ParameterRow* row;
+    int order;  // Parameter::order
+  };
+  struct Section {
+    QWidget* head;
+    std::vector<Row> rows;
+  };
   void build();
   void refresh();
   void chooseRows();
@@ -39,8 +47,7 @@ class ParameterForm final : public QScrollArea {
 
   Session& session_;
   bool all_ = false;
-  std::vector<ParameterRow*> rows_;
-  std::vector<int> orders_;  // [row] Parameter::order
+  std::vector<Section> sections_;
 };
 
 }  // namespace surefoot

@@ -154,7 +154,7 @@ void ParameterRow::resizeEvent(QResizeEvent*) {
     constexpr int kNumber = 46;
     const int left = w / 2 - 9;
     number_->setGeometry(right - kNumber, 2, kNumber, kRow - 4);
-    slider_->setGeometry(left, 0, right - kNumber - left + 2, kRow);
+    slider_->setGeometry(left, 0, right - kNumber - left - 1, kRow);
   }
   reset_->setGeometry(w - 36, kRow - 2, 36, kChanged);
 }

@@ -134,6 +134,7 @@ RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
     }
   connect(scenario_, &QComboBox::activated, this,
           [this](int i) { session_.setScenario(scenario_->itemData(i).toString().toStdString()); });
+  scenario_->setVisible(scenario_->count() > 0);
   scenario_->setPlaceholderText(tr("Changed model"));
   agent_ = new Combo(tr("Learning rule"), this);
   for (const auto& entry : session.registry().agents) {
@@ -210,6 +211,7 @@ void RunBar::layOut() {
   factorLabel_ = buttons_[3]->x() + 88;
   x = static_cast<int>(factorLabel_) + 68;
   for (QComboBox* combo : {scenario_, agent_, policy_}) {
+    if (combo == scenario_ && scenario_->count() == 0) continue;
     const int w = combo == scenario_ ? 148 : combo == policy_ ? 116 : 132;
     combo->setGeometry(x, 8, w, kButton);
     x += w + 8;
@@ -221,7 +223,7 @@ void RunBar::paintEvent(QPaintEvent*) {
   QPainter p(this);
   p.fillRect(rect(), t.panel);
   p.fillRect(QRect(0, height() - 1, width(), 1), t.hairline);
-  for (const int x : {buttons_[2]->geometry().right() + 16, scenario_->x() - 11})
+  for (const int x : {buttons_[2]->geometry().right() + 16, static_cast<int>(factorLabel_) + 57})
     p.fillRect(QRect(x, 12, 1, 24), t.hairline);
   p.setFont(textFont(13));
   p.setPen(t.quiet);

@@ -119,8 +119,11 @@ void ValueMap::drawBar(QPainter& p, const QRectF& bar, const MapScale& scale, co
     p.fillRect(QRectF(bar.left(), bar.top() + row, bar.width(), 1), QColor::fromRgb(scale.colour(value, t.dark)));
   }
   p.setFont(textFont(11));
+  double last = -1e9;
   for (const double value : numbers) {
     const double y = bar.bottom() - scale.position(value) * bar.height();
+    if (std::abs(y - last) < 12) continue;  // no room for another number
+    last = y;
     p.setPen(QPen(t.outline, 1));
     p.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + 3, y));
     p.setPen(t.quiet);

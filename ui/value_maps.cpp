@@ -19,6 +19,10 @@ constexpr int kCell = 3, kSmallCell = 2;              // [px]
 constexpr double kFamiliar = 0.25;  // share of the active tiles below which a state counts as never visited
 constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
 
+/// The symbol, or the title where there is none.
+QString nameOf(const StateVariable& v) {
+  return toText(v.symbol.empty() ? v.title : v.symbol);
+}
 }  // namespace
 
 ValueMaps::ValueMaps(Session& session, QWidget* parent) : QWidget(parent), session_(session) {
@@ -112,9 +116,9 @@ void ValueMaps::computeTraces(int cells, bool dark) {
 
 QString ValueMaps::note() const {
   const auto& variables = session_.task().state;
-  QString text = tr("best action,  %1 × %2").arg(toText(variables[0].symbol), toText(variables[1].symbol));
+  QString text = tr("best action,  %1 × %2").arg(nameOf(variables[0]), nameOf(variables[1]));
   for (std::size_t d = 2; d < variables.size() && d < slice_.at.size(); ++d)
-    text += tr(",  %1 live %2").arg(toText(variables[d].symbol), toText(fixedText(slice_.at[d], 1)));
+    text += tr(",  %1 live %2").arg(nameOf(variables[d]), toText(fixedText(slice_.at[d], 1)));
   return text;
 }
 
@@ -138,7 +142,8 @@ void ValueMaps::drawAxes(QPainter& p, const QRectF& m, const Theme& t) const {
     drawSymbol(p, QRectF(m.left() - 47, at - 8, 40, 16), Qt::AlignRight, text(v, yStep));
   }
   const auto title = [](const StateVariable& v) {
-    return QStringLiteral("%1 %2 [%3]").arg(toText(v.title), toText(v.symbol), toText(v.unit));
+    const QString name = v.symbol.empty() ? toText(v.title) : toText(v.title) + ' ' + toText(v.symbol);
+    return v.unit.empty() ? name : QStringLiteral("%1 [%2]").arg(name, toText(v.unit));
   };
   drawSymbol(p, QRectF(m.left(), m.bottom() + 22, m.width(), 16), Qt::AlignHCenter, title(x));
   p.save();

@@ -17,6 +17,7 @@ namespace {
 constexpr double kFloor = 88;        // above the bottom edge [px]
 constexpr double kReadOuts = 20;     // their baseline above the bottom edge [px]
 constexpr double kHeadroom = 44;     // above the highest thing drawn [px]
+constexpr double kSide = 24;         // beside the widest [px]
 constexpr double kMostScale = 1700;  // [px/m]
 constexpr std::size_t kTrail = 14;   // frames
 constexpr double kJump = 0.05;       // the tip does not move that far in a frame [m]: the trail starts afresh
@@ -45,7 +46,9 @@ void WorldView::nextFrame() {
 }
 
 double WorldView::pixelsPerMetre() const {
-  return std::min(kMostScale, (height() - kFloor - kHeadroom) / scene_.height * 1.0) * zoom_;
+  double fit = std::min(kMostScale, (height() - kFloor - kHeadroom) / scene_.height);
+  if (scene_.width > 0) fit = std::min(fit, (width() - 2 * kSide) / scene_.width);
+  return fit * zoom_;
 }
 
 double WorldView::floorLevel() const {
@@ -69,7 +72,7 @@ void WorldView::paintEvent(QPaintEvent*) {
   p.fillRect(rect(), t.paper);
   if (scene_.shapes.empty()) return;
   p.setRenderHint(QPainter::Antialiasing);
-  drawFloor(p, t);
+  if (scene_.metres) drawFloor(p, t);
   drawTrail(p, t);
   ScenePainter painter(
       p, t, session_.shown().flash, [this](Point at) { return toPixel(at); }, pixelsPerMetre());

@@ -3,32 +3,54 @@
 
 #include <fmt/format.h>
 
+#include <variant>
+
 #include "core/agents/sarsa_2q.h"
 #include "core/agents/td_control.h"
+#include "core/features/table.h"
 #include "core/features/tile_coder.h"
 
 namespace surefoot {
 
 namespace {
 
-using Values = LinearActionValue<TileCoder>;
-
 /// An estimate's tiles and its learning, as numbers; the initial values are shared by all estimates of an agent.
 struct EstimateParts {
   EstimateSettings learning;
   TileCoder::Settings tiles;
   explicit EstimateParts(const Task& task) : tiles(task) {}
+  /// A table has no tiles to set.
+  void declareFeatures(const std::string& features, Fields& f) {
+    if (features == "tile-coder") tiles.declare(f);
+  }
 };
 
-Result<Values> makeValues(const AgentParts& parts, const TileCoder::Settings& tiles, const InitialValue& initial,
-                          std::uint64_t seed) {
-  if (initial.low > initial.high)
-    return Error{
-        fmt::format("features.initial_low = {} and features.initial_high = {}: the low end must not be above the high.",
-                    initial.low, initial.high)};
-  Result<TileCoder> coder = TileCoder::create(parts.task, tiles);
+/// Every feature map that an estimate may stand on.
+using AnyFeatures = std::variant<TileCoder, Table>;
+
+Result<AnyFeatures> makeFeatures(const AgentParts& parts, const TileCoder::Settings& tiles) {
+  if (parts.features == "table") {
+    auto table = Table::create(parts.task);
+    if (!table) return table.error();
+    return AnyFeatures(std::move(*table));
+  }
+  auto coder = TileCoder::create(parts.task, tiles);
   if (!coder) return coder.error();
-  return Values(std::move(*coder), static_cast<int>(parts.task.actions.size()), initial, seed);
+  return AnyFeatures(std::move(*coder));
+}
+
+Status checkInitial(const InitialValue& initial) {
+  if (initial.low <= initial.high) return Done{};
+  return Error{
+      fmt::format("features.initial_low = {} and features.initial_high = {}: the low end must not be above the high.",
+                  initial.low, initial.high)};
+}
+
+template <FeatureMap F>
+Estimate<F> makeEstimate(const AgentParts& parts, F features, const InitialValue& initial, std::uint64_t seed,
+                         const EstimateSettings& learning) {
+  const auto actions = static_cast<int>(parts.task.actions.size());
+  return Estimate<F>(LinearActionValue<F>(std::move(features), actions, initial, seed), learning);
 }
 
 /// Everything that an agent with one estimate is made from, declared under the keys that files and the command line
@@ -38,12 +60,12 @@ struct OneEstimate {
   ControlSettings control;
   InitialValue initial;
   explicit OneEstimate(const Task& task) : estimate(task) {}
-  Fields fields() {
+  Fields fields(const std::string& features) {
     Fields f("agent.");
     estimate.learning.declare(f);
     control.declare(f);
     f.under("features.", "", [&](Fields& g) {
-      estimate.tiles.declare(g);
+      estimate.declareFeatures(features, g);
       initial.declare(g);
     });
     return f;
@@ -57,13 +79,13 @@ struct TwoEstimates {
   InitialValue initial;
   RewardSplit split;
   explicit TwoEstimates(const Task& task) : positive(task), negative(task), split(task.rewardTerms) {}
-  Fields fields() {
+  Fields fields(const std::string& features) {
     Fields f("agent.");
     control.declare(f);
     const auto declare = [&](const char* prefix, const char* title, EstimateParts& parts) {
       f.under(prefix, title, [&](Fields& g) {
         parts.learning.declare(g);
-        parts.tiles.declare(g);
+        parts.declareFeatures(features, g);
       });
     };
     declare("positive.", "Q⁺", positive);
@@ -79,32 +101,42 @@ struct TwoEstimates {
 };
 
 template <class Settings>
-Status declare(const Task& task, const std::string&, Parameters& parameters) {
+Status declare(const Task& task, const std::string& features, Parameters& parameters) {
   Settings settings(task);
-  parameters.add(settings.fields());
+  parameters.add(settings.fields(features));
   return Done{};
 }
 
 template <class Target>
 Result<std::unique_ptr<Agent>> makeControl(const AgentParts& parts) {
-  OneEstimate settings(parts.task);
-  parts.parameters.apply(settings.fields());
-  auto values = makeValues(parts, settings.estimate.tiles, settings.initial, parts.weightSeed);
-  if (!values) return values.error();
-  return std::unique_ptr<Agent>(
-      std::make_unique<TdControl<Target, TileCoder>>(std::move(*values), settings.estimate.learning, settings.control));
+  OneEstimate s(parts.task);
+  parts.parameters.apply(s.fields(parts.features));
+  if (const Status status = checkInitial(s.initial); !status) return status.error();
+  auto features = makeFeatures(parts, s.estimate.tiles);
+  if (!features) return features.error();
+  return std::visit(
+      [&]<class F>(F& map) -> std::unique_ptr<Agent> {
+        return std::make_unique<TdControl<Target, F>>(
+            makeEstimate(parts, std::move(map), s.initial, parts.weightSeed, s.estimate.learning), s.control);
+      },
+      *features);
 }
 
 Result<std::unique_ptr<Agent>> makeSarsa2Q(const AgentParts& parts) {
-  TwoEstimates settings(parts.task);
-  parts.parameters.apply(settings.fields());
-  auto positive = makeValues(parts, settings.positive.tiles, settings.initial, parts.weightSeed);
-  if (!positive) return Error{"positive: " + positive.error().message};
-  auto negative = makeValues(parts, settings.negative.tiles, settings.initial, mix64(parts.weightSeed));
-  if (!negative) return Error{"negative: " + negative.error().message};
-  return std::unique_ptr<Agent>(std::make_unique<Sarsa2Q<TileCoder, TileCoder>>(
-      Estimate<TileCoder>(std::move(*positive), settings.positive.learning),
-      Estimate<TileCoder>(std::move(*negative), settings.negative.learning), settings.control, settings.split));
+  TwoEstimates s(parts.task);
+  parts.parameters.apply(s.fields(parts.features));
+  if (const Status status = checkInitial(s.initial); !status) return status.error();
+  auto positive = makeFeatures(parts, s.positive.tiles), negative = makeFeatures(parts, s.negative.tiles);
+  if (!positive) return Error{"Q⁺: " + positive.error().message};
+  if (!negative) return Error{"Q⁻: " + negative.error().message};
+  return std::visit(
+      [&]<class P, class N>(P& fine, N& coarse) -> std::unique_ptr<Agent> {
+        return std::make_unique<Sarsa2Q<P, N>>(
+            makeEstimate(parts, std::move(fine), s.initial, parts.weightSeed, s.positive.learning),
+            makeEstimate(parts, std::move(coarse), s.initial, mix64(parts.weightSeed), s.negative.learning), s.control,
+            s.split);
+      },
+      *positive, *negative);
 }
 
 }  // namespace

@@ -21,9 +21,7 @@ struct ControlSettings {
 template <class Target, FeatureMap F>
 class TdControl final : public Agent {
  public:
-  TdControl(LinearActionValue<F> values, const EstimateSettings& estimate, const ControlSettings& control)
-      : estimate_(std::move(values), estimate),
-        control_(control) {
+  TdControl(Estimate<F> estimate, const ControlSettings& control) : estimate_(std::move(estimate)), control_(control) {
     q_.resize(static_cast<std::size_t>(estimate_.values().actions()));
     pi_.resize(q_.size());
   }

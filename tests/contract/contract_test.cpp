@@ -97,6 +97,11 @@ TEST(Contract, EveryEnvironmentKeepsItsWord) {
     const Task& task = environment->task();
     ASSERT_FALSE(task.actions.empty());
     ASSERT_LE(task.rewardTerms.size(), static_cast<std::size_t>(kMaxRewardTerms));
+    Fields fields("");
+    environment->declare(fields);
+    for (const auto& field : fields.all())
+      if (field.parameter.key == "max_steps") field.set(1000);  // random actions may never reach the goal
+    environment->parametersChanged();
     Random random(5);
     int endings = 0;
     environment->reset(random);

@@ -25,6 +25,11 @@ TEST(PortableExp, IsExactAtZeroAndMeetsItsLimits) {
   EXPECT_GT(portableExp(709.78), 1e308);
 }
 
+TEST(PortableCos, AgreesWithTheLibrary) {
+  for (double x = -50.0; x <= 50.0; x += 0.0137) EXPECT_NEAR(portableCos(x), std::cos(x), 4e-16) << x;
+  EXPECT_EQ(portableCos(0.0), 1.0);
+}
+
 // Subnormal numbers have no more than an absolute precision of 2^-1074.
 TEST(PortableExp, UnderflowsGradually) {
   for (double x = -745.0; x < -708.0; x += 0.37)

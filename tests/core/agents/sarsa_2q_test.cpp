@@ -35,7 +35,8 @@ const EstimateSettings kLearning{0.4, 0.92};
 const ControlSettings kControl{0.98, {}};
 
 std::unique_ptr<Agent> sarsa(const InitialValue& initial) {
-  return std::make_unique<TdControl<SarsaTarget, TileCoder>>(values(initial, 7), kLearning, kControl);
+  return std::make_unique<TdControl<SarsaTarget, TileCoder>>(Estimate<TileCoder>(values(initial, 7), kLearning),
+                                                             kControl);
 }
 
 std::unique_ptr<Agent> sarsa2q(const InitialValue& positive, const InitialValue& negative, RewardSplit split,

@@ -37,9 +37,9 @@ struct Corridor {
     task.actions = {0, 1};
     TileCoder::Settings tiles(task);
     tiles.tilings = tilings;
+    LinearActionValue<TileCoder> values(*TileCoder::create(task, tiles), 2, {0.0, 0.0}, 1);
     agent = std::make_unique<TdControl<Target, TileCoder>>(
-        LinearActionValue<TileCoder>(*TileCoder::create(task, tiles), 2, {0.0, 0.0}, 1),
-        EstimateSettings{s.stepSize, s.traceDecay},
+        Estimate<TileCoder>(std::move(values), EstimateSettings{s.stepSize, s.traceDecay}),
         ControlSettings{s.discount, TraceSettings{0.0, s.trace, s.otherActions}});
     agent->setPolicy(policy);
   }

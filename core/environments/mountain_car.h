@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Mountain car (Sutton & Barto 2018, example 10.1): a car too weak for the slope must swing to gain height.
+//   ẋ ← bound[ẋ + 0.001·a − 0.0025·cos 3x],  x ← bound[x + ẋ],  x in −1.2 … 0.5, ẋ in ± 0.07
+// At the left bound ẋ becomes 0; at the right one the episode ends. Every step costs 1. Starts: x uniform in [−0.6,
+// −0.4), at rest. Actions: full throttle reverse, none, forward. No clock.
+#pragma once
+
+#include <array>
+
+#include "core/environment.h"
+
+namespace surefoot {
+
+class MountainCar final : public Environment {
+ public:
+  static constexpr double kLeft = -1.2, kGoal = 0.5, kFastest = 0.07;
+
+  MountainCar();
+  void declare(Fields& f) override;
+  const Task& task() const override { return task_; }
+  void reset(Random& random) override;
+  void resetTo(double position, double velocity);
+  Outcome step(Action action) override;
+  std::span<const double> state() const override { return state_; }
+  std::vector<double> pose() const override { return {state_[0], state_[1]}; }
+  void draw(std::span<const double> pose, Scene& scene) const override;
+  std::vector<ReadOut> readOuts(std::span<const double> pose) const override;
+
+ private:
+  Task task_;
+  int maxSteps_ = 100000;
+  int steps_ = 0;
+  std::array<double, 2> state_{};
+};
+
+}  // namespace surefoot
