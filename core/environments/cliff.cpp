@@ -35,29 +35,16 @@ Cliff::Cliff() {
   task_.highestReturn = 0;
 }
 
-void Cliff::declare(Fields& f) {
-  f.integer(maxSteps_, {.key = "max_steps",
-                        .title = "Step limit",
-                        .low = 1,
-                        .high = 1000000000,
-                        .sliderLow = 100,
-                        .sliderHigh = 100000,
-                        .when = When::NextEpisode,
-                        .group = Group::Model,
-                        .help = "An episode is cut off after this many steps.",
-                        .origin = "ours"});
-}
-
 void Cliff::reset(Random&) {
   state_ = {0.0, 0.0};
-  steps_ = 0;
+  limit_.steps = 0;
 }
 
 Outcome Cliff::step(Action action) {
   constexpr int kRight[] = {0, 0, -1, 1}, kUp[] = {1, -1, 0, 0};
   state_[kColumn] = std::clamp(state_[kColumn] + kRight[action], 0.0, kColumns - 1.0);
   state_[kRow] = std::clamp(state_[kRow] + kUp[action], 0.0, kRows - 1.0);
-  ++steps_;
+  ++limit_.steps;
   Outcome outcome;
   outcome.terms[kTime] = -1.0;
   if (state_[kRow] == 0.0 && state_[kColumn] == kColumns - 1.0) {
@@ -69,7 +56,7 @@ Outcome Cliff::step(Action action) {
     outcome.event = Event::Fall;
     state_ = {0.0, 0.0};
   }
-  if (outcome.ending == Ending::None && steps_ >= maxSteps_) outcome.ending = Ending::Truncated;
+  if (outcome.ending == Ending::None && limit_.steps >= limit_.most) outcome.ending = Ending::Truncated;
   outcome.reward = outcome.terms[kTime] + outcome.terms[kFall];
   return outcome;
 }

@@ -8,6 +8,7 @@
 #include <array>
 
 #include "core/environment.h"
+#include "core/environments/step_limit.h"
 
 namespace surefoot {
 
@@ -16,7 +17,7 @@ class Cliff final : public Environment {
   static constexpr int kRows = 4, kColumns = 12;
 
   Cliff();
-  void declare(Fields& f) override;
+  void declare(Fields& f) override { limit_.declare(f); }
   const Task& task() const override { return task_; }
   void reset(Random& random) override;
   Outcome step(Action action) override;
@@ -27,8 +28,7 @@ class Cliff final : public Environment {
 
  private:
   Task task_;
-  int maxSteps_ = 100000;
-  int steps_ = 0;
+  StepLimit limit_;
   std::array<double, 2> state_{};
 };
 

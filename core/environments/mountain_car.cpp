@@ -49,26 +49,13 @@ MountainCar::MountainCar() {
   task_.highestReturn = 0;
 }
 
-void MountainCar::declare(Fields& f) {
-  f.integer(maxSteps_, {.key = "max_steps",
-                        .title = "Step limit",
-                        .low = 1,
-                        .high = 1000000000,
-                        .sliderLow = 100,
-                        .sliderHigh = 100000,
-                        .when = When::NextEpisode,
-                        .group = Group::Model,
-                        .help = "An episode is cut off after this many steps.",
-                        .origin = "ours"});
-}
-
 void MountainCar::reset(Random& random) {
   resetTo(random.uniform(-0.6, -0.4), 0.0);
 }
 
 void MountainCar::resetTo(double position, double velocity) {
   state_ = {position, velocity};
-  steps_ = 0;
+  limit_.steps = 0;
 }
 
 Outcome MountainCar::step(Action action) {
@@ -77,13 +64,13 @@ Outcome MountainCar::step(Action action) {
                  kFastest);
   x = std::clamp(x + v, kLeft, kGoal);
   if (x == kLeft) v = 0.0;
-  ++steps_;
+  ++limit_.steps;
   Outcome outcome;
   outcome.reward = outcome.terms[0] = -1.0;
   if (x >= kGoal) {
     outcome.ending = Ending::Terminal;
     outcome.event = Event::Success;
-  } else if (steps_ >= maxSteps_) {
+  } else if (limit_.steps >= limit_.most) {
     outcome.ending = Ending::Truncated;
   }
   return outcome;

@@ -8,6 +8,7 @@
 #include <array>
 
 #include "core/environment.h"
+#include "core/environments/step_limit.h"
 
 namespace surefoot {
 
@@ -16,7 +17,7 @@ class MountainCar final : public Environment {
   static constexpr double kLeft = -1.2, kGoal = 0.5, kFastest = 0.07;
 
   MountainCar();
-  void declare(Fields& f) override;
+  void declare(Fields& f) override { limit_.declare(f); }
   const Task& task() const override { return task_; }
   void reset(Random& random) override;
   void resetTo(double position, double velocity);
@@ -28,8 +29,7 @@ class MountainCar final : public Environment {
 
  private:
   Task task_;
-  int maxSteps_ = 100000;
-  int steps_ = 0;
+  StepLimit limit_;
   std::array<double, 2> state_{};
 };
 

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// After how many steps an episode is cut off (truncated): for tasks whose episodes could go on for ever.
+#pragma once
+
+#include "core/parameters.h"
+
+namespace surefoot {
+
+struct StepLimit {
+  int most = 100000;
+  int steps = 0;  ///< of the episode so far
+
+  void declare(Fields& f) {
+    f.integer(most, {.key = "max_steps",
+                     .title = "Step limit",
+                     .low = 1,
+                     .high = 1000000000,
+                     .sliderLow = 100,
+                     .sliderHigh = 100000,
+                     .when = When::NextEpisode,
+                     .group = Group::Model,
+                     .help = "An episode is cut off after this many steps.",
+                     .origin = "ours"});
+  }
+};
+
+}  // namespace surefoot
