@@ -7,7 +7,7 @@
 
 namespace surefoot {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 namespace {
 
@@ -38,9 +38,9 @@ const char* whenName(When when) {
   return "new table";
 }
 
-Json describe(const Parameters::Entry& entry) {
+OrderedJson describe(const Parameters::Entry& entry) {
   const Parameter& p = entry.parameter;
-  Json json = {{"name", p.key}, {"title", p.title}, {"symbol", p.symbol}, {"unit", p.unit}};
+  OrderedJson json = {{"name", p.key}, {"title", p.title}, {"symbol", p.symbol}, {"unit", p.unit}};
   if (p.kind == Kind::Choice) {
     json["range"] = p.choices;
     json["default"] = formatValue(p, p.fallback);
@@ -55,13 +55,13 @@ Json describe(const Parameters::Entry& entry) {
 }
 
 template <class Entry>
-Json describe(const std::vector<Entry>& entries) {
-  Json list = Json::array();
+OrderedJson describe(const std::vector<Entry>& entries) {
+  OrderedJson list = OrderedJson::array();
   for (const Entry& entry : entries) {
-    Json json = {{"name", entry.name}, {"title", entry.title}, {"help", entry.help}};
+    OrderedJson json = {{"name", entry.name}, {"title", entry.title}, {"help", entry.help}};
     if constexpr (std::is_same_v<Entry, AssignmentEntry>) {
       json["environment"] = entry.environment;
-      json["values"] = Json::object();
+      json["values"] = OrderedJson::object();
       for (const auto& [key, value] : entry.values) json["values"][key] = value;
     }
     list.push_back(std::move(json));
@@ -95,15 +95,15 @@ std::string table(const Parameters& parameters) {
 int listCommand(const Registry& r, const ListRequest& request) {
   const Parameters parameters = allParameters(r);
   if (request.json) {
-    Json list = Json::array();
+    OrderedJson list = OrderedJson::array();
     for (const auto& entry : parameters.all()) list.push_back(describe(entry));
-    const Json json = {{"environments", describe(r.environments)},
-                       {"features", describe(r.features)},
-                       {"agents", describe(r.agents)},
-                       {"policies", describe(r.policies)},
-                       {"presets", describe(r.presets)},
-                       {"scenarios", describe(r.scenarios)},
-                       {"parameters", list}};
+    const OrderedJson json = {{"environments", describe(r.environments)},
+                              {"features", describe(r.features)},
+                              {"agents", describe(r.agents)},
+                              {"policies", describe(r.policies)},
+                              {"presets", describe(r.presets)},
+                              {"scenarios", describe(r.scenarios)},
+                              {"parameters", list}};
     return print(json.dump(2) + "\n");
   }
   return print(table("environments", r.environments) + table("features", r.features) + table("agents", r.agents) +

@@ -12,21 +12,21 @@
 
 namespace surefoot {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 namespace {
 
 /// A mean, or null where there was nothing to average.
-Json mean(std::int64_t sum, std::int64_t count) {
-  return count > 0 ? Json(static_cast<double>(sum) / static_cast<double>(count)) : Json(nullptr);
+OrderedJson mean(std::int64_t sum, std::int64_t count) {
+  return count > 0 ? OrderedJson(static_cast<double>(sum) / static_cast<double>(count)) : OrderedJson(nullptr);
 }
 
-Json finite(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
+OrderedJson finite(double value) {
+  return std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr);
 }
 
-Json configurationAsJson(const Configuration& c) {
-  Json parameters = Json::object();
+OrderedJson configurationAsJson(const Configuration& c) {
+  OrderedJson parameters = OrderedJson::object();
   for (const auto& entry : c.parameters.all()) {
     const Parameter& p = entry.parameter;
     if (p.kind == Kind::Choice)
@@ -44,8 +44,8 @@ Json configurationAsJson(const Configuration& c) {
           {"policy", c.names.policy},
           {"parameters", parameters},
           {"lives", c.lives},
-          {"minutes", c.minutes ? Json(*c.minutes) : Json(nullptr)},
-          {"episodes", c.episodes ? Json(*c.episodes) : Json(nullptr)}};
+          {"minutes", c.minutes ? OrderedJson(*c.minutes) : OrderedJson(nullptr)},
+          {"episodes", c.episodes ? OrderedJson(*c.episodes) : OrderedJson(nullptr)}};
 }
 
 const char* endingName(const EpisodeRow& row) {
@@ -69,16 +69,16 @@ std::string meanText(const std::vector<double>& values, int decimals) {
 }  // namespace
 
 std::string resultAsJson(const Configuration& configuration, const std::vector<LifeResult>& lives) {
-  Json list = Json::array();
+  OrderedJson list = OrderedJson::array();
   for (const LifeResult& r : lives) {
-    Json life = {
+    OrderedJson life = {
         {"life", r.life},
         {"episodes", r.totals.episodes},
         {"falls", r.totals.falls},
         {"successes", r.totals.successes},
         {"steps", r.steps},
         {"simulated_minutes", finite(r.simulatedSeconds / 60.0)},
-        {"average_reward", r.totals.episodes > 0 ? finite(r.averageReward) : Json(nullptr)},
+        {"average_reward", r.totals.episodes > 0 ? finite(r.averageReward) : OrderedJson(nullptr)},
         {"transitions_success", mean(r.totals.successSteps, r.totals.successes)},
         {"transitions_failure", mean(r.totals.failureSteps, r.totals.failures)},
         {"states_outside", r.statesOutside},
@@ -91,10 +91,10 @@ std::string resultAsJson(const Configuration& configuration, const std::vector<L
           {{"step", change.step}, {"key", change.key}, {"before", change.before}, {"after", change.after}});
     list.push_back(std::move(life));
   }
-  const Json result = {{"version", kVersion},
-                       {"configuration", configurationAsJson(configuration)},
-                       {"seed", configuration.seed},
-                       {"lives", list}};
+  const OrderedJson result = {{"version", kVersion},
+                              {"configuration", configurationAsJson(configuration)},
+                              {"seed", configuration.seed},
+                              {"lives", list}};
   return result.dump(2) + "\n";
 }
 

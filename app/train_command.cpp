@@ -8,7 +8,7 @@
 #include "app/exit_code.h"
 #include "app/interrupt.h"
 #include "app/report.h"
-#include "core/whole_file.h"
+#include "core/files/whole_file.h"
 
 namespace surefoot {
 

@@ -11,7 +11,7 @@
 #include "app/interrupt.h"
 #include "app/report.h"
 #include "app/version.h"
-#include "core/whole_file.h"
+#include "core/files/whole_file.h"
 #include "ui/main_window.h"
 #include "ui/session.h"
 #include "ui/theme.h"

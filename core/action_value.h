@@ -3,13 +3,22 @@
 // goes on, and the copy read on another thread.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/types.h"
 
 namespace surefoot {
+
+/// What a table of features holds. A dense one has a place for every feature.
+struct MemoryUse {
+  std::size_t slots = 0;
+  std::optional<std::size_t> occupied;        ///< of a hashed table
+  std::optional<std::int64_t> failedLookUps;  ///< of a hashed table, since the life began
+};
 
 class ActionValueFunction {
  public:
@@ -31,6 +40,8 @@ class ActionValueFunction {
 
   /// The weights, a table for each estimate.
   virtual std::vector<std::span<const double>> tables() const = 0;
+  /// What each table holds.
+  virtual std::vector<MemoryUse> memoryUse() const = 0;
   virtual std::unique_ptr<ActionValueFunction> clone() const = 0;
   /// Copies the content of a function of the same shape, without allocation.
   virtual void assign(const ActionValueFunction& other) = 0;

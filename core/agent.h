@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/action_value.h"
+#include "core/files/archive.h"
 #include "core/policy.h"
 #include "core/random.h"
 #include "core/types.h"
@@ -15,7 +16,7 @@ namespace surefoot {
 
 /// One episode is start, step, step, …, then end or truncate. Used by one thread. Everything random comes from the
 /// generator handed in; looking (const) changes nothing. None of the four calls allocates or locks.
-class Agent : public Configurable {
+class Agent : public Scheduling {
  public:
   /// The first action of an episode, in state s.
   virtual Action start(std::span<const double> state, Random& random) = 0;
@@ -34,8 +35,15 @@ class Agent : public Configurable {
   /// How many states so far lay outside the range that the features cover.
   virtual std::int64_t statesOutside() const = 0;
 
+  /// The estimates by name, with the layout of their features: what a file must share with this agent to fit it.
+  virtual Json layouts() const = 0;
+  /// What was learned, to a file or from one: the tables of the estimates.
+  virtual void transferValues(Archive& archive) = 0;
+  /// Everything else that a life needs to go on in the middle of an episode.
+  virtual void transferLearning(Archive& archive) = 0;
+
   /// From the next choice on. The policy must outlive its use.
-  void setPolicy(const Policy& policy) { policy_ = &policy; }
+  virtual void setPolicy(const Policy& policy) { policy_ = &policy; }
 
  protected:
   const Policy* policy_ = nullptr;

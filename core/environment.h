@@ -40,7 +40,9 @@ struct Task {
   std::string actionSymbol;                         ///< "T"
   std::string actionUnit;                           ///< "N m"
   std::vector<std::string> rewardTerms;             ///< names of Outcome::terms, in their order
-  std::optional<double> stepTime;                   ///< [s] simulated per step; none: the task has no clock
+  std::optional<double> goalReward{};               ///< of a success, if there is such a reward
+  double timeReward = 0.0;                          ///< of every step
+  std::optional<double> stepTime{};                 ///< [s] simulated per step; none: the task has no clock
   double lowestReturn = -1.0, highestReturn = 1.0;  ///< reward of an episode, as far as it is bounded: axes start there
 };
 

@@ -6,11 +6,12 @@
 
 #include "core/parameters.h"
 #include "core/random.h"
+#include "core/schedule.h"
 #include "core/types.h"
 
 namespace surefoot {
 
-class Policy : public Configurable {
+class Policy : public Scheduling {
  public:
   /// q̂(s, ·) → π(· | s). Both spans have one entry an action, 1 to kMaxActions; `q` is finite, `pi` sums to 1. Hot;
   /// any thread, as long as none changes the settings meanwhile.

@@ -23,7 +23,8 @@ std::unique_ptr<Policy> makePolicy() {
 }  // namespace
 
 void registerCore(Registry& r) {
-  r.features.push_back({{"tile-coder", "Tile coder", "Displaced grids of tiles, in a dense table."}});
+  r.features.push_back({{"tile-coder", "Tile coder", "Displaced grids of tiles, in a dense or hashed table."}});
+  r.features.push_back({{"radial-basis", "Radial basis", "Gaussians on a grid, width and spacing set apart."}});
   r.features.push_back({{"table", "Table", "One value a state, for states of whole numbers."}});
   registerAgents(r);
   registerEnvironments(r);

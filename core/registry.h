@@ -46,6 +46,9 @@ struct AgentParts {
   const std::string& features;
   const Parameters& parameters;
   std::uint64_t weightSeed;
+  const TensorFile* stored = nullptr;  ///< what was learned before, to begin with
+
+  int actions() const { return static_cast<int>(task.actions.size()); }
 };
 
 struct AgentEntry : Named {

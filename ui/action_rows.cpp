@@ -51,7 +51,9 @@ void ActionRows::nextFrame() {
   positive_ = session_.shown().qPositive;
   negative_ = session_.shown().qNegative;
   chosen_ = session_.shown().action;
+  const LifeTime time{session_.snapshot().totals.episodes, session_.snapshot().steps};
   for (Column& column : columns_) {
+    column.policy->advance(time);
     column.pi.resize(q_.size());
     column.policy->probabilities(q_, column.pi);
   }

@@ -128,6 +128,7 @@ void Session::show(double seconds) {
   const bool viewing = turbo_ && running_ && values();
   std::int64_t falls = snapshot().totals.falls;
   if (viewing) {
+    viewer_->policy().advance({snapshot().totals.episodes, snapshot().steps});
     viewer_->advance(seconds, *values()->values);
     shown_.state.assign(viewer_->environment().state().begin(), viewer_->environment().state().end());
     shown_.pose = viewer_->pose();

@@ -3,55 +3,37 @@
 
 #include <fmt/format.h>
 
-#include <variant>
-
+#include "core/agents/representation.h"
 #include "core/agents/sarsa_2q.h"
+#include "core/agents/shaped.h"
 #include "core/agents/td_control.h"
-#include "core/features/table.h"
-#include "core/features/tile_coder.h"
 
 namespace surefoot {
 
 namespace {
 
-/// An estimate's tiles and its learning, as numbers; the initial values are shared by all estimates of an agent.
-struct EstimateParts {
-  EstimateSettings learning;
-  TileCoder::Settings tiles;
-  explicit EstimateParts(const Task& task) : tiles(task) {}
-  /// A table has no tiles to set.
-  void declareFeatures(const std::string& features, Fields& f) {
-    if (features == "tile-coder") tiles.declare(f);
+/// The option that every agent has: reward shaping by a coarse state-value function.
+struct ShapingParts {
+  ShapingSettings shaping;
+  RepresentationSettings representation;
+  explicit ShapingParts(const Task& task) : representation(task) {
+    representation.tiles.tilings = 1;  // an aggregation of states
+    representation.tiles.scale = representation.gaussians.scale = 0.5;
+  }
+  void declare(const std::string& features, Fields& f) {
+    f.under("shaping.", "Shaping", [&](Fields& g) { representation.declare(features, g); });
+    for (const auto& field : f.all())
+      if (field.parameter.key.starts_with("shaping.")) f.setOrder(field.parameter.key, 3);
+    f.under("shaping.", "", [&](Fields& g) { shaping.declare(g); });
   }
 };
 
-/// Every feature map that an estimate may stand on.
-using AnyFeatures = std::variant<TileCoder, Table>;
-
-Result<AnyFeatures> makeFeatures(const AgentParts& parts, const TileCoder::Settings& tiles) {
-  if (parts.features == "table") {
-    auto table = Table::create(parts.task);
-    if (!table) return table.error();
-    return AnyFeatures(std::move(*table));
-  }
-  auto coder = TileCoder::create(parts.task, tiles);
-  if (!coder) return coder.error();
-  return AnyFeatures(std::move(*coder));
-}
-
-Status checkInitial(const InitialValue& initial) {
-  if (initial.low <= initial.high) return Done{};
-  return Error{
-      fmt::format("features.initial_low = {} and features.initial_high = {}: the low end must not be above the high.",
-                  initial.low, initial.high)};
-}
-
-template <FeatureMap F>
-Estimate<F> makeEstimate(const AgentParts& parts, F features, const InitialValue& initial, std::uint64_t seed,
-                         const EstimateSettings& learning) {
-  const auto actions = static_cast<int>(parts.task.actions.size());
-  return Estimate<F>(LinearActionValue<F>(std::move(features), actions, initial, seed), learning);
-}
+/// An estimate's features and its learning, as numbers; the initial values are shared by all estimates of an agent.
+struct EstimateParts {
+  EstimateSettings learning;
+  RepresentationSettings representation;
+  explicit EstimateParts(const Task& task) : representation(task) {}
+};
 
 /// Everything that an agent with one estimate is made from, declared under the keys that files and the command line
 /// know.
@@ -59,18 +41,27 @@ struct OneEstimate {
   EstimateParts estimate;
   ControlSettings control;
   InitialValue initial;
-  explicit OneEstimate(const Task& task) : estimate(task) {}
+  ShapingParts shaping;
+  explicit OneEstimate(const Task& task) : estimate(task), shaping(task) {}
   Fields fields(const std::string& features) {
     Fields f("agent.");
     estimate.learning.declare(f);
     control.declare(f);
     f.under("features.", "", [&](Fields& g) {
-      estimate.declareFeatures(features, g);
+      estimate.representation.declare(features, g);
       initial.declare(g);
     });
+    shaping.declare(features, f);
     return f;
   }
 };
+
+/// The terms of a reward with the one that shaping adds.
+std::vector<std::string> termsOf(const Task& task) {
+  std::vector<std::string> terms = task.rewardTerms;
+  terms.emplace_back("shaping");
+  return terms;
+}
 
 /// The same for Sarsa_2Q.
 struct TwoEstimates {
@@ -78,24 +69,26 @@ struct TwoEstimates {
   ControlSettings control;
   InitialValue initial;
   RewardSplit split;
-  explicit TwoEstimates(const Task& task) : positive(task), negative(task), split(task.rewardTerms) {}
+  ShapingParts shaping;
+  explicit TwoEstimates(const Task& task) : positive(task), negative(task), split(termsOf(task)), shaping(task) {}
   Fields fields(const std::string& features) {
     Fields f("agent.");
     control.declare(f);
     const auto declare = [&](const char* prefix, const char* title, EstimateParts& parts) {
       f.under(prefix, title, [&](Fields& g) {
         parts.learning.declare(g);
-        parts.declareFeatures(features, g);
+        parts.representation.declare(features, g);
       });
     };
     declare("positive.", "Q⁺", positive);
     declare("negative.", "Q⁻", negative);
     // Q⁻ is told from Q⁺ by its scale, as in the thesis's chapter 6; the rest of it is for a closer look.
     for (const auto& field : f.all())
-      if (field.parameter.key.starts_with("negative.")) f.setOrder(field.parameter.key, 2);
+      if (field.parameter.key.starts_with("negative.") && field.parameter.order < 2) f.setOrder(field.parameter.key, 2);
     f.setOrder("negative.scale", 1);
     f.under("split.", "", [&](Fields& g) { split.declare(g); });
     f.under("features.", "", [&](Fields& g) { initial.declare(g); });
+    shaping.declare(features, f);
     return f;
   }
 };
@@ -107,34 +100,75 @@ Status declare(const Task& task, const std::string& features, Parameters& parame
   return Done{};
 }
 
+template <class Settings>
+Result<Settings> settingsFrom(const AgentParts& parts) {
+  Settings s(parts.task);
+  parts.parameters.apply(s.fields(parts.features));
+  if (s.initial.low <= s.initial.high) return s;
+  return Error{
+      fmt::format("features.initial_low = {} and features.initial_high = {}: the low end must not be above the high.",
+                  s.initial.low, s.initial.high)};
+}
+
+/// The agent itself, or with shaping around it; and what was learned before, if that was given.
+Result<std::unique_ptr<Agent>> complete(std::unique_ptr<Agent> agent, const ShapingParts& s, const AgentParts& parts) {
+  if (s.shaping.kind != Shaping::Off) {
+    auto features = makeFeatures(parts.task, parts.features, s.representation);
+    if (!features) return Error{"shaping: " + features.error().message};
+    Result<std::unique_ptr<Agent>> shaped = std::visit(
+        [&]<class F>(F& map) -> Result<std::unique_ptr<Agent>> {
+          const EstimateSettings learning{s.shaping.stepSize, 0.0};
+          auto potential =
+              makeEstimate("potential", std::move(map), 1, InitialValue{0.0, 0.0}, 0, learning, parts.stored);
+          if (!potential) return potential.error();
+          return std::unique_ptr<Agent>(std::make_unique<ShapedAgent<F>>(std::move(agent), std::move(*potential),
+                                                                         s.shaping, parts.task.rewardTerms.size()));
+        },
+        *features);
+    if (!shaped) return shaped.error();
+    agent = std::move(*shaped);
+  }
+  if (parts.stored) {
+    Archive archive = Archive::reader(*parts.stored);
+    agent->transferValues(archive);
+    if (!archive.good()) return archive.status().error();
+  }
+  return agent;
+}
+
 template <class Target>
 Result<std::unique_ptr<Agent>> makeControl(const AgentParts& parts) {
-  OneEstimate s(parts.task);
-  parts.parameters.apply(s.fields(parts.features));
-  if (const Status status = checkInitial(s.initial); !status) return status.error();
-  auto features = makeFeatures(parts, s.estimate.tiles);
+  const auto s = settingsFrom<OneEstimate>(parts);
+  if (!s) return s.error();
+  auto features = makeFeatures(parts.task, parts.features, s->estimate.representation);
   if (!features) return features.error();
   return std::visit(
-      [&]<class F>(F& map) -> std::unique_ptr<Agent> {
-        return std::make_unique<TdControl<Target, F>>(
-            makeEstimate(parts, std::move(map), s.initial, parts.weightSeed, s.estimate.learning), s.control);
+      [&]<class F>(F& map) -> Result<std::unique_ptr<Agent>> {
+        auto estimate = makeEstimate("q", std::move(map), parts.actions(), s->initial, parts.weightSeed,
+                                     s->estimate.learning, parts.stored);
+        if (!estimate) return estimate.error();
+        return complete(std::make_unique<TdControl<Target, F>>(std::move(*estimate), s->control), s->shaping, parts);
       },
       *features);
 }
 
 Result<std::unique_ptr<Agent>> makeSarsa2Q(const AgentParts& parts) {
-  TwoEstimates s(parts.task);
-  parts.parameters.apply(s.fields(parts.features));
-  if (const Status status = checkInitial(s.initial); !status) return status.error();
-  auto positive = makeFeatures(parts, s.positive.tiles), negative = makeFeatures(parts, s.negative.tiles);
+  const auto s = settingsFrom<TwoEstimates>(parts);
+  if (!s) return s.error();
+  auto positive = makeFeatures(parts.task, parts.features, s->positive.representation);
+  auto negative = makeFeatures(parts.task, parts.features, s->negative.representation);
   if (!positive) return Error{"Q⁺: " + positive.error().message};
   if (!negative) return Error{"Q⁻: " + negative.error().message};
   return std::visit(
-      [&]<class P, class N>(P& fine, N& coarse) -> std::unique_ptr<Agent> {
-        return std::make_unique<Sarsa2Q<P, N>>(
-            makeEstimate(parts, std::move(fine), s.initial, parts.weightSeed, s.positive.learning),
-            makeEstimate(parts, std::move(coarse), s.initial, mix64(parts.weightSeed), s.negative.learning), s.control,
-            s.split);
+      [&]<class P, class N>(P& gains, N& losses) -> Result<std::unique_ptr<Agent>> {
+        auto plus = makeEstimate("positive", std::move(gains), parts.actions(), s->initial, parts.weightSeed,
+                                 s->positive.learning, parts.stored);
+        if (!plus) return plus.error();
+        auto minus = makeEstimate("negative", std::move(losses), parts.actions(), s->initial, mix64(parts.weightSeed),
+                                  s->negative.learning, parts.stored);
+        if (!minus) return minus.error();
+        return complete(std::make_unique<Sarsa2Q<P, N>>(std::move(*plus), std::move(*minus), s->control, s->split),
+                        s->shaping, parts);
       },
       *positive, *negative);
 }

@@ -62,6 +62,26 @@ class Sarsa2Q final : public Agent {
   bool diverged() const override { return positive_.diverged() || negative_.diverged(); }
   std::int64_t statesOutside() const override { return std::max(positive_.statesOutside(), negative_.statesOutside()); }
 
+  void advance(const LifeTime& time) override {
+    positive_.settings().stepSize.advance(time);
+    negative_.settings().stepSize.advance(time);
+  }
+  bool everyStep() const override {
+    return positive_.settings().stepSize.everyStep() || negative_.settings().stepSize.everyStep();
+  }
+  Json layouts() const override {
+    return {{"positive", positive_.values().features().layout()}, {"negative", negative_.values().features().layout()}};
+  }
+  void transferValues(Archive& archive) override {
+    archive.under("positive.", [&] { positive_.values().transfer(archive); });
+    archive.under("negative.", [&] { negative_.values().transfer(archive); });
+  }
+  void transferLearning(Archive& archive) override {
+    archive.value("action", a_, 0, static_cast<int>(q_.size()) - 1);
+    archive.under("positive.", [&] { positive_.transferLearning(archive); });
+    archive.under("negative.", [&] { negative_.transferLearning(archive); });
+  }
+
  private:
   /// A′ ~ π(·|S′) on Q⁺ + Q⁻.
   Action choose(std::span<const double> state, Random& random) {

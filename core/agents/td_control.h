@@ -61,6 +61,17 @@ class TdControl final : public Agent {
   bool diverged() const override { return estimate_.diverged(); }
   std::int64_t statesOutside() const override { return estimate_.statesOutside(); }
 
+  void advance(const LifeTime& time) override { estimate_.settings().stepSize.advance(time); }
+  bool everyStep() const override { return estimate_.settings().stepSize.everyStep(); }
+  Json layouts() const override { return {{"q", estimate_.values().features().layout()}}; }
+  void transferValues(Archive& archive) override {
+    archive.under("q.", [&] { estimate_.values().transfer(archive); });
+  }
+  void transferLearning(Archive& archive) override {
+    archive.value("action", a_, 0, static_cast<int>(q_.size()) - 1);
+    archive.under("q.", [&] { estimate_.transferLearning(archive); });
+  }
+
  private:
   /// A′ ~ π(·|S′); leaves q̂(S′, ·) in q_ and π(·|S′) in pi_.
   Action choose(std::span<const double> state, Random& random) {

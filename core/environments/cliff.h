@@ -7,14 +7,14 @@
 
 #include <array>
 
-#include "core/environment.h"
+#include "core/environments/grid.h"
 #include "core/environments/step_limit.h"
 
 namespace surefoot {
 
 class Cliff final : public Environment {
  public:
-  static constexpr int kRows = 4, kColumns = 12;
+  static constexpr Grid kGrid{.columns = 12, .rows = 4};
 
   Cliff();
   void declare(Fields& f) override { limit_.declare(f); }

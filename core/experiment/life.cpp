@@ -33,12 +33,21 @@ void Life::beginEpisode() {
     environmentChanged_ = false;
   }
   environment_->reset(worldRandom_);
+  tellTime();
   action_ = agent_->start(environment_->state(), policyRandom_);
   inEpisode_ = true;
 }
 
+void Life::tellTime() {
+  const LifeTime time{log_.totals().episodes, steps_};
+  policy_->advance(time);
+  agent_->advance(time);
+  everyStep_ = policy_->everyStep() || agent_->everyStep();
+}
+
 void Life::step() {
   if (!inEpisode_) beginEpisode();
+  if (everyStep_) tellTime();
   const Outcome outcome = environment_->step(action_);
   ++steps_;
   log_.add(outcome);
@@ -77,6 +86,7 @@ Status Life::set(std::string_view key, double value) {
     applyTo(*environment_, "environment.");
     applyTo(*policy_, "policy.");
     applyTo(*agent_, "agent.");
+    tellTime();
   }
   note(entry->parameter.key, formatValue(entry->parameter, before), formatValue(entry->parameter, value));
   return Done{};
@@ -95,6 +105,7 @@ void Life::setPolicy(const std::string& name, std::unique_ptr<Policy> policy) {
   parameters_.applyTo(*policy, "policy.");
   policy_ = std::move(policy);
   agent_->setPolicy(*policy_);
+  tellTime();
 }
 
 std::string Life::divergence() const {

@@ -75,6 +75,8 @@ class Life {
 
  private:
   void beginEpisode();
+  /// Policy and agent may follow a schedule.
+  void tellTime();
   void note(const std::string& key, const std::string& before, const std::string& after);
 
   std::unique_ptr<Environment> environment_;
@@ -90,6 +92,7 @@ class Life {
   Action action_ = 0;
   bool inEpisode_ = false;
   bool environmentChanged_ = false;
+  bool everyStep_ = false;  // a schedule changes with every step
 };
 
 }  // namespace surefoot

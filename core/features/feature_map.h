@@ -1,29 +1,64 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// x(s): from a state to the features that are on in it.
+// x(s): from a state to the features that are on in it, with their values.
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <span>
+#include <vector>
+
+#include "core/result.h"
 
 namespace surefoot {
 
 /// The number of a feature, or of a weight.
 using Index = std::uint32_t;
 
-/// The most features that may be on at once. Buffers of this size live on the stack.
-inline constexpr int kMostActive = 128;
+/// Where a state lies: inside the range of a feature map; beyond it, which counts as at the edge; or outside the box
+/// that the map is confined to, where no feature is on.
+enum class Cover : std::uint8_t { Inside, Edge, Nothing };
 
-/// A value class with binary features, a fixed number of which is on in every state. No virtual call per feature.
+/// The features that are on in one state. Binary features are worth 1 each and have no list of values. Lives on the
+/// stack or in a learner; nothing is initialised beyond `count`.
+template <int kMost, bool kBinary>
+struct ActiveFeatures {
+  int count = 0;
+  std::array<Index, kMost> index;
+  std::array<double, kBinary ? 0 : kMost> value;
+
+  std::span<const Index> indices() const { return {index.data(), static_cast<std::size_t>(count)}; }
+  double valueOf(std::size_t k) const {
+    if constexpr (kBinary)
+      return 1.0;
+    else
+      return value[k];
+  }
+};
+
+/// A value class. No virtual call per feature.
+///  - kBinary: every feature that is on is worth 1, and the same number of them is on in every state;
 ///  - size(): how many features there are;
-///  - active(): how many of them are on in a state (the tilings of a tile coder);
-///  - activeFeatures(s, out): writes their numbers, all different, to `out` of length active(); says whether s lay
-///    inside the declared range. Hot.
+///  - total(): Σ x, the same in every state (the tilings of a tile coder; 1 for normalised features);
+///  - find(s, x): the features of s. Changes nothing. Hot;
+///  - layout(): everything that the numbers of the features depend on, for files;
+///  - shape(): the features as a table, slowest index first: its product is size().
+/// A map may also have claim(s, x), for the learner: the same, but the map may take note of the state.
 template <class F>
-concept FeatureMap = std::copyable<F> && requires(const F& f, std::span<const double> state, std::span<Index> out) {
+concept FeatureMap = std::copyable<F> && requires(const F& f, std::span<const double> state, typename F::Active& x) {
+  { F::kBinary } -> std::convertible_to<bool>;
   { f.size() } -> std::convertible_to<Index>;
-  { f.active() } -> std::convertible_to<int>;
-  { f.activeFeatures(state, out) } -> std::same_as<bool>;
+  { f.total() } -> std::convertible_to<double>;
+  { f.find(state, x) } -> std::same_as<Cover>;
+  { f.layout() } -> std::same_as<nlohmann::json>;
+  { f.shape() } -> std::same_as<std::vector<std::size_t>>;
+};
+
+/// A feature map that learns which features there are: a hashed table.
+template <class F>
+concept ClaimingFeatureMap = FeatureMap<F> && requires(F& f, std::span<const double> state, typename F::Active& x) {
+  { f.claim(state, x) } -> std::same_as<Cover>;
 };
 
 }  // namespace surefoot

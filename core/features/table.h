@@ -11,15 +11,22 @@ namespace surefoot {
 
 class Table {
  public:
+  using Active = ActiveFeatures<1, true>;
+  static constexpr bool kBinary = true;
+
   /// Refused if a state variable is not a whole number, or there are too many states.
   static Result<Table> create(const Task& task);
 
   Index size() const { return size_; }
-  int active() const { return 1; }
-  bool activeFeatures(std::span<const double> state, std::span<Index> out) const;
+  double total() const { return 1.0; }
+  Cover find(std::span<const double> state, Active& x) const;
+  nlohmann::json layout() const;
+  /// States along each dimension, the last dimension first.
+  std::vector<std::size_t> shape() const;
 
  private:
   struct Dimension {
+    std::string key;
     double low = 0.0, high = 0.0;
     Index stride = 1;
   };

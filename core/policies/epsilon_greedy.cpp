@@ -6,7 +6,7 @@
 namespace surefoot {
 
 void EpsilonGreedy::probabilities(std::span<const double> q, std::span<double> pi) const {
-  const double epsilon = exploration_.epsilon;
+  const double epsilon = exploration_.epsilon.now();
   shareAmongGreedy(q, 1.0 - epsilon, pi);
   const double each = epsilon / static_cast<double>(q.size());
   for (double& p : pi) p += each;

@@ -8,26 +8,28 @@ namespace surefoot {
 
 /// How often an exploratory step is taken. Shared by every policy that tells greedy from exploratory steps.
 struct Exploration {
-  double epsilon = 0.05;
+  Scheduled epsilon{0.05};
   void declare(Fields& f) {
-    f.real(epsilon, {.key = "epsilon",
-                     .title = "Exploration",
-                     .symbol = "ε",
-                     .unit = "",
-                     .low = 0.0,
-                     .high = 1.0,
-                     .sliderLow = 0.0,
-                     .sliderHigh = 0.3,
-                     .when = When::Now,
-                     .group = Group::Policy,
-                     .help = "Share of the steps that explore instead of taking the best action.",
-                     .origin = "thesis, section 3.1.4"});
+    epsilon.declare(f, {.key = "epsilon",
+                        .title = "Exploration",
+                        .symbol = "ε",
+                        .unit = "",
+                        .low = 0.0,
+                        .high = 1.0,
+                        .sliderLow = 0.0,
+                        .sliderHigh = 0.3,
+                        .when = When::Now,
+                        .group = Group::Policy,
+                        .help = "Share of the steps that explore instead of taking the best action.",
+                        .origin = "thesis, section 3.1.4"});
   }
 };
 
 class EpsilonGreedy final : public Policy {
  public:
   void declare(Fields& f) override { exploration_.declare(f); }
+  void advance(const LifeTime& time) override { exploration_.epsilon.advance(time); }
+  bool everyStep() const override { return exploration_.epsilon.everyStep(); }
   void probabilities(std::span<const double> q, std::span<double> pi) const override;
 
  private:

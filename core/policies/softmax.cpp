@@ -10,9 +10,10 @@ namespace surefoot {
 void Softmax::probabilities(std::span<const double> q, std::span<double> pi) const {
   double best = q[0];
   for (const double value : q) best = std::max(best, value);
+  const double temperature = settings_.temperature.now();
   double sum = 0.0;
   for (std::size_t a = 0; a < q.size(); ++a) {
-    pi[a] = portableExp((q[a] - best) / settings_.temperature);
+    pi[a] = portableExp((q[a] - best) / temperature);
     sum += pi[a];
   }
   for (double& p : pi) p /= sum;

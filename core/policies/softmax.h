@@ -12,26 +12,28 @@ namespace surefoot {
 class Softmax final : public Policy {
  public:
   struct Settings {
-    double temperature = 1.0;
+    Scheduled temperature{1.0};
     void declare(Fields& f) {
-      f.real(temperature, {.key = "temperature",
-                           .title = "Temperature",
-                           .symbol = "τ",
-                           .unit = "",
-                           .low = 1e-6,
-                           .high = 1e6,
-                           .sliderLow = 0.1,
-                           .sliderHigh = 10,
-                           .when = When::Now,
-                           .group = Group::Policy,
-                           .help = "High: nearly equal chances. Low: nearly greedy.",
-                           .origin = "thesis, chapter 5 (its best case)"});
+      temperature.declare(f, {.key = "temperature",
+                              .title = "Temperature",
+                              .symbol = "τ",
+                              .unit = "",
+                              .low = 1e-6,
+                              .high = 1e6,
+                              .sliderLow = 0.1,
+                              .sliderHigh = 10,
+                              .when = When::Now,
+                              .group = Group::Policy,
+                              .help = "High: nearly equal chances. Low: nearly greedy.",
+                              .origin = "thesis, chapter 5 (its best case)"});
     }
   };
 
   Softmax() = default;
   explicit Softmax(const Settings& settings) : settings_(settings) {}
   void declare(Fields& f) override { settings_.declare(f); }
+  void advance(const LifeTime& time) override { settings_.temperature.advance(time); }
+  bool everyStep() const override { return settings_.temperature.everyStep(); }
   void probabilities(std::span<const double> q, std::span<double> pi) const override;
 
  private:

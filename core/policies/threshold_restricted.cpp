@@ -6,18 +6,18 @@
 namespace surefoot {
 
 void ThresholdRestricted::Settings::declare(Fields& f) {
-  f.real(threshold, {.key = "threshold",
-                     .title = "Threshold",
-                     .symbol = "",
-                     .unit = "",
-                     .low = -1e6,
-                     .high = 1e6,
-                     .sliderLow = -100,
-                     .sliderHigh = 200,
-                     .when = When::Now,
-                     .group = Group::Policy,
-                     .help = "An exploring step picks among the actions worth more than this.",
-                     .origin = "thesis, section 4.2.1"});
+  threshold.declare(f, {.key = "threshold",
+                        .title = "Threshold",
+                        .symbol = "",
+                        .unit = "",
+                        .low = -1e6,
+                        .high = 1e6,
+                        .sliderLow = -100,
+                        .sliderHigh = 200,
+                        .when = When::Now,
+                        .group = Group::Policy,
+                        .help = "An exploring step picks among the actions worth more than this.",
+                        .origin = "thesis, section 4.2.1"});
   exploration.declare(f);
   f.real(below, {.key = "below",
                  .title = "Share below",
@@ -34,10 +34,11 @@ void ThresholdRestricted::Settings::declare(Fields& f) {
 }
 
 void ThresholdRestricted::probabilities(std::span<const double> q, std::span<double> pi) const {
-  const double epsilon = settings_.exploration.epsilon;
+  const double epsilon = settings_.exploration.epsilon.now();
+  const double threshold = settings_.threshold.now();
   const auto n = static_cast<double>(q.size());
   int above = 0;
-  for (const double value : q) above += value > settings_.threshold;
+  for (const double value : q) above += value > threshold;
 
   double eachAbove = epsilon / n;
   double eachBelow = epsilon / n;
@@ -46,7 +47,7 @@ void ThresholdRestricted::probabilities(std::span<const double> q, std::span<dou
     eachBelow = epsilon * settings_.below / (n - above);
   }
   shareAmongGreedy(q, 1.0 - epsilon, pi);
-  for (std::size_t a = 0; a < q.size(); ++a) pi[a] += q[a] > settings_.threshold ? eachAbove : eachBelow;
+  for (std::size_t a = 0; a < q.size(); ++a) pi[a] += q[a] > threshold ? eachAbove : eachBelow;
 }
 
 }  // namespace surefoot

@@ -15,7 +15,7 @@ class ThresholdRestricted final : public Policy {
  public:
   struct Settings {
     Exploration exploration;
-    double threshold = 50.0;
+    Scheduled threshold{50.0};
     double below = 0.01;
     void declare(Fields& f);
   };
@@ -23,6 +23,13 @@ class ThresholdRestricted final : public Policy {
   ThresholdRestricted() = default;
   explicit ThresholdRestricted(const Settings& settings) : settings_(settings) {}
   void declare(Fields& f) override { settings_.declare(f); }
+  void advance(const LifeTime& time) override {
+    settings_.threshold.advance(time);
+    settings_.exploration.epsilon.advance(time);
+  }
+  bool everyStep() const override {
+    return settings_.threshold.everyStep() || settings_.exploration.epsilon.everyStep();
+  }
   void probabilities(std::span<const double> q, std::span<double> pi) const override;
 
  private:

@@ -18,6 +18,11 @@ void EligibilityTrace::clear() {
   entries_.clear();
 }
 
+void EligibilityTrace::setEntries(std::span<const Entry> entries) {
+  clear();
+  for (const Entry& e : entries) entry(e.weight).z = e.z;
+}
+
 EligibilityTrace::Entry& EligibilityTrace::entry(Index weight) {
   std::uint32_t& slot = slot_[weight];
   if (slot == kNone) {

@@ -20,8 +20,13 @@ class EligibilityTrace {
   void decay(double factor, double cutoff);
   /// z_i ← 1 (replacing traces, Singh & Sutton 1996).
   void replace(Index weight) { entry(weight).z = 1.0; }
-  /// z_i ← z_i + 1 (accumulating traces).
-  void accumulate(Index weight) { entry(weight).z += 1.0; }
+  /// z_i ← z_i + x (accumulating traces).
+  void accumulate(Index weight, double x = 1.0) { entry(weight).z += x; }
+  /// z_i ← max(z_i, x): a replacing trace of a feature that is worth x.
+  void raise(Index weight, double x) {
+    Entry& e = entry(weight);
+    if (e.z < x) e.z = x;
+  }
   /// z_i ← 0.
   void drop(Index weight) {
     if (slot_[weight] != kNone) remove(slot_[weight]);
@@ -39,6 +44,8 @@ class EligibilityTrace {
     double z;
   };
   std::span<const Entry> entries() const { return entries_; }
+  /// Puts saved entries back, in their order. Each weight once.
+  void setEntries(std::span<const Entry> entries);
 
  private:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};

@@ -4,17 +4,17 @@
 namespace surefoot {
 
 void EstimateSettings::declare(Fields& f) {
-  f.real(stepSize, {.key = "step_size",
-                    .title = "Step size",
-                    .symbol = "α",
-                    .low = 0.0,
-                    .high = 2.0,
-                    .sliderLow = 0.0,
-                    .sliderHigh = 1.0,
-                    .when = When::Now,
-                    .group = Group::Learning,
-                    .help = "Share of the error that one update closes, over all tilings together.",
-                    .origin = "thesis, section 3.1.4"});
+  stepSize.declare(f, {.key = "step_size",
+                       .title = "Step size",
+                       .symbol = "α",
+                       .low = 0.0,
+                       .high = 2.0,
+                       .sliderLow = 0.0,
+                       .sliderHigh = 1.0,
+                       .when = When::Now,
+                       .group = Group::Learning,
+                       .help = "Share of the error that one update closes, over all tilings together.",
+                       .origin = "thesis, section 3.1.4"});
   f.real(traceDecay, {.key = "trace_decay",
                       .title = "Trace decay",
                       .symbol = "λ",

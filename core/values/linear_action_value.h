@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Linear function approximation with binary features (thesis, eq. 2.9; Sutton & Barto 2018, section 10.1):
+// Linear function approximation (thesis, eq. 2.9; Sutton & Barto 2018, section 10.1):
 //
-//   q̂(s, a, w) = Σ_i w(i, a) over the active features i of s
+//   q̂(s, a, w) = Σ_i w(i, a) x_i(s) over the active features i of s, where x_i is 1 for binary features
 //
 // Weights lie as [feature][action], so that one feature number serves all actions.
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <vector>
 
 #include "core/action_value.h"
 #include "core/features/feature_map.h"
+#include "core/files/archive.h"
 #include "core/parameters.h"
 #include "core/random.h"
 
 namespace surefoot {
 
-/// Range of the initial value of a state-action pair: every weight starts uniform in [low/n, high/n], n active
-/// features.
+/// Range of the initial value of a state-action pair: every weight starts uniform in [low/n, high/n], n = Σ x the
+/// number of active binary features, or 1 for normalised ones.
 struct InitialValue {
   double low = 0.0;
   double high = 0.1;
@@ -56,12 +56,13 @@ struct InitialValue {
 template <FeatureMap F>
 class LinearActionValue final : public ActionValueFunction {
  public:
+  using Active = typename F::Active;
+
   LinearActionValue(F features, int actions, const InitialValue& initial, std::uint64_t seed)
       : features_(std::move(features)),
         actions_(static_cast<std::size_t>(actions)) {
-    assert(features_.active() <= kMostActive);
-    const double low = initial.low / features_.active();
-    const double high = initial.high / features_.active();
+    const double low = initial.low / features_.total();
+    const double high = initial.high / features_.total();
     weights_.resize(features_.size() * actions_);
     for (std::size_t i = 0; i < weights_.size(); ++i) weights_[i] = low + (high - low) * uniformAt(seed, i);
     visits_.assign(features_.size(), 0);
@@ -69,77 +70,110 @@ class LinearActionValue final : public ActionValueFunction {
 
   // Called by the learner, once a state and not once a feature. Hot.
 
-  int activeCount() const { return features_.active(); }
-  bool activeFeatures(std::span<const double> state, std::span<Index> x) const {
-    return features_.activeFeatures(state, x);
+  /// The active features of a state that a learner comes to.
+  Cover claim(std::span<const double> state, Active& x) {
+    if constexpr (ClaimingFeatureMap<F>)
+      return features_.claim(state, x);
+    else
+      return features_.find(state, x);
   }
   /// q ← q̂(s, ·) for the state with the active features x.
-  void values(std::span<const Index> x, std::span<double> q) const {
+  void values(const Active& x, std::span<double> q) const {
     for (double& value : q) value = 0.0;
-    for (const Index i : x) {
-      const double* row = &weights_[i * actions_];
-      for (std::size_t a = 0; a < actions_; ++a) q[a] += row[a];
+    for (std::size_t k = 0; k < static_cast<std::size_t>(x.count); ++k) {
+      const double* row = &weights_[x.index[k] * actions_];
+      for (std::size_t a = 0; a < actions_; ++a) q[a] += row[a] * x.valueOf(k);
     }
   }
   /// q̂(s, a).
-  double value(std::span<const Index> x, Action a) const {
+  double value(const Active& x, Action a) const {
     double sum = 0.0;
-    for (const Index i : x) sum += weights_[weight(i, a)];
+    for (std::size_t k = 0; k < static_cast<std::size_t>(x.count); ++k)
+      sum += weights_[weight(x.index[k], a)] * x.valueOf(k);
+    return sum;
+  }
+  /// Σ x², the share of the error that a step size of 1 would close too much. (Outside a box no feature is on; what is
+  /// learned there reaches earlier states through their traces.)
+  double squaredLength(const Active& x) const {
+    if constexpr (F::kBinary) return features_.total();
+    double sum = 0.0;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(x.count); ++k) sum += x.valueOf(k) * x.valueOf(k);
     return sum;
   }
   /// The number of the weight of feature i and action a.
   Index weight(Index i, Action a) const { return i * static_cast<Index>(actions_) + static_cast<Index>(a); }
   double* data() { return weights_.data(); }
   std::size_t weightCount() const { return weights_.size(); }
-  void countVisit(std::span<const Index> x) {
-    for (const Index i : x) visits_[i] += visits_[i] != kMostVisits;
+  /// Counts the features of x; of those that are not binary, the ones at least half as strong as the strongest.
+  void countVisit(const Active& x) {
+    double least = 0.0;
+    if constexpr (!F::kBinary)
+      for (std::size_t k = 0; k < static_cast<std::size_t>(x.count); ++k) least = std::max(least, x.valueOf(k) / 2);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(x.count); ++k) {
+      std::uint32_t& visits = visits_[x.index[k]];
+      if (x.valueOf(k) >= least) visits += visits != kMostVisits;
+    }
   }
+
+  /// Whole tables, to a file or from one.
+  void transfer(Archive& archive) {
+    std::vector<std::size_t> shape = features_.shape();
+    archive.table("visits", visits_, shape);
+    if constexpr (ClaimingFeatureMap<F>) {
+      std::vector<std::uint64_t> tiles(features_.tiles().begin(), features_.tiles().end());
+      archive.table("tiles", tiles, shape);
+      if (archive.reading()) features_.setTiles(tiles);
+    }
+    shape.push_back(actions_);
+    archive.table("weights", weights_, shape);
+  }
+  const F& features() const { return features_; }
+  F& features() { return features_; }
 
   // ActionValueFunction
 
   int actions() const override { return static_cast<int>(actions_); }
   void evaluate(std::span<const double> state, Layer, std::span<double> q) const override {
-    values(look(state).features(), q);
+    Active x;
+    features_.find(state, x);
+    values(x, q);
   }
   double visits(std::span<const double> state) const override {
-    double sum = 0.0;
-    for (const Index i : look(state)) sum += visits_[i];
-    return sum / features_.active();
+    return mean(state, [&](Index i) { return static_cast<double>(visits_[i]); });
   }
   double familiarity(std::span<const double> state) const override {
-    int seen = 0;
-    for (const Index i : look(state)) seen += visits_[i] > 0;
-    return static_cast<double>(seen) / features_.active();
+    return mean(state, [&](Index i) { return visits_[i] > 0 ? 1.0 : 0.0; });
   }
   void average(std::span<const float> perWeight, std::span<const double> state, std::span<double> out) const override {
-    for (double& value : out) value = 0.0;
-    for (const Index i : look(state))
-      for (std::size_t a = 0; a < actions_; ++a) out[a] += static_cast<double>(perWeight[i * actions_ + a]);
-    for (double& value : out) value /= features_.active();
+    for (std::size_t a = 0; a < actions_; ++a)
+      out[a] = mean(state, [&](Index i) { return static_cast<double>(perWeight[i * actions_ + a]); });
   }
   std::vector<std::span<const double>> tables() const override { return {weights_}; }
+  std::vector<MemoryUse> memoryUse() const override {
+    MemoryUse use{.slots = features_.size(), .occupied = {}, .failedLookUps = {}};
+    if constexpr (ClaimingFeatureMap<F>) {
+      use.occupied = features_.occupied();
+      use.failedLookUps = features_.failedLookUps();
+    }
+    return {use};
+  }
   std::unique_ptr<ActionValueFunction> clone() const override { return std::make_unique<LinearActionValue>(*this); }
   void assign(const ActionValueFunction& other) override {
     const auto& same = dynamic_cast<const LinearActionValue&>(other);
     assert(same.weights_.size() == weights_.size());
     std::copy(same.weights_.begin(), same.weights_.end(), weights_.begin());
     std::copy(same.visits_.begin(), same.visits_.end(), visits_.begin());
+    if constexpr (ClaimingFeatureMap<F>) features_ = same.features_;
   }
 
  private:
-  /// The active features of a state, for those who only look.
-  struct Looked {
-    std::array<Index, kMostActive> x;
-    std::size_t count;
-    std::span<const Index> features() const { return {x.data(), count}; }
-    const Index* begin() const { return x.data(); }
-    const Index* end() const { return x.data() + count; }
-  };
-  Looked look(std::span<const double> state) const {
-    Looked looked;
-    looked.count = static_cast<std::size_t>(features_.active());
-    features_.activeFeatures(state, std::span(looked.x.data(), looked.count));
-    return looked;
+  /// Σ x·quantity / Σ x over the features of a state.
+  double mean(std::span<const double> state, const auto& quantity) const {
+    Active x;
+    features_.find(state, x);
+    double sum = 0.0;
+    for (std::size_t k = 0; k < static_cast<std::size_t>(x.count); ++k) sum += x.valueOf(k) * quantity(x.index[k]);
+    return sum / features_.total();
   }
 
   static constexpr std::uint32_t kMostVisits = ~std::uint32_t{0};

@@ -24,7 +24,9 @@ class SplitActionValue final : public ActionValueFunction {
     for (std::size_t a = 0; a < q.size(); ++a) q[a] += negative[a];
   }
   bool split() const override { return true; }
-  double visits(std::span<const double> state) const override { return positive_->visits(state); }
+  double visits(std::span<const double> state) const override {
+    return std::max(positive_->visits(state), negative_->visits(state));  // one of them may be confined to a box
+  }
   double familiarity(std::span<const double> state) const override {
     return std::max(positive_->familiarity(state), negative_->familiarity(state));
   }
@@ -34,6 +36,9 @@ class SplitActionValue final : public ActionValueFunction {
   }
   std::vector<std::span<const double>> tables() const override {
     return {positive_->tables().front(), negative_->tables().front()};
+  }
+  std::vector<MemoryUse> memoryUse() const override {
+    return {positive_->memoryUse().front(), negative_->memoryUse().front()};
   }
   std::unique_ptr<ActionValueFunction> clone() const override {
     auto copy = std::make_unique<SplitActionValue>(*positive_, *negative_);

@@ -59,6 +59,8 @@ Task makeTask(const PendulumSettings& s) {
   task.actionSymbol = "T";
   task.actionUnit = "N m";
   task.rewardTerms = {"goal", "fall", "time"};
+  task.goalReward = s.goalReward;
+  task.timeReward = s.timeReward;
   task.stepTime = PendulumWorld::kStepTime;
   task.lowestReturn = s.fallReward;
   task.highestReturn = s.goalReward;

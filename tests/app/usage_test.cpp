@@ -58,7 +58,7 @@ TEST(Usage, ImpossibleCombinationsAreRefused) {
       "environment.balanced_angle=0.1",
       2, {"balanced_angle"});
   expectRefusal("train --episodes 3 --set features.initial_low=3", 2, {"features.initial_low"});
-  expectRefusal("train --episodes 3 --set features.pole_angle=1000 --set features.pole_rate=1000", 2, {"weights"});
+  expectRefusal("train --episodes 3 --set features.pole_angle=1000 --set features.pole_rate=1000", 2, {"tiles"});
   expectRefusal("train --episodes 3 --set policy.epsilon=0.1 --set policy.epsilon=0.2", 2, {"twice"});
   expectRefusal("train --episodes 3 --episodes 4", 2, {"--episodes"});
   expectRefusal("train --episodes", 2, {"--episodes", "value"});

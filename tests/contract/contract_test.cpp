@@ -96,7 +96,7 @@ TEST(Contract, EveryEnvironmentKeepsItsWord) {
     const auto environment = entry.make();
     const Task& task = environment->task();
     ASSERT_FALSE(task.actions.empty());
-    ASSERT_LE(task.rewardTerms.size(), static_cast<std::size_t>(kMaxRewardTerms));
+    ASSERT_LT(task.rewardTerms.size(), static_cast<std::size_t>(kMaxRewardTerms)) << "one is kept for shaping";
     Fields fields("");
     environment->declare(fields);
     for (const auto& field : fields.all())
@@ -133,6 +133,28 @@ TEST(Contract, EveryPresetAndScenarioConfigures) {
       ASSERT_TRUE(configuration) << configuration.error().message;
       for (const auto& [key, value] : entry.values) EXPECT_EQ(configuration->parameters.get(key), value);
     }
+}
+
+// Any environment with any features that fit, and a misfit is refused with the reason.
+TEST(Contract, EveryAgentLearnsOnEveryFeatureMapThatFits) {
+  const Registry r = fullRegistry();
+  for (const EnvironmentEntry& environment : r.environments)
+    for (const FeatureEntry& features : r.features)
+      for (const AgentEntry& agent : r.agents) {
+        Names names;
+        names.environment = environment.name, names.agent = agent.name, names.features = features.name;
+        auto configuration = configure(r, names, {{"shaping.rewards", "all"}});
+        ASSERT_TRUE(configuration) << configuration.error().message;
+        configuration->episodes = 3;
+        auto life = makeLife(r, *configuration, 0, false);
+        if (!life) {
+          EXPECT_EQ(features.name, "table") << life.error().message;
+          EXPECT_NE(life.error().message.find("whole numbers"), std::string::npos) << life.error().message;
+          continue;
+        }
+        while (!(*life)->finished()) (*life)->step();
+        EXPECT_EQ((*life)->log().totals().episodes, 3) << environment.name << " " << agent.name << " " << features.name;
+      }
 }
 
 // Looking at a learner changes nothing: two equal lives, one of them watched all the time.

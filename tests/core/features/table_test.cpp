@@ -15,22 +15,22 @@ TEST(Table, GivesEveryStateANumberOfItsOwn) {
   ASSERT_TRUE(table);
   EXPECT_EQ(table->size(), 48u);
   std::set<Index> seen;
-  std::vector<Index> x(1);
+  Table::Active x;
   for (double row = 0; row < 4; ++row)
     for (double column = 0; column < 12; ++column) {
-      EXPECT_TRUE(table->activeFeatures(std::vector<double>{column, row}, x));
-      EXPECT_LT(x[0], 48u);
-      seen.insert(x[0]);
+      EXPECT_EQ(table->find(std::vector<double>{column, row}, x), Cover::Inside);
+      EXPECT_LT(x.index[0], 48u);
+      seen.insert(x.index[0]);
     }
   EXPECT_EQ(seen.size(), 48u);
 }
 
 TEST(Table, StatesOutsideUseTheEdgeAndSaySo) {
   const auto table = Table::create(Cliff().task());
-  std::vector<Index> inside(1), outside(1);
-  EXPECT_TRUE(table->activeFeatures(std::vector<double>{11, 3}, inside));
-  EXPECT_FALSE(table->activeFeatures(std::vector<double>{99, 4}, outside));
-  EXPECT_EQ(inside, outside);
+  Table::Active inside, outside;
+  EXPECT_EQ(table->find(std::vector<double>{11, 3}, inside), Cover::Inside);
+  EXPECT_EQ(table->find(std::vector<double>{99, 4}, outside), Cover::Edge);
+  EXPECT_EQ(inside.index[0], outside.index[0]);
 }
 
 TEST(Table, RefusesStatesThatAreNoWholeNumbers) {

@@ -34,9 +34,9 @@ TileCoder coderFor(const Task& task, int tilings) {
 }
 
 std::vector<Index> active(const TileCoder& coder, std::vector<double> state) {
-  std::vector<Index> x(static_cast<std::size_t>(coder.active()));
-  coder.activeFeatures(state, x);
-  return x;
+  TileCoder::Active x;
+  coder.find(state, x);
+  return {x.indices().begin(), x.indices().end()};
 }
 
 }  // namespace
@@ -151,13 +151,13 @@ TEST(TileCoder, AWrappingVariableNeedsAWholeNumberOfTiles) {
 TEST(TileCoder, StatesOutsideUseTheEdgeAndSaySo) {
   const Task task = taskWith({variable("x", -1, 1, 4)});
   const TileCoder coder = coderFor(task, 8);
-  std::vector<Index> inside(8), outside(8);
-  EXPECT_TRUE(coder.activeFeatures(std::vector<double>{1.0}, inside));
-  for (const double x : {1.2, 1e300, std::numeric_limits<double>::infinity()}) {
-    EXPECT_FALSE(coder.activeFeatures(std::vector<double>{x}, outside));
-    EXPECT_EQ(inside, outside);
+  TileCoder::Active x;
+  EXPECT_EQ(coder.find(std::vector<double>{1.0}, x), Cover::Inside);
+  for (const double beyond : {1.2, 1e300, std::numeric_limits<double>::infinity()}) {
+    EXPECT_EQ(coder.find(std::vector<double>{beyond}, x), Cover::Edge);
+    EXPECT_EQ(active(coder, {beyond}), active(coder, {1.0}));
   }
-  EXPECT_FALSE(coder.activeFeatures(std::vector<double>{std::nan("")}, outside));
+  EXPECT_EQ(coder.find(std::vector<double>{std::nan("")}, x), Cover::Edge);
 }
 
 TEST(TileCoder, ATableBeyondTheLimitIsRefusedWithItsSize) {
@@ -174,6 +174,27 @@ TEST(TileCoder, EffectiveResolutionIsTilesTimesTilings) {
   std::set<std::vector<Index>> distinct;
   for (int i = 0; i < 19200; ++i) distinct.insert(active(coder, {(i + 0.5) / 19200}));
   EXPECT_EQ(distinct.size(), 192u);
+}
+
+// Thesis, section 6.5: a fine representation that covers only part of the states.
+TEST(TileCoder, OutsideItsBoxNoTileIsOn) {
+  const Task task = taskWith({variable("x", -1, 1, 10), variable("y", -1, 1, 10)});
+  TileCoder::Settings settings(task);
+  settings.from[0] = -0.2;
+  settings.to[0] = 0.3;
+  const auto coder = TileCoder::create(task, settings);
+  ASSERT_TRUE(coder);
+  TileCoder::Active x;
+  EXPECT_EQ(coder->find(std::vector<double>{0.3, 0.9}, x), Cover::Inside);
+  EXPECT_EQ(x.count, 16);
+  EXPECT_EQ(coder->find(std::vector<double>{0.1, 1.9}, x), Cover::Edge) << "the other variable has no box";
+  for (const double outside : {-0.21, 0.31, 5.0, std::nan("")}) {
+    EXPECT_EQ(coder->find(std::vector<double>{outside, 0.0}, x), Cover::Nothing);
+    EXPECT_EQ(x.count, 0);
+  }
+  EXPECT_LT(coder->size(), coderFor(task, 16).size() / 2) << "and the table is smaller";
+  settings.to[0] = -0.2;
+  EXPECT_FALSE(TileCoder::create(task, settings));
 }
 
 }  // namespace surefoot

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/whole_file.h"
+#include "core/files/whole_file.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a name and parameters to a feature map, and to an estimate over it: what every agent is built from.
+#pragma once
+
+#include <variant>
+
+#include "core/features/hashed_tile_coder.h"
+#include "core/features/radial_basis.h"
+#include "core/features/table.h"
+#include "core/features/tile_coder.h"
+#include "core/registry.h"
+#include "core/values/estimate.h"
+
+namespace surefoot {
+
+/// Every feature map that an estimate may stand on.
+using AnyFeatures = std::variant<TileCoder, HashedTileCoder, RadialBasis, Table>;
+
+/// What can be set of a representation, whichever it is.
+struct RepresentationSettings {
+  TileSettings tiles;
+  RadialBasis::Settings gaussians;
+  explicit RepresentationSettings(const Task& task) : tiles(task), gaussians(task) {}
+  /// Declares what the named features have to set.
+  void declare(const std::string& features, Fields& f);
+};
+
+/// The features named `features`, or why they do not fit the task.
+Result<AnyFeatures> makeFeatures(const Task& task, const std::string& features, const RepresentationSettings& settings);
+
+/// An estimate for `actions` actions. If `stored` is given, its tables are read later (Agent::transferValues); that
+/// they fit is checked here, before any memory is taken. `name` is the estimate's in files.
+template <FeatureMap F>
+Result<Estimate<F>> makeEstimate(const std::string& name, F features, int actions, const InitialValue& initial,
+                                 std::uint64_t seed, const EstimateSettings& learning, const TensorFile* stored);
+
+/// Whether a stored estimate is laid out like ours: the first difference, with both values.
+Status checkLayout(const TensorFile& stored, const std::string& name, const Json& layout,
+                   const std::vector<std::size_t>& shape);
+
+template <FeatureMap F>
+Result<Estimate<F>> makeEstimate(const std::string& name, F features, int actions, const InitialValue& initial,
+                                 std::uint64_t seed, const EstimateSettings& learning, const TensorFile* stored) {
+  if (stored) {
+    std::vector<std::size_t> shape = features.shape();
+    shape.push_back(static_cast<std::size_t>(actions));
+    if (const Status s = checkLayout(*stored, name, features.layout(), shape); !s) return s.error();
+  }
+  return Estimate<F>(LinearActionValue<F>(std::move(features), actions, initial, seed), learning);
+}
+
+}  // namespace surefoot

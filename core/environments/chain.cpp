@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/environments/chain.h"
+
+#include <cmath>
+
+namespace surefoot {
+
+namespace {
+enum RewardTerm { kGoal, kFall };
+constexpr double kReward = 100.0;
+}  // namespace
+
+Chain::Chain() {
+  task_.state = {cellVariable("state", 1, kStates)};
+  task_.state[0].resolution = 1.0 / 3.0;  // tiles three states wide
+  task_.actions = {-1, 1};
+  task_.actionNames = {"left", "right"};
+  task_.actionTitle = "move";
+  task_.rewardTerms = {"goal", "fall"};
+  task_.goalReward = kReward;
+  task_.lowestReturn = -kReward;
+  task_.highestReturn = kReward;
+}
+
+void Chain::reset(Random& random) {
+  position_ = std::floor(random.uniform(2, kStates));
+  limit_.steps = 0;
+}
+
+Outcome Chain::step(Action action) {
+  position_ += task_.actions[static_cast<std::size_t>(action)];
+  ++limit_.steps;
+  Outcome outcome;
+  if (position_ == 1) {
+    outcome.reward = outcome.terms[kFall] = -kReward;
+    outcome.ending = Ending::Terminal;
+    outcome.event = Event::Fall;
+  } else if (position_ == kStates) {
+    outcome.reward = outcome.terms[kGoal] = kReward;
+    outcome.ending = Ending::Terminal;
+    outcome.event = Event::Success;
+  } else if (limit_.steps >= limit_.most) {
+    outcome.ending = Ending::Truncated;
+  }
+  return outcome;
+}
+
+void Chain::draw(std::span<const double> pose, Scene& scene) const {
+  Corridor{.first = 1, .last = kStates}.draw(scene, pose[0], "fall", "goal");
+}
+
+}  // namespace surefoot

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What worlds of states in a row share: the picture, a disc on a line of cells between two ends.
+#pragma once
+
+#include <array>
+
+#include "core/environments/grid.h"
+#include "core/environments/step_limit.h"
+
+namespace surefoot {
+
+/// States `first` … `last`; the places before and behind are drawn, too, if they are the ends of an episode.
+struct Corridor {
+  int first = 1, last = 10;
+  bool endsOutside = false;
+
+  void draw(Scene& scene, double position, const char* leftEnd, const char* rightEnd) const;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/environments/grid_world.h"
+
+namespace surefoot {
+
+namespace {
+enum RewardTerm { kGoal, kFall };
+constexpr double kReward = 100.0;
+}  // namespace
+
+GridWorld::GridWorld() {
+  kGrid.describe(task_);
+  task_.rewardTerms = {"goal", "fall"};
+  task_.goalReward = kReward;
+  task_.lowestReturn = -kReward;
+  task_.highestReturn = kReward;
+}
+
+void GridWorld::reset(Random&) {
+  resetTo(0, 0);
+}
+
+void GridWorld::resetTo(double column, double row) {
+  state_ = {column, row};
+  limit_.steps = 0;
+}
+
+Outcome GridWorld::step(Action action) {
+  kGrid.move(state_, action);
+  ++limit_.steps;
+  Outcome outcome;
+  const auto [column, row] = state_;
+  if (column == kGrid.columns - 1.0 && row == kGrid.rows - 1.0) {
+    outcome.reward = outcome.terms[kGoal] = kReward;
+    outcome.ending = Ending::Terminal;
+    outcome.event = Event::Success;
+  } else if (column >= kBadLeft && column <= kBadRight && row >= kBadBottom && row <= kBadTop) {
+    outcome.reward = outcome.terms[kFall] = -kReward;
+    outcome.ending = Ending::Terminal;
+    outcome.event = Event::Fall;
+  } else if (limit_.steps >= limit_.most) {
+    outcome.ending = Ending::Truncated;
+  }
+  return outcome;
+}
+
+void GridWorld::draw(std::span<const double> pose, Scene& scene) const {
+  constexpr double kLeft = kBadLeft, kRight = kBadRight + 1, kBottom = kBadBottom, kTop = kBadTop + 1;
+  kGrid.drawLines(scene);
+  scene.shapes.push_back(Polygon{.points = {{kLeft, kBottom}, {kRight, kBottom}, {kRight, kTop}, {kLeft, kTop}},
+                                 .fill = Fill::Fall,
+                                 .ink = Ink::Fall,
+                                 .width = 0});
+  scene.shapes.push_back(Label{{(kLeft + kRight) / 2, (kBottom + kTop) / 2}, "fall", 0, 0, 0, Ink::Fall});
+  scene.shapes.push_back(Label{{0.5, 0.5}, "start", 0, 0, 0, Ink::Quiet});
+  scene.shapes.push_back(Label{{kGrid.columns - 0.5, kGrid.rows - 0.5}, "goal", 0, 0, 0, Ink::Quiet});
+  kGrid.drawWalker(scene, pose);
+}
+
+std::vector<ReadOut> GridWorld::readOuts(std::span<const double> pose) const {
+  return {{"column", "", pose[Grid::Column], 0}, {"row", "", pose[Grid::Row], 0}};
+}
+
+}  // namespace surefoot

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tile coding over a hashed table of fixed memory (Sutton & Barto 2018, section 9.5.4), for worlds with more tiles than
+// memory, of which only few are ever visited. A tile gets a slot when a learner first comes to it: the first free one
+// from its hash on (open addressing). After kMostProbes slots taken by others the look-up has failed: the tile then
+// shares the slot of its hash. Looking at a state that no learner has been to claims nothing: it is answered with the
+// slots that its tiles would get.
+#pragma once
+
+#include "core/features/tile_grid.h"
+
+namespace surefoot {
+
+class HashedTileCoder {
+ public:
+  using Active = ActiveFeatures<TileSettings::kMostTilings, true>;
+  static constexpr bool kBinary = true;
+  static constexpr int kMostProbes = 64;
+
+  /// `settings.memory` slots, at least one. Refused as by TileGrid, or if the table would be too large.
+  static Result<HashedTileCoder> create(const Task& task, const TileSettings& settings);
+
+  Index size() const { return static_cast<Index>(tiles_.size()); }
+  double total() const { return grid_.tilings(); }
+  Cover find(std::span<const double> state, Active& x) const;
+  Cover claim(std::span<const double> state, Active& x);
+  nlohmann::json layout() const;
+  std::vector<std::size_t> shape() const { return {tiles_.size()}; }
+
+  /// [slot] the number of its tile plus one, or 0: free.
+  std::span<const std::uint64_t> tiles() const { return tiles_; }
+  /// Takes over the slots of another of the same layout. Counts what is occupied.
+  void setTiles(std::span<const std::uint64_t> tiles);
+  Index occupied() const { return occupied_; }
+  std::int64_t failedLookUps() const { return failed_; }
+  void setFailedLookUps(std::int64_t failed) { failed_ = failed; }
+
+ private:
+  explicit HashedTileCoder(TileGrid<std::uint64_t> grid, std::size_t slots)
+      : grid_(std::move(grid)),
+        tiles_(slots, 0) {}
+  struct Probe {
+    Index slot;
+    bool free, failed;
+  };
+  Probe probe(std::uint64_t tile) const;
+
+  TileGrid<std::uint64_t> grid_;
+  std::vector<std::uint64_t> tiles_;
+  Index occupied_ = 0;
+  std::int64_t failed_ = 0;
+};
+
+static_assert(ClaimingFeatureMap<HashedTileCoder>);
+
+}  // namespace surefoot

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/features/tile_settings.h"
+
+#include <fmt/format.h>
+
+namespace surefoot {
+
+std::string capitalised(std::string title) {
+  title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+  return title;
+}
+
+TileSettings::TileSettings(const Task& task) : variables_(task.state) {
+  for (const StateVariable& v : task.state) {
+    resolution.push_back(v.resolution);
+    from.push_back(v.low);
+    to.push_back(v.high);
+  }
+}
+
+void TileSettings::declare(Fields& f) {
+  f.integer(tilings, {.key = "tilings",
+                      .title = "Tilings",
+                      .low = 1,
+                      .high = kMostTilings,
+                      .sliderLow = 1,
+                      .sliderHigh = 32,
+                      .when = When::NewTable,
+                      .group = Group::Representation,
+                      .help = "Displaced grids that lie over each other; a power of two is best.",
+                      .origin = "thesis, section 3.1.3"});
+  for (std::size_t d = 0; d < variables_.size(); ++d) {
+    const StateVariable& v = variables_[d];
+    f.real(resolution[d], {.key = v.key,
+                           .title = capitalised(v.title),
+                           .symbol = v.symbol,
+                           .unit = v.perSpan,
+                           .low = 0.01,
+                           .high = 1000,
+                           .sliderLow = std::min(1.0, v.resolution),
+                           .sliderHigh = 32,
+                           .when = When::NewTable,
+                           .group = Group::Representation,
+                           .help = fmt::format("Tiles per {} of the {}: few generalise far, many tell states apart.",
+                                               v.spanText, v.title),
+                           .origin = "thesis, section 3.1.3"});
+  }
+  f.real(scale, {.key = "scale",
+                 .title = "Scale",
+                 .unit = "×",
+                 .low = 0.01,
+                 .high = 100,
+                 .sliderLow = 0.1,
+                 .sliderHigh = 2,
+                 .when = When::NewTable,
+                 .group = Group::Representation,
+                 .help = "Multiplies every resolution: the fraction of Q_opt in chapter 6.",
+                 .origin = "thesis, section 6.3",
+                 .order = 2});
+  f.integer(memory, {.key = "memory",
+                     .title = "Hashed tiles",
+                     .low = 0,
+                     .high = 1 << 27,
+                     .sliderLow = 0,
+                     .sliderHigh = 1 << 20,
+                     .when = When::NewTable,
+                     .group = Group::Representation,
+                     .help = "Tiles that a hashed table of fixed size holds; 0: a dense table with room for all.",
+                     .origin = "ours",
+                     .order = 3});
+  for (std::size_t d = 0; d < variables_.size(); ++d) {
+    const StateVariable& v = variables_[d];
+    if (v.period) continue;
+    const auto edge = [&](double& member, const char* suffix, const char* word) {
+      f.real(member,
+             {.key = v.key + suffix,
+              .title = capitalised(v.title) + word,
+              .symbol = v.symbol,
+              .unit = v.unit,
+              .low = v.low,
+              .high = v.high,
+              .when = When::NewTable,
+              .group = Group::Representation,
+              .help = fmt::format("The tiles cover the {} from here to there; outside they are worth 0.", v.title),
+              .origin = "ours (thesis, section 6.5)",
+              .order = 3});
+    };
+    edge(from[d], "_from", ", from");
+    edge(to[d], "_to", ", to");
+  }
+}
+
+}  // namespace surefoot

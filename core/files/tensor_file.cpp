@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/files/tensor_file.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+#include <optional>
+
+#include "core/text.h"
+
+static_assert(std::endian::native == std::endian::little, "tensors are copied as they lie in memory");
+
+namespace surefoot {
+
+namespace {
+
+constexpr std::size_t kLengthBytes = 8;
+constexpr std::size_t kLongestHeader = 4u << 20;
+constexpr const char* kMetadata = "__metadata__";
+constexpr const char* kOurs = "surefoot";
+
+struct TypeName {
+  ElementType type;
+  const char* name;
+  std::size_t size;
+};
+constexpr std::array kTypes = {TypeName{ElementType::F64, "F64", 8}, TypeName{ElementType::I64, "I64", 8},
+                               TypeName{ElementType::U64, "U64", 8}, TypeName{ElementType::U32, "U32", 4},
+                               TypeName{ElementType::U16, "U16", 2}, TypeName{ElementType::U8, "U8", 1}};
+
+const TypeName& entryOf(ElementType type) {
+  return *std::find_if(kTypes.begin(), kTypes.end(), [=](const TypeName& t) { return t.type == type; });
+}
+
+std::optional<std::size_t> naturalNumber(const Json& json) {
+  if (!json.is_number_unsigned()) return std::nullopt;
+  return json.get<std::size_t>();
+}
+
+/// Reads the header's entry of one tensor; `data` is everything behind the header, `offset` where this tensor must
+/// begin.
+Result<Tensor> readTensor(const std::string& file, const std::string& name, const Json& entry, std::string_view data,
+                          std::size_t offset) {
+  const auto refuse = [&](const std::string& why) {
+    return fileError(file, fmt::format("the tensor \"{}\" {}.", shortened(name), why));
+  };
+  Tensor tensor{.name = name, .type = ElementType::F64, .shape = {}, .bytes = {}};
+  const Json& dtype = entry["dtype"];
+  const auto type = std::find_if(kTypes.begin(), kTypes.end(), [&](const TypeName& t) { return dtype == t.name; });
+  if (type == kTypes.end())
+    return refuse(fmt::format("has the dtype {}; F64, I64, U64, U32, U16 and U8 are known",
+                              shortened(dtype.dump(-1, ' ', true))));
+  tensor.type = type->type;
+
+  std::size_t count = 1;
+  for (const Json& extent : entry["shape"]) {
+    const auto n = naturalNumber(extent);
+    if (!n || (*n != 0 && count > data.size() / *n)) return refuse("has a shape that does not fit the file");
+    tensor.shape.push_back(*n);
+    count *= *n;
+  }
+  const auto begin = naturalNumber(entry["data_offsets"][0]), end = naturalNumber(entry["data_offsets"][1]);
+  if (!begin || !end || *begin != offset || *end < *begin || *end > data.size())
+    return refuse("does not lie where the one before it ends, or ends beyond the file");
+  if (count > data.size() / type->size || count * type->size != *end - *begin)
+    return refuse(
+        fmt::format("has {} bytes, but its shape needs {} elements of {} bytes", *end - *begin, count, type->size));
+  tensor.bytes = data.substr(*begin, *end - *begin);
+  return tensor;
+}
+
+bool isTensorEntry(const Json& entry) {
+  return entry.is_object() && entry.contains("dtype") && entry["dtype"].is_string() && entry.contains("shape") &&
+         entry["shape"].is_array() && entry.contains("data_offsets") && entry["data_offsets"].is_array() &&
+         entry["data_offsets"].size() == 2 && entry["data_offsets"][0].is_number_unsigned();
+}
+
+/// JSON without exceptions, and not so deep that reading it needs much of the stack.
+Json parseJson(std::string_view text) {
+  constexpr int kDeepest = 32;
+  const auto tooDeep = [](int depth, Json::parse_event_t, Json&) -> bool {
+    if (depth > kDeepest) throw std::length_error("too deep");
+    return true;
+  };
+  try {
+    return Json::parse(text, tooDeep, false);
+  } catch (const std::length_error&) {
+    return Json(Json::value_t::discarded);
+  }
+}
+
+}  // namespace
+
+Error fileError(const std::string& name, const std::string& sentence) {
+  return Error{fmt::format("{}: {}", name, sentence), ErrorKind::File};
+}
+
+const char* nameOf(ElementType type) {
+  return entryOf(type).name;
+}
+std::size_t sizeOf(ElementType type) {
+  return entryOf(type).size;
+}
+
+const Tensor* TensorFile::find(std::string_view wanted) const {
+  const auto found = std::find_if(tensors.begin(), tensors.end(), [&](const Tensor& t) { return t.name == wanted; });
+  return found == tensors.end() ? nullptr : &*found;
+}
+
+std::string TensorFile::write() const {
+  Json header = {{kMetadata, {{kOurs, about.dump()}}}};
+  std::size_t offset = 0;
+  for (const Tensor& t : tensors) {
+    header[t.name] = {
+        {"dtype", nameOf(t.type)}, {"shape", t.shape}, {"data_offsets", {offset, offset + t.bytes.size()}}};
+    offset += t.bytes.size();
+  }
+  std::string text = header.dump();
+  text.resize((text.size() + 7) / 8 * 8, ' ');  // so that the data is aligned
+  const std::uint64_t length = text.size();
+  std::string bytes(kLengthBytes, '\0');
+  std::memcpy(bytes.data(), &length, kLengthBytes);
+  bytes.reserve(kLengthBytes + text.size() + offset);
+  bytes += text;
+  for (const Tensor& t : tensors) bytes += t.bytes;
+  return bytes;
+}
+
+Result<TensorFile> TensorFile::parse(std::string_view bytes, const std::string& name) {
+  std::uint64_t length = 0;
+  if (bytes.size() < kLengthBytes)
+    return fileError(name, fmt::format("this is no safetensors file: it has only {} bytes.", bytes.size()));
+  std::memcpy(&length, bytes.data(), kLengthBytes);
+  if (length > kLongestHeader || length > bytes.size() - kLengthBytes)
+    return fileError(name,
+                     fmt::format("this is no safetensors file, or it is cut off: its header would have {} bytes, and "
+                                 "the file has {}.",
+                                 length, bytes.size()));
+  Json header = parseJson(bytes.substr(kLengthBytes, length));
+  if (!header.is_object()) return fileError(name, "its header is not JSON; the file is damaged.");
+  if (!header.contains(kMetadata) || !header[kMetadata].is_object() || !header[kMetadata].contains(kOurs) ||
+      !header[kMetadata][kOurs].is_string())
+    return fileError(name, "it is a safetensors file, but not one of Surefoot: its metadata has no text \"surefoot\".");
+
+  TensorFile file;
+  file.name = name;
+  file.about = parseJson(header[kMetadata][kOurs].get_ref<const std::string&>());
+  if (!file.about.is_object()) return fileError(name, "its description is not JSON; the file is damaged.");
+  const std::string_view data = bytes.substr(kLengthBytes + length);
+  std::size_t offset = 0;
+  std::vector<std::pair<std::size_t, std::string>> order;  // as they lie in the file
+  for (const auto& [key, entry] : header.items()) {
+    if (key == kMetadata) continue;
+    if (!isTensorEntry(entry))
+      return fileError(name, fmt::format("the entry \"{}\" of its header is no tensor.", shortened(key)));
+    order.emplace_back(entry["data_offsets"][0].get<std::size_t>(), key);
+  }
+  std::sort(order.begin(), order.end());
+  for (const auto& [begin, key] : order) {
+    auto tensor = readTensor(name, key, header[key], data, offset);
+    if (!tensor) return tensor.error();
+    offset += tensor->bytes.size();
+    file.tensors.push_back(std::move(*tensor));
+  }
+  if (offset != data.size())
+    return fileError(name, fmt::format("{} bytes behind the last tensor belong to none.", data.size() - offset));
+  return file;
+}
+
+Result<TensorFile> TensorFile::read(const std::string& path) {
+  const auto refuse = [&](const char* why) { return fileError(path, fmt::format("it cannot be read: {}.", why)); };
+  if (path.empty()) return Error{"the name of the file is empty; a path is needed."};
+  struct stat info {};
+  if (stat(path.c_str(), &info) != 0) return refuse(std::strerror(errno));
+  if (!S_ISREG(info.st_mode)) return refuse("it is not a regular file");
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(path.c_str(), "rb"), std::fclose);
+  if (!in) return refuse(std::strerror(errno));
+  std::string bytes(static_cast<std::size_t>(info.st_size), '\0');
+  const std::size_t got = std::fread(bytes.data(), 1, bytes.size(), in.get());
+  if (std::ferror(in.get())) return refuse(std::strerror(errno));
+  bytes.resize(got);
+  return parse(bytes, path);
+}
+
+}  // namespace surefoot
