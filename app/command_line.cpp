@@ -7,8 +7,8 @@
 #include <algorithm>
 
 #include "app/requests.h"
-#include "app/version.h"
 #include "core/text.h"
+#include "core/version.h"
 
 namespace surefoot {
 
@@ -40,10 +40,25 @@ void addTrainOptions(CLI::App& app, TrainOptions& o) {
   addOption(app, "--seed", o.seed, "master seed, 0 to 18446744073709551615 [1]", "N");
   addOption(app, "--minutes", o.minutes, "length of a life in simulated minutes", "T");
   addOption(app, "--episodes", o.episodes, "length of a life in episodes; whichever comes first ends it", "N");
+  addOption(app, "--until", o.until, "end a life when the average reward of 80 episodes reaches this", "REWARD");
   addOption(app, "--lives", o.lives, "number of lives [1]", "N");
   addOption(app, "--jobs", o.jobs, "threads [all cores]", "N");
   app.add_flag("--json", o.json, "print the result as one JSON object");
   addOption(app, "--log", o.log, "write a row an episode to this file, which must not exist yet", "FILE.csv");
+  addOption(app, "--load", o.load, "begin with what another life has learned", "FILE");
+  app.add_option("--at", o.at, "do this when the life has taken so many steps: a parameter, policy=NAME, push=IMPULSE")
+      ->type_name("STEP:KEY=VALUE")
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->take_all();
+}
+
+void addFileOptions(CLI::App& app, TrainOptions& o) {
+  addOption(app, "--save", o.save, "write what was learned to this file, which must not exist yet", "FILE");
+  addOption(app, "--journal", o.journal, "write what was done to the life, for `surefoot replay`", "FILE");
+  addOption(app, "--checkpoint", o.checkpoint, "write the whole life to this file, again and again", "FILE");
+  addOption(app, "--every", o.every, "simulated minutes between two checkpoints [10]", "T");
+  addOption(app, "--resume", o.resume, "go on from a checkpoint", "FILE");
 }
 
 /// The first word that no option or command knows, with the nearest that one does.
@@ -102,15 +117,27 @@ struct CommandLine {
   CLI::App* train = app.add_subcommand("train", "learn without a window: one life, or many on all cores");
   CLI::App* window = app.add_subcommand("window", "open the workbench, with the options of train");
   CLI::App* list = app.add_subcommand("list", "name everything that can be chosen or set");
+  CLI::App* query = app.add_subcommand("query", "what a Q-function holds about one state");
+  CLI::App* slice = app.add_subcommand("slice", "a plane through a Q-function, as CSV");
+  CLI::App* inspect = app.add_subcommand("inspect", "what a file holds and where it comes from");
+  CLI::App* resample = app.add_subcommand("resample", "carry a Q-function over into another resolution");
+  CLI::App* replay = app.add_subcommand("replay", "live a journal again");
   CLI::App* probabilities = app.add_subcommand("probabilities", "the probability of every action, given its value");
   TrainOptions trainOptions, windowOptions;
   ListRequest listOptions;
   ProbabilitiesOptions probabilitiesOptions;
+  QueryRequest queryOptions;
+  SliceRequest sliceOptions;
+  InspectRequest inspectOptions;
+  ResampleRequest resampleOptions;
+  ReplayRequest replayOptions;
 
   CommandLine() {
     app.require_subcommand(0, 1);
     addTrainOptions(*train, trainOptions);
     addTrainOptions(*window, windowOptions);
+    addFileOptions(*train, trainOptions);
+    addFileCommands();
     window->add_flag("--turbo", windowOptions.turbo, "learn flat out from the start");
     list->add_flag("--json", listOptions.json, "as JSON");
     addOption(*probabilities, "--q", probabilitiesOptions.q, "action values, separated by commas", "Q1,Q2,…");
@@ -119,11 +146,40 @@ struct CommandLine {
         ->capture_default_str();
     addAssignments(*probabilities, probabilitiesOptions.assignments, "a parameter of the policy; may be repeated");
     probabilities->add_flag("--json", probabilitiesOptions.json, "as JSON");
-    for (CLI::App* command : {&app, train, window, list, probabilities}) {
+    for (CLI::App* command : {&app, train, window, list, probabilities, query, slice, inspect, resample, replay}) {
       command->set_help_flag("-h,--help", "print this help");
       command->set_version_flag("--version", std::string("surefoot ") + kVersion, "print the version");
       command->allow_extras();
     }
+  }
+
+  void addFileCommands() {
+    const auto file = [](CLI::App* command, std::string& path, const char* what) {
+      command->add_option("FILE", path, what)->type_name("");
+    };
+    file(query, queryOptions.file, "a Q-function");
+    addOption(*query, "--state", queryOptions.state, "the state, its variables separated by commas", "S1,S2,…");
+    addOption(*query, "--policy", queryOptions.policy, "action-selection rule, if not the file's", "NAME");
+    addAssignments(*query, queryOptions.assignments, "a parameter of the policy; may be repeated");
+    query->add_flag("--json", queryOptions.json, "as JSON");
+
+    file(slice, sliceOptions.file, "a Q-function");
+    addOption(*slice, "--axes", sliceOptions.axes, "the two state variables that vary", "VARIABLE,VARIABLE");
+    addOption(*slice, "--at", sliceOptions.at, "the state that the plane goes through [0,0,…]", "S1,S2,…");
+    addOption(*slice, "--points", sliceOptions.points, "points along each axis [101]", "N");
+    addOption(*slice, "--out", sliceOptions.out, "the table to write, which must not exist yet", "FILE.csv");
+
+    file(inspect, inspectOptions.file, "a Q-function or a checkpoint");
+    inspect->add_flag("--json", inspectOptions.json, "as JSON");
+
+    file(resample, resampleOptions.file, "a Q-function");
+    addAssignments(*resample, resampleOptions.assignments, "a parameter of the representation; may be repeated");
+    addOption(*resample, "--save", resampleOptions.save, "the file to write, which must not exist yet", "FILE");
+    resample->add_flag("--json", resampleOptions.json, "report as JSON");
+
+    file(replay, replayOptions.file, "a journal");
+    replay->add_flag("--verify", replayOptions.verify, "fail unless the hash is that of the journal");
+    replay->add_flag("--json", replayOptions.json, "print the result as one JSON object");
   }
 
   /// What was given and no option takes, or an option that took what was not meant for it.
@@ -162,6 +218,11 @@ Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv
   if (line.list->parsed()) return Request(line.listOptions);
   if (line.train->parsed()) return any(makeTrainRequest(registry, line.trainOptions, false));
   if (line.probabilities->parsed()) return any(makeProbabilitiesRequest(registry, line.probabilitiesOptions));
+  if (line.query->parsed()) return Request(line.queryOptions);
+  if (line.slice->parsed()) return Request(line.sliceOptions);
+  if (line.inspect->parsed()) return Request(line.inspectOptions);
+  if (line.resample->parsed()) return Request(line.resampleOptions);
+  if (line.replay->parsed()) return Request(line.replayOptions);
   auto request = makeTrainRequest(registry, line.windowOptions, true);
   if (!request) return request.error();
   return Request(WindowRequest{std::move(*request)});

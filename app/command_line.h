@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/experiment/checkpoint.h"
 #include "core/experiment/configuration.h"
 
 namespace surefoot {
@@ -31,15 +32,56 @@ struct TrainRequest {
   bool json = false;
   std::optional<std::string> log;
   bool turbo = false;  ///< window only: start flat out
+
+  // `train` only: files.
+  std::optional<std::string> save, journal, checkpoint;
+  std::int64_t checkpointEvery = 0;           ///< steps
+  std::shared_ptr<const TensorFile> resumed;  ///< the life goes on from here
+  NewLimits limits;                           ///< for a life that goes on
 };
 struct WindowRequest : TrainRequest {};
+
+/// `surefoot query`: what is learned about one state.
+struct QueryRequest {
+  std::string file;
+  std::optional<std::string> state, policy;
+  std::vector<std::string> assignments;
+  bool json = false;
+};
+
+/// `surefoot slice`: a plane through a Q-function.
+struct SliceRequest {
+  std::string file;
+  std::optional<std::string> axes, at, points, out;
+};
+
+/// `surefoot inspect`: what a file holds.
+struct InspectRequest {
+  std::string file;
+  bool json = false;
+};
+
+/// `surefoot resample`: a Q-function in another resolution.
+struct ResampleRequest {
+  std::string file;
+  std::vector<std::string> assignments;
+  std::optional<std::string> save;
+  bool json = false;
+};
+
+/// `surefoot replay`
+struct ReplayRequest {
+  std::string file;
+  bool verify = false, json = false;
+};
 
 /// --help or --version: the text to print.
 struct PrintRequest {
   std::string text;
 };
 
-using Request = std::variant<ListRequest, ProbabilitiesRequest, TrainRequest, WindowRequest, PrintRequest>;
+using Request = std::variant<ListRequest, ProbabilitiesRequest, TrainRequest, WindowRequest, QueryRequest, SliceRequest,
+                             InspectRequest, ResampleRequest, ReplayRequest, PrintRequest>;
 
 Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv);
 

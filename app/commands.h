@@ -11,6 +11,12 @@ int probabilitiesCommand(const Registry& registry, const ProbabilitiesRequest& r
 int trainCommand(const Registry& registry, const TrainRequest& request);
 int windowCommand(const Registry& registry, const WindowRequest& request, int argc, char** argv);
 
+int queryCommand(const Registry& registry, const QueryRequest& request);
+int sliceCommand(const Registry& registry, const SliceRequest& request);
+int inspectCommand(const Registry& registry, const InspectRequest& request);
+int resampleCommand(const Registry& registry, const ResampleRequest& request);
+int replayCommand(const Registry& registry, const ReplayRequest& request);
+
 /// Prints "surefoot: …" to standard error and returns the exit code of the error.
 int fail(const Error& error);
 

@@ -6,7 +6,7 @@
 
 namespace surefoot {
 
-enum ExitCode : int { kDone = 0, kUsage = 2, kFile = 3, kDiverged = 4, kInterrupted = 130 };
+enum ExitCode : int { kDone = 0, kUsage = 2, kFile = 3, kDiverged = 4, kMismatch = 5, kInterrupted = 130 };
 
 constexpr ExitCode exitCode(ErrorKind kind) {
   switch (kind) {
@@ -14,6 +14,8 @@ constexpr ExitCode exitCode(ErrorKind kind) {
       return kFile;
     case ErrorKind::Diverged:
       return kDiverged;
+    case ErrorKind::Mismatch:
+      return kMismatch;
     case ErrorKind::Interrupted:
       return kInterrupted;
     case ErrorKind::Usage:

@@ -43,6 +43,11 @@ int run(int argc, char** argv) {
     int operator()(const ProbabilitiesRequest& r) const { return probabilitiesCommand(registry, r); }
     int operator()(const TrainRequest& r) const { return trainCommand(registry, r); }
     int operator()(const WindowRequest& r) const { return windowCommand(registry, r, argc, argv); }
+    int operator()(const QueryRequest& r) const { return queryCommand(registry, r); }
+    int operator()(const SliceRequest& r) const { return sliceCommand(registry, r); }
+    int operator()(const InspectRequest& r) const { return inspectCommand(registry, r); }
+    int operator()(const ResampleRequest& r) const { return resampleCommand(registry, r); }
+    int operator()(const ReplayRequest& r) const { return replayCommand(registry, r); }
     int operator()(const PrintRequest& r) const { return print(r.text); }
   };
   return std::visit(Dispatch{registry, argc, argv}, *request);

@@ -8,7 +8,8 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "app/version.h"
+#include "core/experiment/configuration_json.h"
+#include "core/version.h"
 
 namespace surefoot {
 
@@ -25,27 +26,29 @@ OrderedJson finite(double value) {
   return std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr);
 }
 
-OrderedJson configurationAsJson(const Configuration& c) {
-  OrderedJson parameters = OrderedJson::object();
-  for (const auto& entry : c.parameters.all()) {
-    const Parameter& p = entry.parameter;
-    if (p.kind == Kind::Choice)
-      parameters[p.key] = formatValue(p, entry.value);
-    else if (p.kind == Kind::Integer)
-      parameters[p.key] = static_cast<std::int64_t>(entry.value);
-    else
-      parameters[p.key] = entry.value;
+/// Of every table: how much it holds.
+OrderedJson memoryAsJson(const std::vector<MemoryUse>& tables) {
+  OrderedJson list = OrderedJson::array();
+  for (const MemoryUse& use : tables) {
+    OrderedJson table = {{"features", use.slots}};
+    if (use.occupied) table["occupied"] = *use.occupied;
+    if (use.failedLookUps) table["failed_look_ups"] = *use.failedLookUps;
+    list.push_back(std::move(table));
   }
-  return {{"environment", c.names.environment},
-          {"preset", c.names.preset},
-          {"scenario", c.names.scenario},
-          {"agent", c.names.agent},
-          {"features", c.names.features},
-          {"policy", c.names.policy},
-          {"parameters", parameters},
-          {"lives", c.lives},
-          {"minutes", c.minutes ? OrderedJson(*c.minutes) : OrderedJson(nullptr)},
-          {"episodes", c.episodes ? OrderedJson(*c.episodes) : OrderedJson(nullptr)}};
+  return list;
+}
+
+OrderedJson orNull(const std::optional<double>& value) {
+  return value ? OrderedJson(*value) : OrderedJson(nullptr);
+}
+
+OrderedJson ruleAsJson(const std::optional<RuleOfThumb>& rule) {
+  if (!rule) return nullptr;
+  return {{"threshold", rule->threshold},
+          {"transitions", rule->transitions},
+          {"lower_limit", orNull(rule->lower)},
+          {"upper_limit", orNull(rule->upper)},
+          {"pre_learned", rule->preLearned}};
 }
 
 const char* endingName(const EpisodeRow& row) {
@@ -82,6 +85,8 @@ std::string resultAsJson(const Configuration& configuration, const std::vector<L
         {"transitions_success", mean(r.totals.successSteps, r.totals.successes)},
         {"transitions_failure", mean(r.totals.failureSteps, r.totals.failures)},
         {"states_outside", r.statesOutside},
+        {"tables", memoryAsJson(r.memory)},
+        {"rule_of_thumb", ruleAsJson(r.ruleOfThumb)},
         {"complete", r.complete},
         {"steps_per_second", finite(r.cpuSeconds > 0 ? static_cast<double>(r.steps) / r.cpuSeconds : std::nan(""))},
         {"hash", fmt::format("{:016x}", r.hash)}};
@@ -91,10 +96,10 @@ std::string resultAsJson(const Configuration& configuration, const std::vector<L
           {{"step", change.step}, {"key", change.key}, {"before", change.before}, {"after", change.after}});
     list.push_back(std::move(life));
   }
-  const OrderedJson result = {{"version", kVersion},
-                              {"configuration", configurationAsJson(configuration)},
-                              {"seed", configuration.seed},
-                              {"lives", list}};
+  OrderedJson result = {
+      {"version", kVersion}, {"configuration", configurationAsJson(configuration)}, {"seed", configuration.seed}};
+  if (!configuration.beganWith.is_null()) result["began_with"] = configuration.beganWith;
+  result["lives"] = list;
   return result.dump(2) + "\n";
 }
 

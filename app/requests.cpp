@@ -12,22 +12,12 @@
 
 namespace surefoot {
 
-namespace {
-
 Result<std::int64_t> parseCount(const std::string& option, const std::string& text, std::int64_t most) {
   std::int64_t value = 0;
   const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (code == std::errc{} && end == text.data() + text.size() && value >= 1 && value <= most) return value;
   return Error{fmt::format("{}: \"{}\" is not allowed; it takes a whole number from 1 to {}.", option,
                            text.substr(0, 60), most)};
-}
-
-Result<std::uint64_t> parseSeed(const std::string& text) {
-  std::uint64_t value = 0;
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (code == std::errc{} && end == text.data() + text.size()) return value;
-  return Error{fmt::format("--seed: \"{}\" is not allowed; it takes a whole number from 0 to {}.", text.substr(0, 60),
-                           std::numeric_limits<std::uint64_t>::max())};
 }
 
 Result<std::vector<Assignment>> parseAssignments(const std::vector<std::string>& texts) {
@@ -45,7 +35,19 @@ Result<std::vector<Assignment>> parseAssignments(const std::vector<std::string>&
   return assignments;
 }
 
-/// A key of a policy that is not the chosen one would have no effect: a slip worth a word.
+Result<std::vector<double>> parseNumbers(const std::string& option, const std::string& text) {
+  std::vector<double> numbers;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const auto value = parseNumber(fmt::format("{}, value {}", option, numbers.size() + 1),
+                                   std::string_view(text).substr(begin, end - begin));
+    if (!value) return value.error();
+    numbers.push_back(*value);
+    begin = end + 1;
+  }
+  return numbers;
+}
+
 Status checkPolicyKeys(const Registry& registry, const std::string& policy,
                        const std::vector<Assignment>& assignments) {
   const auto chosen = findEntry(registry.policies, "--policy", policy);
@@ -65,65 +67,17 @@ Status checkPolicyKeys(const Registry& registry, const std::string& policy,
   return Done{};
 }
 
+namespace {
+
 Result<std::vector<double>> parseQ(const std::string& text) {
-  std::vector<double> q;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const auto value =
-        parseNumber(fmt::format("--q, value {}", q.size() + 1), std::string_view(text).substr(begin, end - begin));
-    if (!value)
-      return text.empty() ? Error{"--q: the list is empty; action values are needed, such as 1,2,3."} : value.error();
-    q.push_back(*value);
-    begin = end + 1;
-  }
-  if (q.size() > kMaxActions)
-    return Error{fmt::format("--q: {} values are given; 1 to {} are allowed.", q.size(), kMaxActions)};
+  if (text.empty()) return Error{"--q: the list is empty; action values are needed, such as 1,2,3."};
+  auto q = parseNumbers("--q", text);
+  if (q && q->size() > kMaxActions)
+    return Error{fmt::format("--q: {} values are given; 1 to {} are allowed.", q->size(), kMaxActions)};
   return q;
 }
 
 }  // namespace
-
-Result<TrainRequest> makeTrainRequest(const Registry& registry, const TrainOptions& o, bool window) {
-  const auto assignments = parseAssignments(o.assignments);
-  if (!assignments) return assignments.error();
-  if (!window)
-    if (const Status s = checkPolicyKeys(registry, o.names.policy, *assignments); !s) return s.error();
-  auto configuration = configure(registry, o.names, *assignments);
-  if (!configuration) return configuration.error();
-
-  TrainRequest request{.configuration = std::move(*configuration), .json = o.json, .log = o.log, .turbo = o.turbo};
-  Configuration& c = request.configuration;
-  if (o.seed) {
-    const auto seed = parseSeed(*o.seed);
-    if (!seed) return seed.error();
-    c.seed = *seed;
-  }
-  if (o.minutes) {
-    const Parameter minutes{.key = "--minutes", .low = 0.001, .high = 1e6};
-    const auto value = parseValue(minutes, *o.minutes);
-    if (!value) return value.error();
-    c.minutes = *value;
-  }
-  if (o.episodes) {
-    const auto value = parseCount("--episodes", *o.episodes, 1'000'000'000);
-    if (!value) return value.error();
-    c.episodes = *value;
-  }
-  const auto lives = o.lives ? parseCount("--lives", *o.lives, 1'000'000) : Result<std::int64_t>(1);
-  if (!lives) return lives.error();
-  c.lives = static_cast<int>(*lives);
-  const std::int64_t cores = std::max(1u, std::thread::hardware_concurrency());
-  const auto jobs = o.jobs ? parseCount("--jobs", *o.jobs, 1024) : Result<std::int64_t>(cores);
-  if (!jobs) return jobs.error();
-  request.jobs = static_cast<int>(*jobs);
-
-  if (window && c.lives > 1)
-    return Error{fmt::format("--lives: the window shows one life, not {}; `surefoot train` runs many.", c.lives)};
-  if (!window && !c.minutes && !c.episodes)
-    return Error{"--minutes or --episodes: how long a life is must be given, e.g. --minutes 9."};
-  if (const auto life = makeLife(registry, c, 0, false); !life) return life.error();  // what no single check can see
-  return request;
-}
 
 Result<ProbabilitiesRequest> makeProbabilitiesRequest(const Registry& registry, const ProbabilitiesOptions& o) {
   if (!o.q) return Error{"--q: action values are needed, such as --q 1,2,3."};

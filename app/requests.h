@@ -14,8 +14,10 @@ namespace surefoot {
 struct TrainOptions {
   Names names;
   std::vector<std::string> assignments;
-  std::optional<std::string> seed, minutes, episodes, lives, jobs, log;
+  std::optional<std::string> seed, minutes, episodes, until, lives, jobs, log, load;
+  std::vector<std::string> at;
   bool json = false, turbo = false;
+  std::optional<std::string> save, journal, checkpoint, every, resume;  ///< `train` only
 };
 
 /// The options of `probabilities`, as they were written.
@@ -25,6 +27,16 @@ struct ProbabilitiesOptions {
   std::vector<std::string> assignments;
   bool json = false;
 };
+
+/// "0.1,0,0" as numbers; `option` is named in messages.
+Result<std::vector<double>> parseNumbers(const std::string& option, const std::string& text);
+/// KEY=VALUE, each key once.
+Result<std::vector<Assignment>> parseAssignments(const std::vector<std::string>& texts);
+/// A whole number from 1 to `most`.
+Result<std::int64_t> parseCount(const std::string& option, const std::string& text, std::int64_t most);
+
+/// A key of a policy that is not the chosen one would have no effect: a slip worth a word.
+Status checkPolicyKeys(const Registry& registry, const std::string& policy, const std::vector<Assignment>& assignments);
 
 Result<TrainRequest> makeTrainRequest(const Registry& registry, const TrainOptions& options, bool window);
 Result<ProbabilitiesRequest> makeProbabilitiesRequest(const Registry& registry, const ProbabilitiesOptions& options);

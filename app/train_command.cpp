@@ -8,7 +8,7 @@
 #include "app/exit_code.h"
 #include "app/interrupt.h"
 #include "app/report.h"
-#include "core/files/whole_file.h"
+#include "app/train_files.h"
 
 namespace surefoot {
 
@@ -47,37 +47,48 @@ class ProgressLine {
 
 }  // namespace
 
+namespace {
+
+/// The lives of a request, with a progress line on a terminal.
+Result<std::vector<LifeResult>> run(const Registry& registry, const TrainRequest& request, TrainFiles& files) {
+  RunOptions options{};
+  options.jobs = request.jobs;
+  options.keepRows = files.keepRows();
+  options.interrupted = &watchForInterrupt();
+  if (files.wantsVisits()) {
+    options.visit = [&](const Life& life) { files.visit(life); };
+    options.visitEvery = files.visitEvery();
+  }
+  if (request.resumed)
+    options.make = [&](int) -> Result<std::unique_ptr<Life>> {
+      auto resumed = resume(registry, request.resumed, request.limits);
+      if (!resumed) return resumed.error();
+      return std::move(resumed->life);
+    };
+  std::optional<ProgressLine> line;
+  if (isatty(STDERR_FILENO))
+    options.progress = [&](const Progress& p) {
+      if (!line) line.emplace(request.configuration.lives);
+      line->show(p);
+    };
+  return runLives(registry, request.configuration, options);
+}
+
+}  // namespace
+
 int trainCommand(const Registry& registry, const TrainRequest& request) {
   const Configuration& configuration = request.configuration;
-  std::optional<WholeFile> log;
-  if (request.log) {
-    auto file = WholeFile::createNew("--log", *request.log);
-    if (!file) return fail(file.error());
-    log.emplace(std::move(*file));
-  }
-
-  RunOptions options{
-      .jobs = request.jobs, .keepRows = log.has_value(), .interrupted = &watchForInterrupt(), .progress = {}};
-  Result<std::vector<LifeResult>> lives = std::vector<LifeResult>{};
-  {
-    std::optional<ProgressLine> line;
-    if (isatty(STDERR_FILENO))
-      options.progress = [&](const Progress& p) {
-        if (!line) line.emplace(configuration.lives);
-        line->show(p);
-      };
-    lives = runLives(registry, configuration, options);
-  }
+  auto files = TrainFiles::claim(request);
+  if (!files) return fail(files.error());
+  const auto environment = makeEnvironment(registry, configuration);
+  if (!environment) return fail(environment.error());
+  const auto lives = run(registry, request, *files);
   if (!lives) return fail(lives.error());
 
   // Whatever fails here, the rest is still reported.
-  Status logged = Done{};
-  if (log) {
-    const auto environment = makeEnvironment(registry, configuration);
-    logged = environment ? log->commit(logAsCsv(*lives, (*environment)->task().stepTime)) : Status(environment.error());
-  }
+  const Status written = files->finish(*lives, (*environment)->task().stepTime);
   const int printed = print(request.json ? resultAsJson(configuration, *lives) : resultAsTable(configuration, *lives));
-  if (!logged) return fail(logged.error());
+  if (!written) return fail(written.error());
   if (printed != kDone) return printed;
 
   for (const LifeResult& life : *lives)

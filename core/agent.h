@@ -37,6 +37,10 @@ class Agent : public Scheduling {
 
   /// The estimates by name, with the layout of their features: what a file must share with this agent to fit it.
   virtual Json layouts() const = 0;
+  /// Moves q̂(s, ·) of one layer towards `q`, closing the given share of the error, and counts its features as visited
+  /// at least so often. For carrying a function over into this agent's representation; not a learning step.
+  virtual void fit(std::span<const double> state, Layer layer, std::span<const double> q, double share,
+                   double visits) = 0;
   /// What was learned, to a file or from one: the tables of the estimates.
   virtual void transferValues(Archive& archive) = 0;
   /// Everything else that a life needs to go on in the middle of an episode.

@@ -66,6 +66,12 @@ class Environment : public Configurable {
   /// The state now; the view is valid until the next call. Hot.
   virtual std::span<const double> state() const = 0;
 
+  /// Pushes the body to the right by an impulse [N s], between two steps; false: there is no body to push.
+  virtual bool push(double impulse) {
+    static_cast<void>(impulse);
+    return false;
+  }
+
   /// Everything that a picture needs and the state leaves out (the position of a cart), and the last action's value.
   virtual std::vector<double> pose() const = 0;
   /// Draws a pose of this environment.

@@ -40,7 +40,12 @@ std::string shortText(const Json& json) {
 std::optional<Difference> firstDifference(const Json& theirs, const Json& ours, const std::string& where) {
   const auto inside = [&](const std::string& name) { return where.empty() ? name : name + " of " + where; };
   if (ours.is_object() && theirs.is_object()) {
-    for (const auto& [key, value] : ours.items()) {
+    std::vector<std::string> keys;  // first what a person sets
+    for (const char* key : {"kind", "tilings", "memory", "tile_width", "spacing", "width"})
+      if (ours.contains(key)) keys.emplace_back(key);
+    for (const auto& [key, value] : ours.items()) keys.push_back(key);
+    for (const std::string& key : keys) {
+      const Json& value = ours[key];
       if (!theirs.contains(key)) return Difference{inside(key), "nothing", shortText(value)};
       if (auto found = firstDifference(theirs[key], value, key == "variables" ? where : inside(key))) return found;
     }

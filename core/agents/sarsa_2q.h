@@ -72,6 +72,11 @@ class Sarsa2Q final : public Agent {
   Json layouts() const override {
     return {{"positive", positive_.values().features().layout()}, {"negative", negative_.values().features().layout()}};
   }
+  void fit(std::span<const double> state, Layer layer, std::span<const double> q, double share,
+           double visits) override {
+    if (layer == Layer::Positive) positive_.values().fit(state, q, share, visits);
+    if (layer == Layer::Negative) negative_.values().fit(state, q, share, visits);
+  }
   void transferValues(Archive& archive) override {
     archive.under("positive.", [&] { positive_.values().transfer(archive); });
     archive.under("negative.", [&] { negative_.values().transfer(archive); });

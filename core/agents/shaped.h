@@ -70,6 +70,10 @@ class ShapedAgent final : public Agent {
     layouts["potential"] = potential_.values().features().layout();
     return layouts;
   }
+  void fit(std::span<const double> state, Layer layer, std::span<const double> q, double share,
+           double visits) override {
+    agent_->fit(state, layer, q, share, visits);
+  }
   void transferValues(Archive& archive) override {
     agent_->transferValues(archive);
     archive.under("potential.", [&] { potential_.values().transfer(archive); });

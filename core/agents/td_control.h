@@ -64,6 +64,9 @@ class TdControl final : public Agent {
   void advance(const LifeTime& time) override { estimate_.settings().stepSize.advance(time); }
   bool everyStep() const override { return estimate_.settings().stepSize.everyStep(); }
   Json layouts() const override { return {{"q", estimate_.values().features().layout()}}; }
+  void fit(std::span<const double> state, Layer, std::span<const double> q, double share, double visits) override {
+    estimate_.values().fit(state, q, share, visits);
+  }
   void transferValues(Archive& archive) override {
     archive.under("q.", [&] { estimate_.values().transfer(archive); });
   }

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "core/experiment/q_file.h"
+
 namespace surefoot {
 
 namespace {
@@ -80,31 +82,100 @@ Result<std::unique_ptr<Environment>> makeEnvironment(const Registry& registry, c
   return environment;
 }
 
-Result<std::unique_ptr<Life>> makeLife(const Registry& registry, const Configuration& c, int index, bool keepRows) {
-  auto environment = makeEnvironment(registry, c);
-  if (!environment) return environment.error();
+namespace {
+
+/// A command as it will be carried out; refused if there is no such parameter, policy or body, or it needs a new table.
+Result<TimedCommand> makeCommand(const Registry& registry, const Configuration& c, const CommandText& text) {
+  const Parameter kPush{.key = "push", .unit = "N s", .low = -1e3, .high = 1e3};
+  TimedCommand command{.step = text.step, .key = text.key, .value = 0.0, .policy = {}, .policyName = {}};
+  if (text.key == "policy") {
+    auto policy = makePolicy(registry, text.value, c.parameters);
+    if (!policy) return policy.error();
+    command.policy = std::move(*policy);
+    command.policyName = text.value;
+    return command;
+  }
+  if (text.key == "push") {
+    const auto value = parseValue(kPush, text.value);
+    if (!value) return value.error();
+    command.value = *value;
+    return command;
+  }
+  Parameters parameters = c.parameters;
+  if (const Status s = parameters.set(text.key, std::string_view(text.value)); !s) return s.error();
+  const Parameters::Entry* entry = parameters.find(text.key);
+  if (entry->parameter.when == When::NewTable)
+    return Error{fmt::format("{}: a new table is needed for it, so it cannot change while a life goes on.", text.key)};
+  command.value = entry->value;
+  return command;
+}
+
+Result<LifeLimits> makeLimits(const Configuration& c, const Task& task) {
+  LifeLimits limits;
+  if (c.episodes) limits.episodes = *c.episodes;
+  if (c.until) limits.averageReward = *c.until;
+  if (!c.minutes) return limits;
+  if (!task.stepTime)
+    return Error{fmt::format("minutes: the environment {} has no clock; give a number of episodes instead.",
+                             c.names.environment)};
+  limits.steps = std::llround(*c.minutes * 60.0 / *task.stepTime);
+  return limits;
+}
+
+/// Everything that a life is made from; `environment` has its parameters already.
+Result<LifeParts> makeParts(const Registry& registry, const Configuration& c, std::uint64_t weightSeed,
+                            std::unique_ptr<Environment> environment) {
   auto policy = makePolicy(registry, c.names.policy, c.parameters);
   if (!policy) return policy.error();
   const auto agentEntry = findEntry(registry.agents, "agent", c.names.agent);
   if (!agentEntry) return agentEntry.error();
-
-  const auto life = static_cast<std::uint64_t>(index);
-  const Task& task = (*environment)->task();
-  auto agent = (*agentEntry)->make({task, c.names.features, c.parameters, deriveSeed(c.seed, life, Stream::Weights)});
+  const Task& task = environment->task();
+  if (c.start)
+    if (const Status s = checkTask(*c.start, task); !s) return s.error();
+  auto agent = (*agentEntry)->make({task, c.names.features, c.parameters, weightSeed, c.start.get()});
   if (!agent) return agent.error();
-
-  LifeLimits limits;
-  if (c.episodes) limits.episodes = *c.episodes;
-  if (c.minutes) {
-    if (!task.stepTime)
-      return Error{fmt::format("minutes: the environment {} has no clock; give a number of episodes instead.",
-                               c.names.environment)};
-    limits.steps = std::llround(*c.minutes * 60.0 / *task.stepTime);
+  LifeParts parts{std::move(environment), std::move(*policy), std::move(*agent), c.parameters, c.names.policy, {}};
+  parts.preLearned = c.start != nullptr;
+  for (const CommandText& text : c.commands) {
+    auto command = makeCommand(registry, c, text);
+    if (!command) return Error{fmt::format("at step {}: {}", text.step, command.error().message)};
+    if (command->key == "push" && !parts.environment->push(0.0))
+      return Error{
+          fmt::format("at step {}: push: the environment {} has no body to push.", text.step, c.names.environment)};
+    parts.commands.push_back(std::move(*command));
   }
-  return std::make_unique<Life>(
-      LifeParts{std::move(*environment), std::move(*policy), std::move(*agent), c.parameters, c.names.policy},
-      Random(deriveSeed(c.seed, life, Stream::World)), Random(deriveSeed(c.seed, life, Stream::Policy)), limits,
-      keepRows);
+  return parts;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Life>> makeLife(const Registry& registry, const Configuration& c, int index, bool keepRows,
+                                       std::int64_t mostSteps) {
+  auto environment = makeEnvironment(registry, c);
+  if (!environment) return environment.error();
+  const auto life = static_cast<std::uint64_t>(index);
+  auto limits = makeLimits(c, (*environment)->task());
+  if (!limits) return limits.error();
+  limits->steps = std::min(limits->steps, mostSteps);
+  auto parts = makeParts(registry, c, deriveSeed(c.seed, life, Stream::Weights), std::move(*environment));
+  if (!parts) return parts.error();
+  return std::make_unique<Life>(std::move(*parts), Random(deriveSeed(c.seed, life, Stream::World)),
+                                Random(deriveSeed(c.seed, life, Stream::Policy)), *limits, keepRows);
+}
+
+Result<std::unique_ptr<Life>> resumeLife(const Registry& registry, const Configuration& now,
+                                         const Configuration& inForce, bool keepRows,
+                                         const std::vector<Change>& changes, Archive& archive) {
+  auto environment = makeEnvironment(registry, inForce);
+  if (!environment) return environment.error();
+  const auto limits = makeLimits(now, (*environment)->task());
+  if (!limits) return limits.error();
+  auto parts = makeParts(registry, now, 0, std::move(*environment));
+  if (!parts) return parts.error();
+  parts->changes = changes;
+  auto life = std::make_unique<Life>(std::move(*parts), *limits, keepRows, archive);
+  if (!archive.good()) return archive.status().error();
+  return life;
 }
 
 }  // namespace surefoot

@@ -30,6 +30,13 @@ struct Assignment {
   std::string key, value;
 };
 
+/// What is to be done to every life when it has taken `step` steps, as a person writes it: a parameter and its value,
+/// "policy" and a name, or "push" and an impulse in N s.
+struct CommandText {
+  std::int64_t step = 0;
+  std::string key, value;
+};
+
 struct Configuration {
   Names names;
   Parameters parameters;  ///< complete: environment, agent, features, and every policy's
@@ -37,6 +44,11 @@ struct Configuration {
   int lives = 1;
   std::optional<double> minutes;         ///< simulated, a life
   std::optional<std::int64_t> episodes;  ///< a life; whichever limit comes first ends it
+  std::optional<double> until;           ///< the average reward of the last 80 episodes that ends a life, too
+  std::vector<CommandText> commands;     ///< in the order of their steps
+  /// What was learned before: every life begins with it. Shared, because it is large and many lives read it.
+  std::shared_ptr<const TensorFile> start;
+  Json beganWith;  ///< which file that was, with its hash and what it says of itself; null: none
 };
 
 /// Looks the names up and fills in every parameter: defaults, then the preset, then the scenario, then `assignments`.
@@ -54,7 +66,15 @@ Result<std::unique_ptr<Policy>> makePolicy(const Registry& registry, const std::
 Result<std::unique_ptr<Environment>> makeEnvironment(const Registry& registry, const Configuration& configuration);
 
 /// Life number `index` (from 0) of the experiment, ready to start.
+/// It ends after `mostSteps` steps at the latest.
 Result<std::unique_ptr<Life>> makeLife(const Registry& registry, const Configuration& configuration, int index,
-                                       bool keepRows);
+                                       bool keepRows,
+                                       std::int64_t mostSteps = std::numeric_limits<std::int64_t>::max());
+
+/// A life that was saved goes on: made from the parameters that hold `now` (and `inForce` in the environment), with the
+/// tables of now.start and the rest from `archive`.
+Result<std::unique_ptr<Life>> resumeLife(const Registry& registry, const Configuration& now,
+                                         const Configuration& inForce, bool keepRows,
+                                         const std::vector<Change>& changes, Archive& archive);
 
 }  // namespace surefoot

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/experiment/end_of_learning.h"
+#include "core/files/archive.h"
 #include "core/types.h"
 
 namespace surefoot {
@@ -28,6 +30,7 @@ class Hash64 {
   void add(std::uint64_t word);
   void add(double value);
   std::uint64_t value() const { return state_; }
+  void setValue(std::uint64_t value) { state_ = value; }
 
  private:
   std::uint64_t state_ = 0x5375'7265'666f'6f74ULL;
@@ -36,7 +39,8 @@ class Hash64 {
 /// Sums over a whole life; episodes cut by the end of the life are not counted.
 struct LifeTotals {
   std::int64_t episodes = 0, falls = 0, successes = 0, failures = 0;
-  std::int64_t successSteps = 0, failureSteps = 0;  ///< transitions of the successful and of the failed episodes
+  std::int64_t successSteps = 0, failureSteps = 0;         ///< transitions of the successful and of the failed episodes
+  std::int64_t successesAfter = 0, successStepsAfter = 0;  ///< of the successes, those after the end of learning
 };
 
 class EpisodeLog {
@@ -54,15 +58,20 @@ class EpisodeLog {
     current_.success |= outcome.event == Event::Success;
   }
   /// The episode in hand is over. Returns its row.
-  const EpisodeRow& finish(Ending ending, std::int64_t lifeSteps);
+  /// `bestReturn` is the highest reward of an episode, for the end of learning.
+  const EpisodeRow& finish(Ending ending, std::int64_t lifeSteps, double bestReturn = kInfinity);
 
   const LifeTotals& totals() const { return totals_; }
   /// Mean total reward of the last 80 episodes, or of those so far; 0 before the first.
   double averageReward() const { return last_.averageReward; }
   const EpisodeRow& last() const { return last_; }
   const EpisodeRow& current() const { return current_; }
+  const EndOfLearning& endOfLearning() const { return end_; }
   const std::vector<EpisodeRow>& rows() const { return rows_; }
   const Hash64& hash() const { return hash_; }
+
+  /// The whole log, to a file or from one.
+  void transfer(Archive& archive);
 
  private:
   bool keepRows_;
@@ -70,6 +79,7 @@ class EpisodeLog {
   LifeTotals totals_;
   std::array<double, kAverageOver> recent_{};  // a ring of total rewards
   std::vector<EpisodeRow> rows_;
+  EndOfLearning end_;
   Hash64 hash_;
 };
 

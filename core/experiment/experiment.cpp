@@ -34,6 +34,8 @@ double shareOf(const Life& life) {
                                 part(life.log().totals().episodes, life.limits().episodes)));
 }
 
+constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
+
 class Pool {
  public:
   Pool(const Registry& registry, const Configuration& configuration, const RunOptions& options)
@@ -89,19 +91,33 @@ class Pool {
 
   void live(int index) {
     const double start = threadCpuSeconds();
-    Result<std::unique_ptr<Life>> made = makeLife(registry_, configuration_, index, options_.keepRows);
+    Result<std::unique_ptr<Life>> made =
+        options_.make ? options_.make(index) : makeLife(registry_, configuration_, index, options_.keepRows);
     if (!made) return giveUp(made.error());
     Life& life = **made;
+    if (options_.visitEvery != kNever) life.keepInputs();
+    std::int64_t nextVisit = after(life.steps());
     Meter& meter = meters_[static_cast<std::size_t>(index)];
     while (!life.finished() && !interrupted()) {
-      for (int i = 0; i < 4096 && !life.finished(); ++i) life.step();
+      const std::int64_t batch = std::min<std::int64_t>(4096, nextVisit - life.steps());
+      for (std::int64_t i = 0; i < batch && !life.finished(); ++i) life.step();
+      if (life.steps() >= nextVisit && !life.finished()) {
+        if (options_.visit) options_.visit(life);
+        nextVisit = after(life.steps());
+      }
       meter.steps.store(life.steps(), std::memory_order_relaxed);
       meter.falls.store(life.log().totals().falls, std::memory_order_relaxed);
       meter.share.store(shareOf(life), std::memory_order_relaxed);
     }
     meter.share.store(1.0, std::memory_order_relaxed);
+    if (options_.visit) options_.visit(life);
     results_[static_cast<std::size_t>(index)] = summarise(life, index, threadCpuSeconds() - start);
     ++livesDone_;
+  }
+
+  /// The step of the next visit.
+  std::int64_t after(std::int64_t steps) const {
+    return options_.visitEvery == kNever ? kNever : (steps / options_.visitEvery + 1) * options_.visitEvery;
   }
 
   void giveUp(Error error) {
@@ -149,6 +165,9 @@ LifeResult summarise(const Life& life, int index, double cpuSeconds) {
   if (life.diverged()) r.divergence = life.divergence();
   r.complete = life.finished() && !life.diverged();
   r.changes = life.changes();
+  r.changesLeftOut = life.changesLeftOut();
+  r.memory = life.agent().values().memoryUse();
+  r.ruleOfThumb = ruleOfThumbOf(life);
   r.rows = life.log().rows();
   return r;
 }

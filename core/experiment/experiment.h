@@ -4,10 +4,12 @@
 
 #include <atomic>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <vector>
 
 #include "core/experiment/configuration.h"
+#include "core/experiment/rule_of_thumb.h"
 
 namespace surefoot {
 
@@ -20,9 +22,12 @@ struct LifeResult {
   double averageReward = 0.0;      ///< of the last 80 episodes
   std::int64_t statesOutside = 0;  ///< states outside the range that the features cover
   double cpuSeconds = 0.0;         ///< of its thread
+  std::vector<MemoryUse> memory;   ///< of its tables
+  std::optional<RuleOfThumb> ruleOfThumb;
   std::uint64_t hash = 0;
   std::string divergence;        ///< why it stopped, or empty
-  std::vector<Change> changes;   ///< of parameters, while it went on
+  std::vector<Change> changes;   ///< what was done to it while it went on
+  bool changesLeftOut = false;   ///< and more
   bool complete = false;         ///< a limit was reached; false: diverged or interrupted
   std::vector<EpisodeRow> rows;  ///< only if asked for
 };
@@ -37,6 +42,12 @@ struct Progress {
 };
 
 struct RunOptions {
+  /// Makes life number `index`, if not makeLife.
+  std::function<Result<std::unique_ptr<Life>>(int index)> make{};
+  /// Called on a life's thread when it is over, whatever ended it, and after every `visitEvery` steps if that is set;
+  /// the life's inputs are kept then, so that it can be saved.
+  std::function<void(const Life& life)> visit{};
+  std::int64_t visitEvery = std::numeric_limits<std::int64_t>::max();
   int jobs = 1;                                    ///< threads
   bool keepRows = false;                           ///< the episode log of every life
   const std::atomic<bool>* interrupted = nullptr;  ///< set by anyone: lives in hand are cut where they are

@@ -86,7 +86,6 @@ void LearnerThread::step() {
   curve_.add(life_->log().last(), totals.falls);
   curvePolicy_ = life_->policyName();
   if (!turbo_ && life_->log().last().falls > 0) fallenPose_ = life_->environment().pose();
-  end_.add(life_->log().last(), life_->environment().task().highestReturn);
 }
 
 void LearnerThread::stepFlatOut() {
@@ -132,7 +131,6 @@ void LearnerThread::carryOut(Command& command) {
       t.life_ = std::move(c.life);
       ++t.lifeNumber_;
       t.curve_ = {};
-      t.end_ = {};
       t.fallenPose_.clear();
       t.outOfMemory_ = false;
       t.stepTime_ = stepTimeOf(*t.life_);
@@ -195,8 +193,8 @@ void LearnerThread::fill(ValueSnapshot& s) const {
     s.curve.push_back({last.episode, last.lifeSteps, life_->log().totals().falls, last.averageReward});
   s.policy = curvePolicy_;
   s.changes = life_->changes();
-  s.endOfLearning = end_.episode();
-  s.endOfLearningSteps = end_.lifeSteps();
+  s.endOfLearning = life_->log().endOfLearning().episode();
+  s.endOfLearningSteps = life_->log().endOfLearning().lifeSteps();
 }
 
 }  // namespace surefoot

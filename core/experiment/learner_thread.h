@@ -83,7 +83,6 @@ class LearnerThread {
   LearningCurve curve_;
   std::string curvePolicy_;
   std::vector<double> fallenPose_;
-  EndOfLearning end_;
   bool running_ = false, turbo_ = false, outOfMemory_ = false;
   double pace_ = 1.0;
   double stepTime_;  // [s]; tasks without a clock take 20 steps a second

@@ -2,7 +2,6 @@
 // The course of a life in a bounded number of points, however long it lasts.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -35,31 +34,6 @@ class LearningCurve {
  private:
   std::int64_t every_ = 1;
   std::vector<CurvePoint> points_;
-};
-
-/// When learning ended, by the thesis's rule for one life (section 4.2.1): the first episode k ≥ 330 at which the
-/// average reward has moved by less than 3 in 250 episodes, and (ours: the flat start would count) is above 0.75 of the
-/// best.
-class EndOfLearning {
- public:
-  void add(const EpisodeRow& row, double goalReward) {
-    double& before = averages_[static_cast<std::size_t>(row.episode % kSpan)];
-    const double change = row.averageReward - before;
-    if (!episode_ && row.episode >= kFirst && change < kMost && change > -kMost &&
-        row.averageReward > 0.75 * goalReward) {
-      episode_ = row.episode;
-      lifeSteps_ = row.lifeSteps;
-    }
-    before = row.averageReward;
-  }
-  std::int64_t episode() const { return episode_; }  ///< 0: not yet
-  std::int64_t lifeSteps() const { return lifeSteps_; }
-
- private:
-  static constexpr std::int64_t kFirst = 330, kSpan = 250;
-  static constexpr double kMost = 3.0;
-  std::array<double, kSpan> averages_{};
-  std::int64_t episode_ = 0, lifeSteps_ = 0;
 };
 
 }  // namespace surefoot

@@ -18,6 +18,8 @@ Life::Life(LifeParts parts, Random world, Random policy, LifeLimits limits, bool
       agent_(std::move(parts.agent)),
       parameters_(std::move(parts.parameters)),
       policyName_(std::move(parts.policyName)),
+      preLearned_(parts.preLearned),
+      commands_(std::move(parts.commands)),
       worldRandom_(world),
       policyRandom_(policy),
       limits_(limits),
@@ -32,6 +34,10 @@ void Life::beginEpisode() {
     environment_->parametersChanged();
     environmentChanged_ = false;
   }
+  episodeRandom_ = worldRandom_.state();
+  actions_.clear();
+  pushSteps_.clear();
+  pushImpulses_.clear();
   environment_->reset(worldRandom_);
   tellTime();
   action_ = agent_->start(environment_->state(), policyRandom_);
@@ -46,8 +52,10 @@ void Life::tellTime() {
 }
 
 void Life::step() {
+  while (nextCommand_ < commands_.size() && commands_[nextCommand_].step <= steps_) obey(commands_[nextCommand_++]);
   if (!inEpisode_) beginEpisode();
   if (everyStep_) tellTime();
+  if (keepInputs_) actions_.push_back(static_cast<std::uint16_t>(action_));
   const Outcome outcome = environment_->step(action_);
   ++steps_;
   log_.add(outcome);
@@ -62,7 +70,7 @@ void Life::step() {
       agent_->truncate(outcome, environment_->state(), policyRandom_);
       break;
   }
-  log_.finish(outcome.ending, steps_);
+  log_.finish(outcome.ending, steps_, environment_->task().highestReturn);
   inEpisode_ = false;
 }
 
@@ -92,11 +100,33 @@ Status Life::set(std::string_view key, double value) {
   return Done{};
 }
 
+void Life::obey(TimedCommand& command) {
+  if (command.key == "policy")
+    setPolicy(command.policyName, std::move(command.policy));
+  else if (command.key == "push")
+    push(command.value);
+  else
+    static_cast<void>(static_cast<bool>(set(command.key, command.value)));  // checked when the life was made
+}
+
+bool Life::push(double impulse) {
+  if (!inEpisode_) return true;  // nothing stands there between two episodes
+  if (!environment_->push(impulse)) return false;
+  if (keepInputs_) {
+    pushSteps_.push_back(static_cast<std::uint64_t>(log_.current().steps));
+    pushImpulses_.push_back(impulse);
+  }
+  note("push", "", fmt::format("{}", impulse));
+  return true;
+}
+
 void Life::note(const std::string& key, const std::string& before, const std::string& after) {
-  if (!changes_.empty() && changes_.back().key == key && changes_.back().step == steps_)
+  if (!changes_.empty() && changes_.back().key == key && changes_.back().step == steps_ && key != "push")
     changes_.back().after = after;
   else if (changes_.size() < kMostChanges)
     changes_.push_back({steps_, key, before, after});
+  else
+    changesLeftOut_ = true;
 }
 
 void Life::setPolicy(const std::string& name, std::unique_ptr<Policy> policy) {

@@ -16,36 +16,55 @@
 
 namespace surefoot {
 
+/// Something was done to a life while it went on.
+struct Change {
+  std::int64_t step = 0;      ///< steps of the life before it
+  std::string key;            ///< of a parameter, or "policy", or "push"
+  std::string before, after;  ///< as a person writes them
+};
+
+/// Something to be done to a life when it has taken so many steps: a parameter to set, a policy to follow, a push [N
+/// s].
+struct TimedCommand {
+  std::int64_t step = 0;
+  std::string key;
+  double value = 0.0;
+  std::unique_ptr<Policy> policy;  ///< for the key "policy"
+  std::string policyName;
+};
+
 struct LifeParts {
   std::unique_ptr<Environment> environment;
   std::unique_ptr<Policy> policy;
   std::unique_ptr<Agent> agent;
   Parameters parameters;  ///< complete; the parts were made from it
   std::string policyName;
+  std::vector<TimedCommand> commands;  ///< in the order of their steps
+  bool preLearned = false;             ///< it begins with something learned before
+  std::vector<Change> changes{};       ///< what happened so far, to a life that goes on
 };
 
 /// Whichever comes first.
 struct LifeLimits {
   std::int64_t episodes = std::numeric_limits<std::int64_t>::max();
   std::int64_t steps = std::numeric_limits<std::int64_t>::max();
-};
-
-/// Something was changed while the life went on.
-struct Change {
-  std::int64_t step = 0;      ///< steps of the life before it
-  std::string key;            ///< of a parameter, or "policy"
-  std::string before, after;  ///< as a person writes them
+  double averageReward = kInfinity;  ///< of 80 episodes, reached
 };
 
 /// Used by one thread at a time.
 class Life {
  public:
   Life(LifeParts parts, Random world, Random policy, LifeLimits limits, bool keepRows);
+  /// A life that was saved goes on: the parts are made from what the file says of itself (checkpoint.h), the rest is
+  /// read from the archive, whose status tells whether it could be.
+  Life(LifeParts parts, LifeLimits limits, bool keepRows, Archive& archive);
 
   /// One decision: the environment answers the action, the agent learns and chooses the next. Hot.
   void step();
   /// A limit is reached, or the values diverged. step() must not be called any more.
-  bool finished() const { return steps_ >= limits_.steps || log_.totals().episodes >= limits_.episodes || diverged(); }
+  bool finished() const {
+    return steps_ >= limits_.steps || log_.totals().episodes >= limits_.episodes || reachedAverage() || diverged();
+  }
   bool diverged() const { return agent_->diverged(); }
   /// One sentence naming the parameter that most likely made the values diverge.
   std::string divergence() const;
@@ -54,6 +73,17 @@ class Life {
   /// refused: make a new life for it.
   Status set(std::string_view key, double value);
   void setPolicy(const std::string& name, std::unique_ptr<Policy> policy);
+  /// Pushes the body by an impulse [N s]; false: there is none to push.
+  bool push(double impulse);
+
+  /// From now on remember what the environment was given in the episode in hand, so that the life can be saved in the
+  /// middle of one. Call it before the first step.
+  void keepInputs() { keepInputs_ = true; }
+  /// The whole state of the life, to a file; the inputs must have been kept. (The other direction is the
+  /// constructor's.)
+  void save(Archive& archive) const;
+  /// The environment's parameters as they hold in this episode; parameters() may be ahead of them.
+  std::vector<std::pair<std::string, double>> environmentInForce() const;
 
   const Environment& environment() const { return *environment_; }
   const Agent& agent() const { return *agent_; }
@@ -62,8 +92,11 @@ class Life {
   const Parameters& parameters() const { return parameters_; }
   const EpisodeLog& log() const { return log_; }
   const std::vector<Change>& changes() const { return changes_; }
+  /// More was changed than changes() holds.
+  bool changesLeftOut() const { return changesLeftOut_; }
   const LifeLimits& limits() const { return limits_; }
 
+  bool preLearned() const { return preLearned_; }
   std::int64_t steps() const { return steps_; }
   /// [s]; NaN where the task has no clock.
   double simulatedSeconds() const;
@@ -78,21 +111,41 @@ class Life {
   /// Policy and agent may follow a schedule.
   void tellTime();
   void note(const std::string& key, const std::string& before, const std::string& after);
+  bool reachedAverage() const {
+    return log_.averageReward() >= limits_.averageReward && log_.totals().episodes >= EpisodeLog::kAverageOver;
+  }
+  void obey(TimedCommand& command);
+  /// What save() and resuming share.
+  void transfer(Archive& archive);
+  /// Takes the environment to where it was, by giving it the same inputs again.
+  void repeatEpisode(Archive& archive);
 
   std::unique_ptr<Environment> environment_;
   std::unique_ptr<Policy> policy_;
   std::unique_ptr<Agent> agent_;
   Parameters parameters_;
   std::string policyName_;
+  bool preLearned_;
+  std::vector<TimedCommand> commands_;
+  std::size_t nextCommand_ = 0;
   Random worldRandom_, policyRandom_;
   LifeLimits limits_;
   EpisodeLog log_;
   std::vector<Change> changes_;
+  bool changesLeftOut_ = false;
   std::int64_t steps_ = 0;
   Action action_ = 0;
   bool inEpisode_ = false;
   bool environmentChanged_ = false;
   bool everyStep_ = false;  // a schedule changes with every step
+
+  // What the environment was given since the beginning of the episode: everything that a resumed life needs to bring it
+  // to the same state, whatever it is inside.
+  bool keepInputs_ = false;
+  std::array<std::uint64_t, 4> episodeRandom_{};  // worldRandom_ before reset()
+  std::vector<std::uint16_t> actions_;            // of the episode in hand
+  std::vector<std::uint64_t> pushSteps_;          // steps of the episode before each push
+  std::vector<double> pushImpulses_;              // [N s]
 };
 
 }  // namespace surefoot

@@ -4,6 +4,9 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
+
+#include "core/experiment/life.h"
 
 namespace surefoot {
 
@@ -15,5 +18,17 @@ inline double ruleOfThumb(double discount, double transitions, double goalReward
   const double steps = discount < 1.0 ? discount * (1.0 - power) / (1.0 - discount) : transitions;
   return power * goalReward + steps * timeReward;
 }
+
+/// The rule with the episodes that a life has seen (thesis, section 4.3): n* are the transitions of its successful
+/// episodes, all of them while learning goes on. Without pre-learning the episodes during learning give the lower limit
+/// of the threshold, those after it the upper one; after pre-learning they are no limits.
+struct RuleOfThumb {
+  double threshold = 0.0, transitions = 0.0;
+  std::optional<double> lower, upper;  ///< as far as there are such episodes, and no pre-learning
+  bool preLearned = false;
+};
+
+/// None without a reward for success in the task, without a discount, or before the first success.
+std::optional<RuleOfThumb> ruleOfThumbOf(const Life& life);
 
 }  // namespace surefoot

@@ -2,16 +2,13 @@
 #include "core/files/tensor_file.h"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <memory>
 #include <optional>
+#include <tuple>
 
 #include "core/text.h"
 
@@ -79,7 +76,8 @@ Result<Tensor> readTensor(const std::string& file, const std::string& name, cons
 bool isTensorEntry(const Json& entry) {
   return entry.is_object() && entry.contains("dtype") && entry["dtype"].is_string() && entry.contains("shape") &&
          entry["shape"].is_array() && entry.contains("data_offsets") && entry["data_offsets"].is_array() &&
-         entry["data_offsets"].size() == 2 && entry["data_offsets"][0].is_number_unsigned();
+         entry["data_offsets"].size() == 2 && entry["data_offsets"][0].is_number_unsigned() &&
+         entry["data_offsets"][1].is_number_unsigned();
 }
 
 /// JSON without exceptions, and not so deep that reading it needs much of the stack.
@@ -97,10 +95,6 @@ Json parseJson(std::string_view text) {
 }
 
 }  // namespace
-
-Error fileError(const std::string& name, const std::string& sentence) {
-  return Error{fmt::format("{}: {}", name, sentence), ErrorKind::File};
-}
 
 const char* nameOf(ElementType type) {
   return entryOf(type).name;
@@ -155,15 +149,15 @@ Result<TensorFile> TensorFile::parse(std::string_view bytes, const std::string& 
   if (!file.about.is_object()) return fileError(name, "its description is not JSON; the file is damaged.");
   const std::string_view data = bytes.substr(kLengthBytes + length);
   std::size_t offset = 0;
-  std::vector<std::pair<std::size_t, std::string>> order;  // as they lie in the file
+  std::vector<std::tuple<std::size_t, std::size_t, std::string>> order;  // as they lie in the file; empty ones first
   for (const auto& [key, entry] : header.items()) {
     if (key == kMetadata) continue;
     if (!isTensorEntry(entry))
       return fileError(name, fmt::format("the entry \"{}\" of its header is no tensor.", shortened(key)));
-    order.emplace_back(entry["data_offsets"][0].get<std::size_t>(), key);
+    order.emplace_back(entry["data_offsets"][0].get<std::size_t>(), entry["data_offsets"][1].get<std::size_t>(), key);
   }
   std::sort(order.begin(), order.end());
-  for (const auto& [begin, key] : order) {
+  for (const auto& [begin, end, key] : order) {
     auto tensor = readTensor(name, key, header[key], data, offset);
     if (!tensor) return tensor.error();
     offset += tensor->bytes.size();
@@ -175,18 +169,9 @@ Result<TensorFile> TensorFile::parse(std::string_view bytes, const std::string& 
 }
 
 Result<TensorFile> TensorFile::read(const std::string& path) {
-  const auto refuse = [&](const char* why) { return fileError(path, fmt::format("it cannot be read: {}.", why)); };
-  if (path.empty()) return Error{"the name of the file is empty; a path is needed."};
-  struct stat info {};
-  if (stat(path.c_str(), &info) != 0) return refuse(std::strerror(errno));
-  if (!S_ISREG(info.st_mode)) return refuse("it is not a regular file");
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> in(std::fopen(path.c_str(), "rb"), std::fclose);
-  if (!in) return refuse(std::strerror(errno));
-  std::string bytes(static_cast<std::size_t>(info.st_size), '\0');
-  const std::size_t got = std::fread(bytes.data(), 1, bytes.size(), in.get());
-  if (std::ferror(in.get())) return refuse(std::strerror(errno));
-  bytes.resize(got);
-  return parse(bytes, path);
+  const auto bytes = readFile(path);
+  if (!bytes) return bytes.error();
+  return parse(*bytes, path);
 }
 
 }  // namespace surefoot

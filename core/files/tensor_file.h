@@ -15,6 +15,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/files/read_file.h"
 #include "core/result.h"
 
 namespace surefoot {
@@ -61,8 +62,5 @@ class TensorFile {
   Json about = Json::object();
   std::vector<Tensor> tensors;
 };
-
-/// "q.safetensors: …" as an error of kind File.
-Error fileError(const std::string& name, const std::string& sentence);
 
 }  // namespace surefoot

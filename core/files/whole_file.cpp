@@ -39,6 +39,19 @@ Result<WholeFile> WholeFile::createNew(const std::string& what, const std::strin
   if (lstat(path.c_str(), &info) == 0)
     return Error{fmt::format("{}: {} exists already; name a file that does not, or remove it first.", what, path),
                  ErrorKind::File};
+  return open(what, path, false);
+}
+
+Result<WholeFile> WholeFile::createOrReplace(const std::string& what, const std::string& path) {
+  if (path.empty()) return Error{fmt::format("{}: the name of the file is empty; a path is needed.", what)};
+  struct stat info {};
+  if (stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode))
+    return unwritable(what, path, "it is there already, and not a regular file");
+  return open(what, path, true);
+}
+
+Result<WholeFile> WholeFile::open(const std::string& what, const std::string& path, bool replaces) {
+  struct stat info {};
   const std::string folder = folderOf(path);
   if (stat(folder.c_str(), &info) != 0)
     return unwritable(what, path, fmt::format("the folder {}: {}", folder, std::strerror(errno)));
@@ -46,8 +59,8 @@ Result<WholeFile> WholeFile::createNew(const std::string& what, const std::strin
   // A file without a name, where the file system has such: whatever ends the program, nothing is left behind.
   // (Its name is given through /proc, which a bare chroot may lack.)
   if (access("/proc/self/fd", X_OK) == 0) {
-    const int nameless = open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, usualMode());
-    if (nameless >= 0) return WholeFile(what, path, "", nameless);
+    const int nameless = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, usualMode());
+    if (nameless >= 0) return WholeFile(what, path, "", nameless, replaces);
     if (errno != EOPNOTSUPP && errno != EISDIR && errno != ENOENT) return unwritable(what, path, std::strerror(errno));
   }
 
@@ -55,19 +68,38 @@ Result<WholeFile> WholeFile::createNew(const std::string& what, const std::strin
   const int named = mkostemp(temporary.data(), O_CLOEXEC);
   if (named < 0) return unwritable(what, path, std::strerror(errno));
   fchmod(named, usualMode());
-  return WholeFile(what, path, std::move(temporary), named);
+  return WholeFile(what, path, std::move(temporary), named, replaces);
 }
 
 WholeFile::WholeFile(WholeFile&& other) noexcept
     : what_(std::move(other.what_)),
       path_(std::move(other.path_)),
       temporary_(std::move(other.temporary_)),
-      descriptor_(std::exchange(other.descriptor_, -1)) {}
+      descriptor_(std::exchange(other.descriptor_, -1)),
+      replaces_(other.replaces_) {}
 
 WholeFile::~WholeFile() {
   if (descriptor_ < 0) return;
   close(descriptor_);
   if (!temporary_.empty()) unlink(temporary_.c_str());
+}
+
+// A name of its own first, then in one step the place of the old file. Whatever happens between, both are whole.
+bool WholeFile::takePlace() const {
+  std::string name = temporary_;
+  if (name.empty()) {
+    const std::string self = fmt::format("/proc/self/fd/{}", descriptor_);
+    for (int i = 0;; ++i) {
+      name = fmt::format("{}/.surefoot-{}-{}", folderOf(path_), getpid(), i);
+      if (linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) break;
+      if (errno != EEXIST || i == 1000) return false;
+    }
+  }
+  if (rename(name.c_str(), path_.c_str()) == 0) return true;
+  const int why = errno;
+  unlink(name.c_str());
+  errno = why;
+  return false;
 }
 
 // Every way refuses to replace a file that has appeared meanwhile.
@@ -89,7 +121,8 @@ Status WholeFile::commit(std::string_view content) {
     if (written < 0) return unwritable(what_, path_, std::strerror(errno));
     content.remove_prefix(static_cast<std::size_t>(written));
   }
-  if (fsync(descriptor_) != 0 || !giveName()) return unwritable(what_, path_, std::strerror(errno));
+  if (fsync(descriptor_) != 0 || !(replaces_ ? takePlace() : giveName()))
+    return unwritable(what_, path_, std::strerror(errno));
   close(std::exchange(descriptor_, -1));
   return Done{};
 }

@@ -15,6 +15,8 @@ class WholeFile {
   /// Claims a place for a file that does not exist yet, so that a long run does not end with nowhere to write.
   /// `what` names it in messages: "log".
   static Result<WholeFile> createNew(const std::string& what, const std::string& path);
+  /// The same for a file that may exist: it keeps its content until commit(), which replaces it in one step.
+  static Result<WholeFile> createOrReplace(const std::string& what, const std::string& path);
 
   WholeFile(WholeFile&& other) noexcept;
   WholeFile(const WholeFile&) = delete;
@@ -26,16 +28,20 @@ class WholeFile {
   Status commit(std::string_view content);
 
  private:
-  WholeFile(std::string what, std::string path, std::string temporary, int descriptor)
+  WholeFile(std::string what, std::string path, std::string temporary, int descriptor, bool replaces)
       : what_(std::move(what)),
         path_(std::move(path)),
         temporary_(std::move(temporary)),
-        descriptor_(descriptor) {}
+        descriptor_(descriptor),
+        replaces_(replaces) {}
+  static Result<WholeFile> open(const std::string& what, const std::string& path, bool replaces);
   bool giveName() const;
+  bool takePlace() const;
 
   std::string what_, path_;
   std::string temporary_;  // its name meanwhile; empty where the file system lets a file have none
   int descriptor_ = -1;
+  bool replaces_ = false;
 };
 
 }  // namespace surefoot

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <vector>
 
 #include "core/action_value.h"
@@ -115,6 +116,19 @@ class LinearActionValue final : public ActionValueFunction {
     }
   }
 
+  /// Moves q̂(s, ·) towards `q`, closing the given share of the error; its features count as visited at least so often.
+  void fit(std::span<const double> state, std::span<const double> q, double share, double visits) {
+    Active x;
+    claim(state, x);
+    const double length = squaredLength(x);
+    for (std::size_t a = 0; a < actions_; ++a) {
+      const double error = q[a] - value(x, static_cast<Action>(a));
+      for (std::size_t k = 0; k < static_cast<std::size_t>(x.count); ++k)
+        weights_[weight(x.index[k], static_cast<Action>(a))] += share * error * x.valueOf(k) / length;
+    }
+    const auto count = static_cast<std::uint32_t>(std::min(std::ceil(visits), static_cast<double>(kMostVisits)));
+    for (const Index i : x.indices()) visits_[i] = std::max(visits_[i], count);
+  }
   /// Whole tables, to a file or from one.
   void transfer(Archive& archive) {
     std::vector<std::size_t> shape = features_.shape();

@@ -133,6 +133,11 @@ Outcome Pendulum::step(Action action) {
   return outcome;
 }
 
+bool Pendulum::push(double impulse) {
+  world_->push(impulse);
+  return true;
+}
+
 std::vector<double> Pendulum::pose() const {
   return {world_->x(), state_[0], state_[1], state_[2], torque_};
 }

@@ -83,6 +83,10 @@ void PendulumWorld::step(double torque) {
   }
 }
 
+void PendulumWorld::push(double impulse) {
+  pole_->ApplyLinearImpulse(b2Vec2(f(impulse), 0.0f), pole_->GetWorldPoint(b2Vec2(0.0f, f(poleLength_))), true);
+}
+
 double PendulumWorld::x() const {
   return static_cast<double>(base_->GetPosition().x);
 }

@@ -20,6 +20,9 @@ class PendulumWorld {
   /// One transition under a wheel torque [N m].
   void step(double torque);
 
+  /// A horizontal impulse [N s] at the tip of the pole, to the right.
+  void push(double impulse);
+
   double x() const;          // [m]
   double poleAngle() const;  // [rad], clockwise positive
   double poleRate() const;   // [rad/s]

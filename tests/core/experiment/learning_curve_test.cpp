@@ -19,14 +19,14 @@ TEST(LearningCurve, StaysBoundedAndEvenlySpaced) {
 // 330.
 TEST(EndOfLearning, IsNotBeforeEpisode330) {
   EndOfLearning end;
-  for (int i = 1; i <= 400; ++i) end.add({.episode = i, .lifeSteps = 50 * i, .averageReward = 160}, 200);
+  for (int i = 1; i <= 400; ++i) end.add(i, 160, 50 * i, 200);
   EXPECT_EQ(end.episode(), 330);
   EXPECT_EQ(end.lifeSteps(), 50 * 330);
 }
 
 TEST(EndOfLearning, AFlatStartDoesNotCount) {
   EndOfLearning end;
-  for (int i = 1; i <= 1000; ++i) end.add({.episode = i, .averageReward = -100}, 200);
+  for (int i = 1; i <= 1000; ++i) end.add(i, -100, 50 * i, 200);
   EXPECT_EQ(end.episode(), 0);
 }
 
@@ -35,8 +35,8 @@ TEST(EndOfLearning, AFlatStartDoesNotCount) {
 TEST(EndOfLearning, ComparesWith250EpisodesBefore) {
   EndOfLearning steep, gentle;
   for (int i = 1; i <= 900; ++i) {
-    steep.add({.episode = i, .averageReward = 160 + 0.0121 * i}, 200);
-    gentle.add({.episode = i, .averageReward = 147 + 0.006 * i}, 200);
+    steep.add(i, 160 + 0.0121 * i, i, 200);
+    gentle.add(i, 147 + 0.006 * i, i, 200);
   }
   EXPECT_EQ(steep.episode(), 0);
   EXPECT_EQ(gentle.episode(), 501);

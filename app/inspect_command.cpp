@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `surefoot inspect`: what a file holds and where it comes from. Reads any safetensors file of ours, even one whose
+// environment this program does not know.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <numeric>
+
+#include "app/commands.h"
+#include "core/experiment/q_file.h"
+#include "core/text.h"
+
+namespace surefoot {
+
+namespace {
+
+struct Range {
+  double low = 0.0, high = 0.0, mean = 0.0;
+};
+
+Range rangeOf(const Tensor& tensor) {
+  std::vector<double> values(tensor.count());
+  std::memcpy(values.data(), tensor.bytes.data(), tensor.bytes.size());
+  if (values.empty()) return {};
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return {*low, *high, std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size())};
+}
+
+nlohmann::ordered_json tensorsAsJson(const TensorFile& file) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Tensor& t : file.tensors) {
+    nlohmann::ordered_json entry = {{"name", t.name}, {"dtype", nameOf(t.type)}, {"shape", t.shape}};
+    if (t.type == ElementType::F64 && t.count() > 0) {
+      const Range range = rangeOf(t);
+      entry["lowest"] = range.low, entry["highest"] = range.high, entry["mean"] = range.mean;
+    }
+    list.push_back(std::move(entry));
+  }
+  return list;
+}
+
+/// "pendulum" at /configuration/environment, or "?".
+std::string textAt(const Json& json, const char* pointer) {
+  const auto at = nlohmann::json::json_pointer(pointer);
+  if (!json.contains(at)) return "?";
+  const Json& value = json[at];
+  if (value.is_string()) return std::string(shortened(value.get_ref<const std::string&>()));
+  return std::string(shortened(value.dump(-1, ' ', true)));
+}
+
+std::string asTable(const TensorFile& file) {
+  const Json& about = file.about;
+  std::string text;
+  const auto row = [&](const char* name, const std::string& value) { text += fmt::format("{:<16}{}\n", name, value); };
+  row("kind", fmt::format("{}, format {}, written by surefoot {}", textAt(about, "/kind"), textAt(about, "/format"),
+                          textAt(about, "/program")));
+  row("environment", fmt::format("{} {}, scenario {}", textAt(about, "/configuration/environment"),
+                                 textAt(about, "/configuration/preset"), textAt(about, "/configuration/scenario")));
+  row("learned by", fmt::format("{}, {}, {}, seed {}", textAt(about, "/configuration/agent"),
+                                textAt(about, "/configuration/features"), textAt(about, "/configuration/policy"),
+                                textAt(about, "/seed")));
+  row("in", fmt::format("{} steps, {} episodes, {} falls", textAt(about, "/learned/steps"),
+                        textAt(about, "/learned/episodes"), textAt(about, "/learned/falls")));
+  row("average reward", textAt(about, "/learned/average_reward"));
+  if (about.contains("began_with") && !about["began_with"].is_null())
+    row("began with", fmt::format("{}, scenario learned {} episodes", textAt(about, "/began_with/file"),
+                                  textAt(about, "/began_with/learned/episodes")));
+  for (const Tensor& t : file.tensors) {
+    std::string line = fmt::format("{} {}", nameOf(t.type), fmt::join(t.shape, " × "));
+    if (t.type == ElementType::F64 && t.count() > 0) {
+      const Range range = rangeOf(t);
+      line += fmt::format(", {:.6g} … {:.6g}, mean {:.6g}", range.low, range.high, range.mean);
+    }
+    text += fmt::format("{:<28}{}\n", shortened(t.name), line);
+  }
+  return text;
+}
+
+}  // namespace
+
+int inspectCommand(const Registry&, const InspectRequest& request) {
+  if (request.file.empty()) return fail({"FILE: the name of a file is needed."});
+  const auto file = readQFile(request.file);
+  if (!file) return fail(file.error());
+  if (!request.json) return print(asTable(**file));
+  nlohmann::ordered_json json = {{"about", (*file)->about}, {"tensors", tensorsAsJson(**file)}};
+  return print(json.dump(2, ' ', true) + "\n");
+}
+
+}  // namespace surefoot

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `surefoot replay`: lives a journal again.
+#include <fmt/format.h>
+
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "app/interrupt.h"
+#include "app/report.h"
+#include "core/experiment/journal.h"
+
+namespace surefoot {
+
+int replayCommand(const Registry& registry, const ReplayRequest& request) {
+  if (request.file.empty()) return fail({"FILE: the name of a journal is needed."});
+  const auto journal = readJournal(registry, request.file);
+  if (!journal) return fail(journal.error());
+  RunOptions options{};
+  options.interrupted = &watchForInterrupt();
+  const auto life = replay(registry, *journal, options);
+  if (!life) return fail(life.error());
+  const std::vector<LifeResult> lives = {*life};
+  const int printed =
+      print(request.json ? resultAsJson(journal->configuration, lives) : resultAsTable(journal->configuration, lives));
+  if (printed != kDone) return printed;
+  if (*options.interrupted && life->steps < journal->steps)
+    return fail({fmt::format("interrupted at step {} of {}.", life->steps, journal->steps), ErrorKind::Interrupted});
+  if (request.verify && life->hash != journal->hash)
+    return fail({fmt::format("{}: the hash is {:016x}, and {:016x} in the journal; it is not the same life.",
+                             request.file, life->hash, journal->hash),
+                 ErrorKind::Mismatch});
+  return kDone;
+}
+
+}  // namespace surefoot

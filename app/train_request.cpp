@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <limits>
+#include <thread>
+
+#include "app/requests.h"
+#include "core/experiment/q_file.h"
+#include "core/text.h"
+
+namespace surefoot {
+
+namespace {
+
+Result<std::uint64_t> parseSeed(const std::string& text) {
+  std::uint64_t value = 0;
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (code == std::errc{} && end == text.data() + text.size()) return value;
+  return Error{fmt::format("--seed: \"{}\" is not allowed; it takes a whole number from 0 to {}.", shortened(text),
+                           std::numeric_limits<std::uint64_t>::max())};
+}
+
+/// STEP:KEY=VALUE
+Result<std::vector<CommandText>> parseCommands(const std::vector<std::string>& texts) {
+  std::vector<CommandText> commands;
+  for (const std::string& text : texts) {
+    const auto colon = text.find(':'), equals = text.find('=');
+    std::int64_t step = -1;
+    if (colon != std::string::npos && equals != std::string::npos && colon < equals && equals > colon + 1) {
+      const auto [end, code] = std::from_chars(text.data(), text.data() + colon, step);
+      if (code != std::errc{} || end != text.data() + colon) step = -1;
+    }
+    if (step < 0)
+      return Error{
+          fmt::format("--at: \"{}\" is not STEP:KEY=VALUE, such as 5000:policy.epsilon=0.1.", shortened(text))};
+    commands.push_back({step, text.substr(colon + 1, equals - colon - 1), text.substr(equals + 1)});
+  }
+  std::stable_sort(commands.begin(), commands.end(), [](const auto& a, const auto& b) { return a.step < b.step; });
+  return commands;
+}
+
+/// How long a life is, how many there are, and the seed.
+Status readExtent(const TrainOptions& o, Configuration& c) {
+  const auto real = [](const char* option, const std::optional<std::string>& text, double low, double high,
+                       std::optional<double>& member) -> Status {
+    if (!text) return Done{};
+    const Parameter parameter{.key = option, .low = low, .high = high};
+    const auto value = parseValue(parameter, *text);
+    if (!value) return value.error();
+    member = *value;
+    return Done{};
+  };
+  if (const Status s = real("--minutes", o.minutes, 0.001, 1e6, c.minutes); !s) return s;
+  if (const Status s = real("--until", o.until, -1e9, 1e9, c.until); !s) return s;
+  if (o.seed) {
+    const auto seed = parseSeed(*o.seed);
+    if (!seed) return seed.error();
+    c.seed = *seed;
+  }
+  if (o.episodes) {
+    const auto value = parseCount("--episodes", *o.episodes, 1'000'000'000);
+    if (!value) return value.error();
+    c.episodes = *value;
+  }
+  const auto lives = o.lives ? parseCount("--lives", *o.lives, 1'000'000) : Result<std::int64_t>(1);
+  if (!lives) return lives.error();
+  c.lives = static_cast<int>(*lives);
+  return Done{};
+}
+
+/// Files that hold one life.
+Status checkOneLife(const TrainOptions& o, const Configuration& c) {
+  if (c.lives == 1) return Done{};
+  for (const auto& [name, option] : {std::pair{"--save", &o.save}, std::pair{"--journal", &o.journal},
+                                     std::pair{"--checkpoint", &o.checkpoint}, std::pair{"--resume", &o.resume}})
+    if (*option) return Error{fmt::format("{}: it is for one life, and --lives is {}.", name, c.lives)};
+  return Done{};
+}
+
+Status checkCheckpoint(const TrainOptions& o) {
+  if (!o.checkpoint) return o.every ? Status(Error{"--every: it needs --checkpoint FILE."}) : Status(Done{});
+  std::error_code ignored;
+  if (o.resume && std::filesystem::equivalent(*o.resume, *o.checkpoint, ignored)) return Done{};
+  if (!std::filesystem::exists(std::filesystem::symlink_status(*o.checkpoint, ignored))) return Done{};
+  return Error{
+      fmt::format("--checkpoint: {} exists already; name a file that does not, or go on from it with --resume.",
+                  *o.checkpoint),
+      ErrorKind::File};
+}
+
+/// [steps] between two checkpoints.
+Result<std::int64_t> checkpointEvery(const TrainOptions& o, const Task& task) {
+  constexpr std::int64_t kWithoutClock = 1'000'000;
+  const Parameter every{.key = "--every", .low = 0.001, .high = 1e6};
+  const auto minutes = o.every ? parseValue(every, *o.every) : Result<double>(10.0);
+  if (!minutes) return minutes.error();
+  if (task.stepTime) return std::max<std::int64_t>(1, static_cast<std::int64_t>(*minutes * 60 / *task.stepTime));
+  if (o.every)
+    return Error{"--every: the environment has no clock; without --every a checkpoint is written every million steps."};
+  return kWithoutClock;
+}
+
+/// A life that goes on brings its configuration with it.
+Status checkResume(const TrainOptions& o) {
+  const Names usual;
+  const auto other = [&]() -> const char* {
+    if (o.names.environment != usual.environment) return "--environment";
+    if (!o.names.preset.empty()) return "--preset";
+    if (!o.names.scenario.empty()) return "--scenario";
+    if (o.names.agent != usual.agent) return "--agent";
+    if (o.names.features != usual.features) return "--features";
+    if (o.names.policy != usual.policy) return "--policy";
+    if (!o.assignments.empty()) return "--set";
+    if (!o.at.empty()) return "--at";
+    if (o.seed) return "--seed";
+    if (o.load) return "--load";
+    if (o.until) return "--until";
+    return nullptr;
+  }();
+  if (!other) return Done{};
+  return Error{
+      fmt::format("{}: a life that goes on (--resume) does so under its own configuration; only --minutes and "
+                  "--episodes may be longer.",
+                  other)};
+}
+
+Result<TrainRequest> makeResumeRequest(const Registry& registry, const TrainOptions& o, TrainRequest request) {
+  if (const Status s = checkResume(o); !s) return s.error();
+  auto file = readQFile(*o.resume);
+  if (!file) return file.error();
+  request.limits = {request.configuration.minutes, request.configuration.episodes};
+  auto resumed = resume(registry, *file, request.limits);  // a look, so that a misfit is told before the run
+  if (!resumed) return resumed.error();
+  if (request.log && !resumed->keepRows)
+    return Error{
+        fmt::format("--log: {} holds no rows of the episodes so far, because it was begun without --log.", *o.resume)};
+  const auto every = checkpointEvery(o, resumed->life->environment().task());
+  if (!every) return every.error();
+  request.checkpointEvery = *every;
+  request.configuration = std::move(resumed->configuration);
+  request.resumed = std::move(*file);
+  return request;
+}
+
+}  // namespace
+
+Result<TrainRequest> makeTrainRequest(const Registry& registry, const TrainOptions& o, bool window) {
+  TrainRequest request{};
+  request.json = o.json, request.turbo = o.turbo;
+  request.log = o.log, request.save = o.save, request.journal = o.journal, request.checkpoint = o.checkpoint;
+
+  const auto assignments = parseAssignments(o.assignments);
+  if (!assignments) return assignments.error();
+  if (!window)
+    if (const Status s = checkPolicyKeys(registry, o.names.policy, *assignments); !s) return s.error();
+  auto configuration = configure(registry, o.names, *assignments);
+  if (!configuration) return configuration.error();
+  Configuration& c = request.configuration = std::move(*configuration);
+  if (const Status s = readExtent(o, c); !s) return s.error();
+  if (const Status s = checkOneLife(o, c); !s) return s.error();
+  if (const Status s = checkCheckpoint(o); !s) return s.error();
+  const std::int64_t cores = std::max(1u, std::thread::hardware_concurrency());
+  const auto jobs = o.jobs ? parseCount("--jobs", *o.jobs, 1024) : Result<std::int64_t>(cores);
+  if (!jobs) return jobs.error();
+  request.jobs = static_cast<int>(*jobs);
+  if (o.resume) return makeResumeRequest(registry, o, std::move(request));
+
+  auto commands = parseCommands(o.at);
+  if (!commands) return commands.error();
+  c.commands = std::move(*commands);
+  if (o.load) {
+    auto file = readQFile(*o.load);
+    if (!file) return file.error();
+    beginWith(c, std::move(*file));
+  }
+  if (window && c.lives > 1)
+    return Error{fmt::format("--lives: the window shows one life, not {}; `surefoot train` runs many.", c.lives)};
+  if (!window && !c.minutes && !c.episodes)
+    return Error{"--minutes or --episodes: how long a life is must be given, e.g. --minutes 9."};
+  const auto life = makeLife(registry, c, 0, false);  // what no single check can see
+  if (!life) return life.error();
+  const auto every = checkpointEvery(o, (*life)->environment().task());
+  if (!every) return every.error();
+  request.checkpointEvery = *every;
+  return request;
+}
+
+}  // namespace surefoot

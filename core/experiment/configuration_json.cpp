@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/configuration_json.h"
+
+#include <fmt/format.h>
+
+#include "core/text.h"
+
+namespace surefoot {
+
+using nlohmann::ordered_json;
+
+namespace {
+
+template <class T>
+ordered_json orNull(const std::optional<T>& value) {
+  return value ? ordered_json(*value) : ordered_json(nullptr);
+}
+
+/// A number that may be missing or null.
+template <class T>
+bool readOptional(const Json& json, const char* key, std::optional<T>& value, T low, T high) {
+  if (!json.contains(key) || json[key].is_null()) return true;
+  const bool right = std::is_integral_v<T> ? json[key].is_number_integer() : json[key].is_number();
+  if (!right) return false;
+  const T number = json[key].get<T>();
+  if (!(number >= low && number <= high)) return false;
+  value = number;
+  return true;
+}
+
+}  // namespace
+
+ordered_json parametersAsJson(const Parameters& list) {
+  ordered_json parameters = ordered_json::object();
+  for (const auto& entry : list.all()) {
+    const Parameter& p = entry.parameter;
+    if (p.kind == Kind::Choice)
+      parameters[p.key] = formatValue(p, entry.value);
+    else if (p.kind == Kind::Integer)
+      parameters[p.key] = static_cast<std::int64_t>(entry.value);
+    else
+      parameters[p.key] = entry.value;
+  }
+  return parameters;
+}
+
+ordered_json configurationAsJson(const Configuration& c) {
+  return {{"environment", c.names.environment},
+          {"preset", c.names.preset},
+          {"scenario", c.names.scenario},
+          {"agent", c.names.agent},
+          {"features", c.names.features},
+          {"policy", c.names.policy},
+          {"parameters", parametersAsJson(c.parameters)},
+          {"lives", c.lives},
+          {"minutes", orNull(c.minutes)},
+          {"episodes", orNull(c.episodes)},
+          {"until", orNull(c.until)}};
+}
+
+Status setParameters(Parameters& parameters, const Json& json, const std::string& file) {
+  if (!json.is_object()) return fileError(file, "its parameters are not a list of names and values.");
+  for (const auto& [key, value] : json.items()) {
+    Status set = fileError(file, fmt::format("the parameter \"{}\" is neither a number nor a name.", shortened(key)));
+    if (value.is_number()) set = parameters.set(key, value.get<double>());
+    if (value.is_string()) set = parameters.set(key, std::string_view(value.get_ref<const std::string&>()));
+    if (!set) return Error{fmt::format("{}: {}", file, set.error().message), ErrorKind::File};
+  }
+  return Done{};
+}
+
+Result<Configuration> configurationFromJson(const Registry& registry, const Json& json, const std::string& file) {
+  if (!json.is_object()) return fileError(file, "it holds no configuration.");
+  Names names;
+  for (const auto& [key, name] : {std::pair{"environment", &names.environment}, std::pair{"preset", &names.preset},
+                                  std::pair{"scenario", &names.scenario}, std::pair{"agent", &names.agent},
+                                  std::pair{"features", &names.features}, std::pair{"policy", &names.policy}}) {
+    if (!json.contains(key) || !json[key].is_string())
+      return fileError(file, fmt::format("its configuration names no {}.", key));
+    *name = json[key].get<std::string>();
+  }
+  auto c = configure(registry, names, {});
+  if (!c) return Error{fmt::format("{}: {}", file, c.error().message), ErrorKind::File};
+  if (json.contains("parameters"))
+    if (const Status s = setParameters(c->parameters, json["parameters"], file); !s) return s.error();
+  if (!readOptional(json, "minutes", c->minutes, 0.0, 1e9) ||
+      !readOptional<std::int64_t>(json, "episodes", c->episodes, 1, 1'000'000'000'000) ||
+      !readOptional(json, "until", c->until, -1e12, 1e12))
+    return fileError(file, "its configuration has a limit that is no such number.");
+  return c;
+}
+
+}  // namespace surefoot

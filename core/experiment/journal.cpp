@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/journal.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cstdio>
+#include <sstream>
+
+#include "core/experiment/configuration_json.h"
+#include "core/experiment/q_file.h"
+#include "core/files/read_file.h"
+#include "core/text.h"
+#include "core/version.h"
+
+namespace surefoot {
+
+namespace {
+
+constexpr const char* kFormat = "1.0";
+
+std::string hashText(std::uint64_t hash) {
+  return fmt::format("{:016x}", hash);
+}
+
+/// A line as a JSON object; null if it is none.
+Json parseLine(const std::string& line) {
+  constexpr std::size_t kLongest = 1 << 20;
+  Json json = line.size() > kLongest ? Json() : Json::parse(line, nullptr, false);
+  return json.is_object() ? json : Json();
+}
+
+bool isInteger(const Json& json, const char* key) {
+  return json.contains(key) && json[key].is_number_integer() && json[key].get<std::int64_t>() >= 0;
+}
+bool isText(const Json& json, const char* key) {
+  return json.contains(key) && json[key].is_string();
+}
+
+/// Begins with the file that the life began with, if it is still the same.
+Status load(const Json& json, const std::string& name, Configuration& c) {
+  if (!json.is_object() || !isText(json, "file") || !isText(json, "hash"))
+    return fileError(name, "its first line names what was loaded, but not how.");
+  auto file = readQFile(json["file"].get<std::string>());
+  if (!file) return file.error();
+  beginWith(c, std::move(*file));
+  if (c.beganWith["hash"] == json["hash"]) return Done{};
+  return fileError(name,
+                   fmt::format("the life began with {}, whose hash was {} and now is {}.", c.start->name,
+                               shortened(json["hash"].get<std::string>()), c.beganWith["hash"].get<std::string>()));
+}
+
+Result<Journal> parseHeader(const Registry& registry, const Json& header, const std::string& name) {
+  if (!isText(header, "surefoot_journal")) return fileError(name, "this is no journal of Surefoot.");
+  const std::string format = header["surefoot_journal"].get<std::string>();
+  if (!format.starts_with("1."))
+    return fileError(name, fmt::format("its format is \"{}\"; this version of Surefoot reads 1.x.", shortened(format)));
+  if (!header.contains("configuration") || !header.contains("seed") || !header["seed"].is_number_unsigned() ||
+      !isInteger(header, "life") || header["life"].get<std::int64_t>() > 1'000'000)
+    return fileError(name, "its first line lacks the configuration, the seed or the number of the life.");
+  auto configuration = configurationFromJson(registry, header["configuration"], name);
+  if (!configuration) return configuration.error();
+  Journal journal{.configuration = std::move(*configuration), .life = header["life"].get<int>(), .steps = 0, .hash = 0};
+  journal.configuration.seed = header["seed"].get<std::uint64_t>();
+  if (header.contains("load") && !header["load"].is_null())
+    if (const Status s = load(header["load"], name, journal.configuration); !s) return s.error();
+  return journal;
+}
+
+/// The last line: {"end": {"step": …, "hash": "…", "complete": true}}.
+Status parseEnd(const Json& end, const std::string& name, Journal& journal) {
+  if (!end.is_object() || !isInteger(end, "step") || !isText(end, "hash"))
+    return fileError(name, "its last line lacks the step or the hash of the end.");
+  if (end.contains("changes_left_out"))
+    return fileError(name, "more was done to the life than a journal holds; it cannot be lived again.");
+  const std::string hash = end["hash"].get<std::string>();
+  const auto [last, code] = std::from_chars(hash.data(), hash.data() + hash.size(), journal.hash, 16);
+  if (code != std::errc{} || last != hash.data() + hash.size())
+    return fileError(name, fmt::format("\"{}\" is no hash.", shortened(hash)));
+  journal.steps = end["step"].get<std::int64_t>();
+  return Done{};
+}
+
+}  // namespace
+
+std::string journalOf(const Configuration& c, const LifeResult& life) {
+  Json header = {{"surefoot_journal", kFormat},
+                 {"program", kVersion},
+                 {"configuration", Json(configurationAsJson(c))},
+                 {"seed", c.seed},
+                 {"life", life.life},
+                 {"load", nullptr}};
+  if (c.beganWith.is_object()) header["load"] = {{"file", c.beganWith["file"]}, {"hash", c.beganWith["hash"]}};
+  std::string text = header.dump() + "\n";
+  for (const Change& change : life.changes)
+    text += Json({{"step", change.step}, {"key", change.key}, {"value", change.after}}).dump() + "\n";
+  Json end = {{"step", life.steps},
+              {"hash", hashText(life.hash)},
+              {"episodes", life.totals.episodes},
+              {"falls", life.totals.falls}};
+  if (life.changesLeftOut) end["changes_left_out"] = true;
+  return text + Json({{"end", end}}).dump() + "\n";
+}
+
+Result<Journal> parseJournal(const Registry& registry, const std::string& text, const std::string& name) {
+  std::istringstream in(text);
+  std::string line;
+  std::getline(in, line);
+  auto journal = parseHeader(registry, parseLine(line), name);
+  if (!journal) return journal.error();
+  for (int number = 2; std::getline(in, line); ++number) {
+    const Json json = parseLine(line);
+    if (json.is_object() && json.contains("end")) {
+      if (const Status s = parseEnd(json["end"], name, *journal); !s) return s.error();
+      return journal;
+    }
+    if (!json.is_object() || !isInteger(json, "step") || !isText(json, "key") || !isText(json, "value"))
+      return fileError(name, fmt::format("line {} is no command.", number));
+    const CommandText command{json["step"].get<std::int64_t>(), json["key"].get<std::string>(),
+                              json["value"].get<std::string>()};
+    auto& commands = journal->configuration.commands;
+    if (!commands.empty() && commands.back().step > command.step)
+      return fileError(name, fmt::format("line {} goes back in time.", number));
+    commands.push_back(command);
+  }
+  return fileError(name, "it is cut off: the line of the end is missing.");
+}
+
+Result<Journal> readJournal(const Registry& registry, const std::string& path) {
+  const auto text = readFile(path);
+  if (!text) return text.error();
+  return parseJournal(registry, *text, path);
+}
+
+Result<LifeResult> replay(const Registry& registry, const Journal& journal, const RunOptions& options) {
+  Configuration c = journal.configuration;
+  c.lives = 1;
+  RunOptions once = options;
+  once.make = [&](int) { return makeLife(registry, c, journal.life, options.keepRows, journal.steps); };
+  auto lives = runLives(registry, c, once);
+  if (!lives) return lives.error();
+  if (lives->empty()) return Error{"interrupted before it began.", ErrorKind::Interrupted};
+  return std::move(lives->front());
+}
+
+}  // namespace surefoot

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of Life that saves it and lets it go on. The environment is not saved but brought to the same state again: a
+// reset from the same random numbers, then the same actions and pushes.
+#include <algorithm>
+
+#include "core/experiment/life.h"
+
+namespace surefoot {
+
+namespace {
+constexpr std::size_t kMostInputs = 1'000'000'000;
+}
+
+Life::Life(LifeParts parts, LifeLimits limits, bool keepRows, Archive& archive)
+    : environment_(std::move(parts.environment)),
+      policy_(std::move(parts.policy)),
+      agent_(std::move(parts.agent)),
+      parameters_(std::move(parts.parameters)),
+      policyName_(std::move(parts.policyName)),
+      preLearned_(parts.preLearned),
+      commands_(std::move(parts.commands)),
+      worldRandom_(0),
+      policyRandom_(0),
+      limits_(limits),
+      log_(keepRows),
+      changes_(std::move(parts.changes)),
+      keepInputs_(true) {
+  agent_->setPolicy(*policy_);
+  transfer(archive);
+  if (archive.good()) repeatEpisode(archive);
+  while (nextCommand_ < commands_.size() && commands_[nextCommand_].step < steps_) ++nextCommand_;
+  tellTime();
+}
+
+void Life::save(Archive& archive) const {
+  const_cast<Life*>(this)->transfer(archive);  // a writer changes nothing
+}
+
+void Life::transfer(Archive& archive) {
+  std::array<std::uint64_t, 4> policyRandom = policyRandom_.state();
+  archive.table("random.world", episodeRandom_);
+  archive.table("random.policy", policyRandom);
+  policyRandom_ = Random(policyRandom);
+  archive.value("steps", steps_);
+  archive.value("action", action_, 0, static_cast<int>(environment_->task().actions.size()) - 1);
+  archive.value("pre_learned", preLearned_, 0, 1);
+  archive.value("in_episode", inEpisode_, 0, 1);
+  archive.value("environment_changed", environmentChanged_, 0, 1);
+  archive.list("episode.actions", actions_, kMostInputs);
+  archive.list("episode.push_steps", pushSteps_, kMostInputs);
+  archive.list("episode.push_impulses", pushImpulses_, kMostInputs);
+  archive.under("log.", [&] { log_.transfer(archive); });
+  if (!archive.reading()) agent_->transferValues(archive);  // when reading, the agent was made from them
+  archive.under("learning.", [&] { agent_->transferLearning(archive); });
+}
+
+void Life::repeatEpisode(Archive& archive) {
+  const auto actions = static_cast<int>(environment_->task().actions.size());
+  if (std::any_of(actions_.begin(), actions_.end(), [=](int a) { return a >= actions; }))
+    return archive.refuse("episode.actions", "names actions that there are not");
+  if (pushSteps_.size() != pushImpulses_.size())
+    return archive.refuse("episode.push_steps", "is not as long as the list of impulses");
+  worldRandom_ = Random(episodeRandom_);
+  environment_->reset(worldRandom_);
+  std::size_t push = 0;
+  for (std::size_t step = 0; step <= actions_.size(); ++step) {
+    for (; push < pushSteps_.size() && pushSteps_[push] == step; ++push) environment_->push(pushImpulses_[push]);
+    if (step == actions_.size()) break;
+    const bool last = step + 1 == actions_.size() && !inEpisode_;
+    if ((environment_->step(actions_[step]).ending != Ending::None) != last)
+      return archive.refuse("episode.actions", "does not lead to where the episode was");
+  }
+  if (inEpisode_ && static_cast<std::int64_t>(actions_.size()) != log_.current().steps)
+    archive.refuse("episode.actions", "is not as long as the episode");
+}
+
+std::vector<std::pair<std::string, double>> Life::environmentInForce() const {
+  Fields fields("environment.");
+  const_cast<Environment&>(*environment_).declare(fields);  // reads only
+  std::vector<std::pair<std::string, double>> values;
+  for (const auto& field : fields.all()) values.emplace_back(field.parameter.key, field.get());
+  return values;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/experiment/q_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/experiment/configuration_json.h"
+#include "core/text.h"
+#include "core/version.h"
+
+namespace surefoot {
+
+namespace {
+
+constexpr const char* kFormat = "1.0";
+
+Json stateAsJson(const Task& task) {
+  Json list = Json::array();
+  for (const StateVariable& v : task.state)
+    list.push_back({{"variable", v.key},
+                    {"title", v.title},
+                    {"unit", v.unit},
+                    {"low", v.low},
+                    {"high", v.high},
+                    {"period", v.period ? Json(*v.period) : Json(nullptr)}});
+  return list;
+}
+
+Json actionsAsJson(const Task& task) {
+  return {
+      {"title", task.actionTitle}, {"unit", task.actionUnit}, {"values", task.actions}, {"names", task.actionNames}};
+}
+
+/// 64 bits over the tensors and the description of a file.
+std::uint64_t hashOf(const TensorFile& file) {
+  Hash64 hash;
+  const std::string bytes = file.write();
+  for (std::size_t i = 0; i < bytes.size(); i += sizeof(std::uint64_t)) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes.data() + i, std::min(sizeof word, bytes.size() - i));
+    hash.add(word);
+  }
+  return hash.value();
+}
+
+}  // namespace
+
+TensorFile qFileOf(Agent& agent, const Task& task, const Configuration& configuration, const Json& origin) {
+  TensorFile file;
+  file.about = {{"kind", "q-function"},
+                {"format", kFormat},
+                {"program", kVersion},
+                {"configuration", Json(configurationAsJson(configuration))},
+                {"seed", configuration.seed},
+                {"state", stateAsJson(task)},
+                {"actions", actionsAsJson(task)},
+                {"estimates", agent.layouts()},
+                {"learned", origin}};
+  file.about["began_with"] = configuration.beganWith;
+  Archive archive = Archive::writer(file);
+  agent.transferValues(archive);
+  return file;
+}
+
+TensorFile qFileOf(const Life& life, const Configuration& configuration) {
+  Configuration now = configuration;
+  now.parameters = life.parameters();
+  now.names.policy = life.policyName();
+  const Json origin = {{"steps", life.steps()},
+                       {"episodes", life.log().totals().episodes},
+                       {"falls", life.log().totals().falls},
+                       {"average_reward", life.log().averageReward()},
+                       {"hash", fmt::format("{:016x}", life.hash())}};
+  return qFileOf(const_cast<Agent&>(life.agent()), life.environment().task(), now, origin);  // a writer changes nothing
+}
+
+Status checkKind(const TensorFile& file, const std::vector<std::string>& kinds) {
+  const auto text = [&](const char* key) {
+    return file.about.contains(key) && file.about[key].is_string() ? file.about[key].get<std::string>() : "";
+  };
+  const std::string format = text("format"), kind = text("kind");
+  if (!format.starts_with("1."))
+    return fileError(file.name,
+                     fmt::format("its format is \"{}\"; this version of Surefoot reads 1.x.", shortened(format)));
+  if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
+    return fileError(file.name,
+                     fmt::format("it is of the kind \"{}\"; a {} is needed.", shortened(kind), joinWords(kinds, "or")));
+  return Done{};
+}
+
+Result<std::shared_ptr<const TensorFile>> readQFile(const std::string& path) {
+  auto file = TensorFile::read(path);
+  if (!file) return file.error();
+  if (const Status s = checkKind(*file, {"q-function", "checkpoint"}); !s) return s.error();
+  return std::make_shared<const TensorFile>(std::move(*file));
+}
+
+void beginWith(Configuration& configuration, std::shared_ptr<const TensorFile> file) {
+  configuration.beganWith = {{"file", file->name}, {"hash", fmt::format("{:016x}", hashOf(*file))}};
+  for (const char* key : {"learned", "began_with"})
+    if (file->about.contains(key)) configuration.beganWith[key] = file->about[key];
+  configuration.start = std::move(file);
+}
+
+Result<Configuration> configurationOf(const Registry& registry, const TensorFile& file) {
+  if (!file.about.contains("configuration")) return fileError(file.name, "it holds no configuration.");
+  auto c = configurationFromJson(registry, file.about["configuration"], file.name);
+  if (!c) return c.error();
+  if (file.about.contains("seed") && file.about["seed"].is_number_unsigned())
+    c->seed = file.about["seed"].get<std::uint64_t>();
+  return c;
+}
+
+Status checkTask(const TensorFile& file, const Task& task) {
+  const auto refuse = [&](const std::string& what, const Json& theirs, const Json& ours) {
+    return fileError(file.name,
+                     fmt::format("{} is {} in the file, and {} in the configuration.", what,
+                                 shortened(theirs.dump(-1, ' ', true)), shortened(ours.dump(-1, ' ', true))));
+  };
+  const Json& about = file.about;
+  const Json state = stateAsJson(task), actions = actionsAsJson(task);
+  if (!about.contains("state") || !about["state"].is_array() || !about.contains("actions") ||
+      !about["actions"].is_object())
+    return fileError(file.name, "its description names no state or no actions; the file is damaged.");
+  const auto names = [](const Json& list) {
+    Json keys = Json::array();
+    for (const Json& v : list) keys.push_back(v.is_object() && v.contains("variable") ? v["variable"] : Json(nullptr));
+    return keys;
+  };
+  if (names(about["state"]) != names(state)) return refuse("the state", names(about["state"]), names(state));
+  for (const char* key : {"values", "names"}) {
+    const Json theirs = about["actions"].contains(key) ? about["actions"][key] : Json(nullptr);
+    if (theirs != actions[key]) return refuse(fmt::format("the list of action {}", key), theirs, actions[key]);
+  }
+  return Done{};
+}
+
+}  // namespace surefoot

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Q-functions on disk. The tensors of an estimate are NAME.weights [features …, actions], NAME.visits [features …] and,
+// for hashed tiles, NAME.tiles; NAME is q, or positive and negative. The description (TensorFile::about) says what the
+// numbers mean: the state variables, the actions, the layout of the features, the whole configuration, and where it was
+// learned.
+#pragma once
+
+#include "core/experiment/configuration.h"
+#include "core/files/tensor_file.h"
+
+namespace surefoot {
+
+/// What `life` has learned. `configuration` is the one that it runs under now.
+TensorFile qFileOf(const Life& life, const Configuration& configuration);
+
+/// The same for any agent, with `origin` in place of what a life tells.
+TensorFile qFileOf(Agent& agent, const Task& task, const Configuration& configuration, const Json& origin);
+
+/// Reads a Q-function, or a checkpoint as one. Its configuration is checked, its tables are read when an agent is made.
+Result<std::shared_ptr<const TensorFile>> readQFile(const std::string& path);
+/// What the reader checks of a file that was parsed already.
+Status checkKind(const TensorFile& file, const std::vector<std::string>& kinds);
+
+/// Every life will begin with what the file holds.
+void beginWith(Configuration& configuration, std::shared_ptr<const TensorFile> file);
+
+/// The configuration that a file was learned under.
+Result<Configuration> configurationOf(const Registry& registry, const TensorFile& file);
+
+/// Whether what is stored belongs to the task: the first difference, with both values.
+Status checkTask(const TensorFile& file, const Task& task);
+
+}  // namespace surefoot

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Carries a learned function over into another representation, as well as that can hold it.
+#pragma once
+
+#include "core/agent.h"
+#include "core/environment.h"
+
+namespace surefoot {
+
+/// How far the new function is from the old one, over states drawn anew, uniform over the range of the state, and over
+/// those of them that were visited.
+struct ResampleError {
+  double rms = 0.0, largest = 0.0, rmsVisited = 0.0;
+  std::int64_t visited = 0, states = 0;
+};
+
+/// Fits `to` to `from` by the method of Kaczmarz (1937): at one state after the other the whole error is closed, in
+/// several passes with shrinking steps. Each estimate of the two is fitted to its counterpart; visits go along.
+/// Deterministic. The two must have the same actions and the same estimates.
+ResampleError resample(const ActionValueFunction& from, Agent& to, const Task& task);
+
+}  // namespace surefoot
