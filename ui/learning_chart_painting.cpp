@@ -38,7 +38,7 @@ void LearningChart::drawAxes(QPainter& p, const Theme& t) const {
     p.setPen(QPen(t.hairline, 1));
     p.drawLine(QPointF(plot_.left(), at), QPointF(plot_.right(), at));
     p.setPen(t.quiet);
-    drawSymbol(p, QRectF(0, at - 8, kLeft - 8, 16), Qt::AlignRight, toText(countText(y)));
+    drawSymbol(p, QRectF(0, at - 8, kLeft - 8, 16), Qt::AlignRight, toText(yStep < 1 ? fixedText(y, yStep < 0.1 ? 2 : 1) : countText(y)));
   }
   const double base = std::round(plot_.bottom()) + 0.5;
   p.setPen(QPen(t.outline, 1));
