@@ -72,7 +72,7 @@ std::string asTable(const TensorFile& file) {
       const Range range = rangeOf(t);
       line += fmt::format(", {:.6g} … {:.6g}, mean {:.6g}", range.low, range.high, range.mean);
     }
-    text += fmt::format("{:<28}{}\n", shortened(t.name), line);
+    text += fmt::format("{:<36} {}\n", shortened(t.name), line);
   }
   return text;
 }

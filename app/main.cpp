@@ -29,6 +29,7 @@ namespace {
 
 int run(int argc, char** argv) {
   reportFailedWrites();
+  watchForInterrupt();
   Registry registry;
   registerCore(registry);
   registerPhysics(registry);

@@ -17,17 +17,23 @@ int replayCommand(const Registry& registry, const ReplayRequest& request) {
   RunOptions options{};
   options.interrupted = &watchForInterrupt();
   const auto life = replay(registry, *journal, options);
-  if (!life) return fail(life.error());
+  if (!life) {  // a command or a parameter that cannot be: the journal's fault
+    const bool usage = life.error().kind == ErrorKind::Usage;
+    return fail(usage ? fileError(request.file, life.error().message) : life.error());
+  }
   const std::vector<LifeResult> lives = {*life};
   const int printed =
       print(request.json ? resultAsJson(journal->configuration, lives) : resultAsTable(journal->configuration, lives));
   if (printed != kDone) return printed;
   if (*options.interrupted && life->steps < journal->steps)
     return fail({fmt::format("interrupted at step {} of {}.", life->steps, journal->steps), ErrorKind::Interrupted});
-  if (request.verify && life->hash != journal->hash)
-    return fail({fmt::format("{}: the hash is {:016x}, and {:016x} in the journal; it is not the same life.",
-                             request.file, life->hash, journal->hash),
-                 ErrorKind::Mismatch});
+  if (request.verify && !journal->sameAs(*life))
+    return fail(
+        {fmt::format("{}: {} episodes, {} falls, hash {:016x}; the journal says {}, {}, {:016x}, so it is not the "
+                     "same life.",
+                     request.file, life->totals.episodes, life->totals.falls, life->hash, journal->episodes,
+                     journal->falls, journal->hash),
+         ErrorKind::Mismatch});
   return kDone;
 }
 

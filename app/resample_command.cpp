@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/interrupt.h"
 #include "app/requests.h"
 #include "app/stored_function.h"
 #include "core/experiment/resample.h"
@@ -47,7 +49,11 @@ int resampleCommand(const Registry& registry, const ResampleRequest& request) {
   auto file = WholeFile::createNew("--save", *request.save);
   if (!file) return fail(file.error());
 
-  const ResampleError error = resample(old->values(), **agent, old->task());
+  const std::atomic<bool>& interrupted = watchForInterrupt();
+  const ResampleError error = resample(old->values(), **agent, old->task(), &interrupted);
+  if (interrupted) return fail({"interrupted; nothing is written.", ErrorKind::Interrupted});
+  if (!std::isfinite(error.rms))
+    return fail({"the function cannot be fitted in this representation; take more tiles or more memory."});
   Json origin = old->file->about.value("learned", Json::object());
   if (!origin.is_object()) origin = Json::object();
   origin["resampled_from"] = request.file;

@@ -7,9 +7,11 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/interrupt.h"
 #include "app/requests.h"
 #include "app/stored_function.h"
 #include "core/files/whole_file.h"
+#include "core/text.h"
 
 namespace surefoot {
 
@@ -19,10 +21,12 @@ namespace {
 Result<std::pair<std::size_t, std::size_t>> parseAxes(const std::string& text, const Task& task) {
   std::vector<std::string> names;
   for (const StateVariable& v : task.state) names.push_back(v.key);
+  if (names.size() < 2)
+    return Error{fmt::format("--axes: a plane needs two state variables, and the environment has one, {}.", names[0])};
   const auto comma = text.find(',');
   if (comma == std::string::npos || text.find(',', comma + 1) != std::string::npos)
-    return Error{fmt::format("--axes: \"{}\" does not name two variables, such as {}.", text.substr(0, 60),
-                             fmt::join(names, ","))};
+    return Error{
+        fmt::format("--axes: \"{}\" does not name two variables, such as {},{}.", shortened(text), names[0], names[1])};
   std::size_t axes[2];
   for (int i = 0; i < 2; ++i) {
     const std::string name = i == 0 ? text.substr(0, comma) : text.substr(comma + 1);
@@ -43,8 +47,9 @@ std::int64_t pointsOf(const StateVariable& v, std::int64_t points) {
   return v.whole ? static_cast<std::int64_t>(v.high - v.low) + 1 : points;
 }
 
+/// The table; as far as it came, if `interrupted`.
 std::string sliceAsCsv(const StoredFunction& f, std::pair<std::size_t, std::size_t> axes, std::vector<double> state,
-                       std::int64_t points) {
+                       std::int64_t points, const std::atomic<bool>& interrupted) {
   const Task& task = f.task();
   const StateVariable &x = task.state[axes.first], &y = task.state[axes.second];
   const std::size_t actions = task.actions.size();
@@ -59,7 +64,7 @@ std::string sliceAsCsv(const StoredFunction& f, std::pair<std::size_t, std::size
     for (std::size_t a = 0; a < actions; ++a) fmt::format_to(to, ",{} {}", name, actionText(task, a));
   fmt::format_to(to, ",greedy,visits\n");
   std::vector<double> q(actions);
-  for (std::int64_t j = 0; j < pointsOf(y, points); ++j)
+  for (std::int64_t j = 0; j < pointsOf(y, points) && !interrupted; ++j)
     for (std::int64_t i = 0; i < pointsOf(x, points); ++i) {
       state[axes.first] = pointOf(x, i, pointsOf(x, points));
       state[axes.second] = pointOf(y, j, pointsOf(y, points));
@@ -91,7 +96,10 @@ int sliceCommand(const Registry& registry, const SliceRequest& request) {
   if (!state) return fail(state.error());
   auto file = WholeFile::createNew("--out", *request.out);
   if (!file) return fail(file.error());
-  const Status written = file->commit(sliceAsCsv(*function, *axes, *state, *points));
+  const std::atomic<bool>& interrupted = watchForInterrupt();
+  const std::string table = sliceAsCsv(*function, *axes, *state, *points, interrupted);
+  if (interrupted) return fail({"interrupted; nothing is written.", ErrorKind::Interrupted});
+  const Status written = file->commit(table);
   return written ? kDone : fail(written.error());
 }
 

@@ -34,8 +34,8 @@ Result<std::vector<double>> parseState(const std::string& option, const std::str
   if (state->size() == task.state.size()) return state;
   std::vector<std::string> names;
   for (const StateVariable& v : task.state) names.push_back(v.key);
-  return Error{fmt::format("{}: {} values are given, and the state has {}: {}.", option, state->size(),
-                           task.state.size(), joinWords(names, "and"))};
+  return Error{fmt::format("{}: {} {} given, and the state has {}: {}.", option, state->size(),
+                           state->size() == 1 ? "value is" : "values are", task.state.size(), joinWords(names, "and"))};
 }
 
 std::string actionText(const Task& task, std::size_t a) {

@@ -94,7 +94,9 @@ int trainCommand(const Registry& registry, const TrainRequest& request) {
   for (const LifeResult& life : *lives)
     if (!life.divergence.empty()) {
       const std::string which = configuration.lives > 1 ? fmt::format("life {}: ", life.life) : "";
-      return fail({which + life.divergence, ErrorKind::Diverged});
+      std::string message = which + life.divergence;
+      if (request.save || request.checkpoint) message.replace(message.size() - 1, 1, "; nothing of it is saved.");
+      return fail({message, ErrorKind::Diverged});
     }
   const auto complete =
       static_cast<int>(std::count_if(lives->begin(), lives->end(), [](const LifeResult& r) { return r.complete; }));

@@ -31,11 +31,13 @@ Result<std::vector<CommandText>> parseCommands(const std::vector<std::string>& t
     std::int64_t step = -1;
     if (colon != std::string::npos && equals != std::string::npos && colon < equals && equals > colon + 1) {
       const auto [end, code] = std::from_chars(text.data(), text.data() + colon, step);
-      if (code != std::errc{} || end != text.data() + colon) step = -1;
+      if (code != std::errc{} || end != text.data() + colon || step > 1'000'000'000'000) step = -1;
     }
     if (step < 0)
       return Error{
-          fmt::format("--at: \"{}\" is not STEP:KEY=VALUE, such as 5000:policy.epsilon=0.1.", shortened(text))};
+          fmt::format("--at: \"{}\" is not STEP:KEY=VALUE, such as 5000:policy.epsilon=0.1, with a whole number of "
+                      "steps from 0 to 1000000000000.",
+                      shortened(text))};
     commands.push_back({step, text.substr(colon + 1, equals - colon - 1), text.substr(equals + 1)});
   }
   std::stable_sort(commands.begin(), commands.end(), [](const auto& a, const auto& b) { return a.step < b.step; });
@@ -77,6 +79,37 @@ Status checkOneLife(const TrainOptions& o, const Configuration& c) {
   for (const auto& [name, option] : {std::pair{"--save", &o.save}, std::pair{"--journal", &o.journal},
                                      std::pair{"--checkpoint", &o.checkpoint}, std::pair{"--resume", &o.resume}})
     if (*option) return Error{fmt::format("{}: it is for one life, and --lives is {}.", name, c.lives)};
+  return Done{};
+}
+
+/// No two results in one file.
+Status checkDifferentFiles(const TrainOptions& o) {
+  std::vector<std::pair<const char*, std::filesystem::path>> files;
+  for (const auto& [name, option] : {std::pair{"--log", &o.log}, std::pair{"--save", &o.save},
+                                     std::pair{"--journal", &o.journal}, std::pair{"--checkpoint", &o.checkpoint}}) {
+    if (!*option || (*option)->empty()) continue;
+    const auto path = std::filesystem::absolute(**option).lexically_normal();
+    for (const auto& [other, taken] : files)
+      if (taken == path)
+        return Error{fmt::format("{}: {} is the file of {}, too; name another.", name, **option, other)};
+    files.emplace_back(name, path);
+  }
+  return Done{};
+}
+
+/// Parameters that are given but do nothing, because what they belong to is off: a slip worth a word.
+Status checkEffect(const Parameters& parameters, const std::vector<Assignment>& assignments) {
+  for (const Assignment& a : assignments) {
+    if (a.key.starts_with("shaping.") && parameters.get("shaping.rewards") == 0.0 && a.key != "shaping.rewards")
+      return Error{fmt::format("{}: it has no effect while shaping.rewards is off.", a.key)};
+    for (const char* suffix : {"_end", "_over", "_per"}) {
+      if (!a.key.ends_with(suffix)) continue;
+      const std::string schedule = a.key.substr(0, a.key.rfind('_')) + "_schedule";
+      const Parameters::Entry* entry = parameters.find(schedule);
+      if (entry && entry->value == 0.0)
+        return Error{fmt::format("{}: it has no effect while {} is constant.", a.key, schedule)};
+    }
+  }
   return Done{};
 }
 
@@ -137,6 +170,11 @@ Result<TrainRequest> makeResumeRequest(const Registry& registry, const TrainOpti
   if (request.log && !resumed->keepRows)
     return Error{
         fmt::format("--log: {} holds no rows of the episodes so far, because it was begun without --log.", *o.resume)};
+  if ((request.limits.minutes || request.limits.episodes) && resumed->life->finished())
+    return Error{
+        fmt::format("--resume: the life is {} episodes and {} steps long already; --minutes or --episodes must be "
+                    "longer than that.",
+                    resumed->life->log().totals().episodes, resumed->life->steps())};
   const auto every = checkpointEvery(o, resumed->life->environment().task());
   if (!every) return every.error();
   request.checkpointEvery = *every;
@@ -158,9 +196,12 @@ Result<TrainRequest> makeTrainRequest(const Registry& registry, const TrainOptio
     if (const Status s = checkPolicyKeys(registry, o.names.policy, *assignments); !s) return s.error();
   auto configuration = configure(registry, o.names, *assignments);
   if (!configuration) return configuration.error();
+  if (!window)
+    if (const Status s = checkEffect(configuration->parameters, *assignments); !s) return s.error();
   Configuration& c = request.configuration = std::move(*configuration);
   if (const Status s = readExtent(o, c); !s) return s.error();
   if (const Status s = checkOneLife(o, c); !s) return s.error();
+  if (const Status s = checkDifferentFiles(o); !s) return s.error();
   if (const Status s = checkCheckpoint(o); !s) return s.error();
   const std::int64_t cores = std::max(1u, std::thread::hardware_concurrency());
   const auto jobs = o.jobs ? parseCount("--jobs", *o.jobs, 1024) : Result<std::int64_t>(cores);

@@ -39,7 +39,7 @@ class ActionValueFunction {
                        std::span<double> out) const = 0;
 
   /// The weights, a table for each estimate.
-  virtual std::vector<std::span<const double>> tables() const = 0;
+  virtual std::vector<std::vector<double>> tables() const = 0;
   /// What each table holds.
   virtual std::vector<MemoryUse> memoryUse() const = 0;
   virtual std::unique_ptr<ActionValueFunction> clone() const = 0;

@@ -35,8 +35,6 @@ class Sarsa2Q final : public Agent {
   }
 
   Action start(std::span<const double> state, Random& random) override {
-    positive_.clearTrace();
-    negative_.clearTrace();
     a_ = choose(state, random);
     return go(a_);
   }
@@ -45,19 +43,22 @@ class Sarsa2Q final : public Agent {
     learn(outcome, control_.discount, next);
     return go(next);
   }
-  void end(const Outcome& outcome) override { learn(outcome, 0.0, 0); }
+  void end(const Outcome& outcome) override {
+    learn(outcome, 0.0, 0);
+    clearTraces();
+  }
   void truncate(const Outcome& outcome, std::span<const double> state, Random& random) override {
     const Action next = choose(state, random);
     learn(outcome, control_.discount, next);
+    clearTraces();
   }
 
   const ActionValueFunction& values() const override { return sum_; }
   /// Of Q⁺, then of Q⁻.
   void eligibility(std::vector<float>& z) const override {
-    const std::size_t first = positive_.values().weightCount();
-    z.assign(first + negative_.values().weightCount(), 0.0f);
-    for (const auto& entry : positive_.trace().entries()) z[entry.weight] = static_cast<float>(entry.z);
-    for (const auto& entry : negative_.trace().entries()) z[first + entry.weight] = static_cast<float>(entry.z);
+    z.clear();
+    positive_.eligibility(z);
+    negative_.eligibility(z);
   }
   bool diverged() const override { return positive_.diverged() || negative_.diverged(); }
   std::int64_t statesOutside() const override { return std::max(positive_.statesOutside(), negative_.statesOutside()); }
@@ -102,6 +103,10 @@ class Sarsa2Q final : public Agent {
     const auto b = static_cast<std::size_t>(next);
     positive_.learn(a_, gain, discount * qPositive_[b], control_.discount, control_.traces);
     negative_.learn(a_, loss, discount * qNegative_[b], control_.discount, control_.traces);
+  }
+  void clearTraces() {
+    positive_.clearTrace();
+    negative_.clearTrace();
   }
   Action go(Action next) {
     positive_.go();

@@ -43,7 +43,6 @@ class ShapedAgent final : public Agent {
   void setPolicy(const Policy& policy) override { agent_->setPolicy(policy); }
 
   Action start(std::span<const double> state, Random& random) override {
-    potential_.clearTrace();
     lookAt(state);
     potential_.go();
     return agent_->start(state, random);

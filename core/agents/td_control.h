@@ -32,7 +32,6 @@ class TdControl final : public Agent {
   }
 
   Action start(std::span<const double> state, Random& random) override {
-    estimate_.clearTrace();
     a_ = choose(state, random);
     estimate_.go();
     return a_;
@@ -46,17 +45,21 @@ class TdControl final : public Agent {
     return a_ = next;
   }
 
-  void end(const Outcome& outcome) override { learn(outcome.reward, 0.0); }
+  void end(const Outcome& outcome) override {
+    learn(outcome.reward, 0.0);
+    estimate_.clearTrace();
+  }
 
   void truncate(const Outcome& outcome, std::span<const double> state, Random& random) override {
     const Action next = choose(state, random);
     learn(outcome.reward, control_.discount * Target::value(q_, pi_, next));
+    estimate_.clearTrace();
   }
 
   const ActionValueFunction& values() const override { return estimate_.values(); }
   void eligibility(std::vector<float>& z) const override {
-    z.assign(estimate_.values().weightCount(), 0.0f);
-    for (const auto& entry : estimate_.trace().entries()) z[entry.weight] = static_cast<float>(entry.z);
+    z.clear();
+    estimate_.eligibility(z);
   }
   bool diverged() const override { return estimate_.diverged(); }
   std::int64_t statesOutside() const override { return estimate_.statesOutside(); }

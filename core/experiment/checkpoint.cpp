@@ -88,6 +88,7 @@ TensorFile checkpointOf(const Life& life, const Configuration& configuration, bo
                        {"changes", changesAsJson(life.changes())}};
   Archive archive = Archive::writer(file);
   life.save(archive);
+  seal(file);
   return file;
 }
 

@@ -61,7 +61,7 @@ ordered_json configurationAsJson(const Configuration& c) {
 Status setParameters(Parameters& parameters, const Json& json, const std::string& file) {
   if (!json.is_object()) return fileError(file, "its parameters are not a list of names and values.");
   for (const auto& [key, value] : json.items()) {
-    Status set = fileError(file, fmt::format("the parameter \"{}\" is neither a number nor a name.", shortened(key)));
+    Status set = Error{fmt::format("the parameter \"{}\" is neither a number nor a name.", shortened(key))};
     if (value.is_number()) set = parameters.set(key, value.get<double>());
     if (value.is_string()) set = parameters.set(key, std::string_view(value.get_ref<const std::string&>()));
     if (!set) return Error{fmt::format("{}: {}", file, set.error().message), ErrorKind::File};

@@ -48,6 +48,8 @@ const EpisodeRow& EpisodeLog::finish(Ending ending, std::int64_t lifeSteps, doub
 
 namespace {
 
+constexpr std::int64_t kMostSteps = 1'000'000'000'000'000;
+
 /// Rows as columns.
 void transferRows(Archive& archive, const std::string& name, std::vector<EpisodeRow>& rows) {
   constexpr std::size_t kMost = 1'000'000'000;
@@ -76,6 +78,8 @@ void transferRows(Archive& archive, const std::string& name, std::vector<Episode
     rows.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
       if (ending[i] > static_cast<std::uint8_t>(Ending::Truncated)) return archive.refuse("ending", "is out of range");
+      for (const std::int64_t count : {episode[i], steps[i], lifeSteps[i], falls[i]})
+        if (count < 0 || count > kMostSteps) return archive.refuse("episode", "or a column beside it is out of range");
       rows[i] = {episode[i],
                  steps[i],
                  lifeSteps[i],
@@ -111,9 +115,10 @@ void EpisodeLog::transfer(Archive& archive) {
         std::pair{"success_steps", &totals_.successSteps}, std::pair{"failure_steps", &totals_.failureSteps},
         std::pair{"successes_after", &totals_.successesAfter},
         std::pair{"success_steps_after", &totals_.successStepsAfter}})
-    archive.value(name, *total);
+    archive.value(name, *total, 0, kMostSteps);
   archive.under("end_of_learning.", [&] { end_.transfer(archive); });
-  if (totals_.episodes < 0) archive.refuse("episodes", "is negative");
+  if (totals_.successes + totals_.failures > totals_.episodes || totals_.successesAfter > totals_.successes)
+    archive.refuse("episodes", "is less than its successes and failures");
 }
 
 }  // namespace surefoot

@@ -69,8 +69,9 @@ Result<Journal> parseHeader(const Registry& registry, const Json& header, const 
 
 /// The last line: {"end": {"step": …, "hash": "…", "complete": true}}.
 Status parseEnd(const Json& end, const std::string& name, Journal& journal) {
-  if (!end.is_object() || !isInteger(end, "step") || !isText(end, "hash"))
-    return fileError(name, "its last line lacks the step or the hash of the end.");
+  if (!end.is_object() || !isInteger(end, "step") || !isInteger(end, "episodes") || !isInteger(end, "falls") ||
+      !isText(end, "hash"))
+    return fileError(name, "its last line lacks the step, the episodes, the falls or the hash of the end.");
   if (end.contains("changes_left_out"))
     return fileError(name, "more was done to the life than a journal holds; it cannot be lived again.");
   const std::string hash = end["hash"].get<std::string>();
@@ -78,6 +79,8 @@ Status parseEnd(const Json& end, const std::string& name, Journal& journal) {
   if (code != std::errc{} || last != hash.data() + hash.size())
     return fileError(name, fmt::format("\"{}\" is no hash.", shortened(hash)));
   journal.steps = end["step"].get<std::int64_t>();
+  journal.episodes = end["episodes"].get<std::int64_t>();
+  journal.falls = end["falls"].get<std::int64_t>();
   return Done{};
 }
 

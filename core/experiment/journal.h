@@ -17,8 +17,14 @@ std::string journalOf(const Configuration& configuration, const LifeResult& life
 struct Journal {
   Configuration configuration;  ///< with the commands, and what was loaded
   int life = 0;
-  std::int64_t steps = 0;  ///< of the life when it was left
-  std::uint64_t hash = 0;  ///< then
+  std::int64_t steps = 0;                ///< of the life when it was left
+  std::uint64_t hash = 0;                ///< then
+  std::int64_t episodes = 0, falls = 0;  ///< then
+
+  /// Whether a life that was lived again came out the same.
+  bool sameAs(const LifeResult& lived) const {
+    return lived.hash == hash && lived.totals.episodes == episodes && lived.totals.falls == falls;
+  }
 };
 
 /// Reads a journal from text; `name` is the file's. A Q-function that the life began with is read, too, and must be the

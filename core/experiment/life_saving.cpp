@@ -9,7 +9,8 @@ namespace surefoot {
 
 namespace {
 constexpr std::size_t kMostInputs = 1'000'000'000;
-}
+constexpr std::int64_t kMostSteps = 1'000'000'000'000'000;
+}  // namespace
 
 Life::Life(LifeParts parts, LifeLimits limits, bool keepRows, Archive& archive)
     : environment_(std::move(parts.environment)),
@@ -41,7 +42,7 @@ void Life::transfer(Archive& archive) {
   archive.table("random.world", episodeRandom_);
   archive.table("random.policy", policyRandom);
   policyRandom_ = Random(policyRandom);
-  archive.value("steps", steps_);
+  archive.value("steps", steps_, 0, kMostSteps);
   archive.value("action", action_, 0, static_cast<int>(environment_->task().actions.size()) - 1);
   archive.value("pre_learned", preLearned_, 0, 1);
   archive.value("in_episode", inEpisode_, 0, 1);

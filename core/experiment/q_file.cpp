@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
+#include <filesystem>
 
 #include "core/experiment/configuration_json.h"
 #include "core/text.h"
@@ -32,16 +34,32 @@ Json actionsAsJson(const Task& task) {
       {"title", task.actionTitle}, {"unit", task.actionUnit}, {"values", task.actions}, {"names", task.actionNames}};
 }
 
-/// 64 bits over the tensors and the description of a file.
-std::uint64_t hashOf(const TensorFile& file) {
-  Hash64 hash;
-  const std::string bytes = file.write();
+void add(Hash64& hash, std::string_view bytes) {
   for (std::size_t i = 0; i < bytes.size(); i += sizeof(std::uint64_t)) {
     std::uint64_t word = 0;
     std::memcpy(&word, bytes.data() + i, std::min(sizeof word, bytes.size() - i));
     hash.add(word);
   }
-  return hash.value();
+}
+
+/// 64 bits over the tensors.
+std::string checksumOf(const TensorFile& file) {
+  Hash64 hash;
+  std::vector<const Tensor*> tensors;  // by name: where empty ones lie is of no consequence
+  for (const Tensor& tensor : file.tensors) tensors.push_back(&tensor);
+  std::sort(tensors.begin(), tensors.end(), [](const Tensor* a, const Tensor* b) { return a->name < b->name; });
+  for (const Tensor* tensor : tensors) {
+    add(hash, tensor->name);
+    add(hash, tensor->bytes);
+  }
+  return fmt::format("{:016x}", hash.value());
+}
+
+/// 64 bits over the whole file.
+std::string hashOf(const TensorFile& file) {
+  Hash64 hash;
+  add(hash, file.write());
+  return fmt::format("{:016x}", hash.value());
 }
 
 }  // namespace
@@ -60,6 +78,7 @@ TensorFile qFileOf(Agent& agent, const Task& task, const Configuration& configur
   file.about["began_with"] = configuration.beganWith;
   Archive archive = Archive::writer(file);
   agent.transferValues(archive);
+  seal(file);
   return file;
 }
 
@@ -73,6 +92,10 @@ TensorFile qFileOf(const Life& life, const Configuration& configuration) {
                        {"average_reward", life.log().averageReward()},
                        {"hash", fmt::format("{:016x}", life.hash())}};
   return qFileOf(const_cast<Agent&>(life.agent()), life.environment().task(), now, origin);  // a writer changes nothing
+}
+
+void seal(TensorFile& file) {
+  file.about["checksum"] = checksumOf(file);
 }
 
 Status checkKind(const TensorFile& file, const std::vector<std::string>& kinds) {
@@ -93,11 +116,15 @@ Result<std::shared_ptr<const TensorFile>> readQFile(const std::string& path) {
   auto file = TensorFile::read(path);
   if (!file) return file.error();
   if (const Status s = checkKind(*file, {"q-function", "checkpoint"}); !s) return s.error();
+  if (file->about.contains("checksum") && file->about["checksum"] != checksumOf(*file))
+    return fileError(path, "its data does not match its checksum; the file is damaged.");
   return std::make_shared<const TensorFile>(std::move(*file));
 }
 
 void beginWith(Configuration& configuration, std::shared_ptr<const TensorFile> file) {
-  configuration.beganWith = {{"file", file->name}, {"hash", fmt::format("{:016x}", hashOf(*file))}};
+  std::error_code failed;
+  const std::filesystem::path path = std::filesystem::absolute(file->name, failed);
+  configuration.beganWith = {{"file", failed ? file->name : path.lexically_normal().string()}, {"hash", hashOf(*file)}};
   for (const char* key : {"learned", "began_with"})
     if (file->about.contains(key)) configuration.beganWith[key] = file->about[key];
   configuration.start = std::move(file);

@@ -18,6 +18,8 @@ TensorFile qFileOf(Agent& agent, const Task& task, const Configuration& configur
 
 /// Reads a Q-function, or a checkpoint as one. Its configuration is checked, its tables are read when an agent is made.
 Result<std::shared_ptr<const TensorFile>> readQFile(const std::string& path);
+/// Notes a checksum of the tensors in the description; whoever changes them by hand takes it out.
+void seal(TensorFile& file);
 /// What the reader checks of a file that was parsed already.
 Status checkKind(const TensorFile& file, const std::vector<std::string>& kinds);
 

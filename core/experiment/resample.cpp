@@ -56,7 +56,8 @@ ResampleError errorBetween(const ActionValueFunction& a, const ActionValueFuncti
 
 }  // namespace
 
-ResampleError resample(const ActionValueFunction& from, Agent& to, const Task& task) {
+ResampleError resample(const ActionValueFunction& from, Agent& to, const Task& task,
+                       const std::atomic<bool>* interrupted) {
   std::vector<Layer> layers = {Layer::Sum};
   if (from.split()) layers = {Layer::Positive, Layer::Negative};
   const auto features = static_cast<double>(std::max(featuresOf(from), featuresOf(to.values())));
@@ -64,7 +65,7 @@ ResampleError resample(const ActionValueFunction& from, Agent& to, const Task& t
   Random random(1);
   std::vector<double> state(task.state.size()), q(task.actions.size());
   for (const double share : kShares)
-    for (int i = 0; i < states; ++i) {
+    for (int i = 0; i < states && !(interrupted && *interrupted); ++i) {
       draw(task, random, state);
       const double visits = from.visits(state);
       for (const Layer layer : layers) {

@@ -2,6 +2,8 @@
 // Carries a learned function over into another representation, as well as that can hold it.
 #pragma once
 
+#include <atomic>
+
 #include "core/agent.h"
 #include "core/environment.h"
 
@@ -17,6 +19,8 @@ struct ResampleError {
 /// Fits `to` to `from` by the method of Kaczmarz (1937): at one state after the other the whole error is closed, in
 /// several passes with shrinking steps. Each estimate of the two is fitted to its counterpart; visits go along.
 /// Deterministic. The two must have the same actions and the same estimates.
-ResampleError resample(const ActionValueFunction& from, Agent& to, const Task& task);
+/// `interrupted`, set by anyone, ends it early.
+ResampleError resample(const ActionValueFunction& from, Agent& to, const Task& task,
+                       const std::atomic<bool>* interrupted = nullptr);
 
 }  // namespace surefoot

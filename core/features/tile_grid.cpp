@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -60,6 +61,7 @@ Result<TileGrid<Number>> TileGrid<Number>::create(const Task& task, const TileSe
                       "allowed, so take fewer tilings, fewer tiles, a smaller scale, or a hashed table "
                       "(features.memory).",
                       v.key, n, settings.scale, stride * dim->tiles * n, mostTiles)};
+    if (std::has_single_bit(dim->cycle)) dim->shift = std::countr_zero(dim->cycle);
     dim->cycleStride = dim->wraps ? 0 : static_cast<Number>(stride);
     for (Number position = 0; position < dim->cycle; ++position)
       for (int i = 0; i < n; ++i) {
@@ -98,8 +100,9 @@ Cover TileGrid<Number>::find(std::span<const double> state, std::span<Number> ou
       if (step > dim.high) step = dim.high, cover = Cover::Edge;
       position = static_cast<Number>(step - dim.origin);
     }
-    base += position / dim.cycle * dim.cycleStride;
-    const Number* carry = &dim.carry[position % dim.cycle * n];
+    const Number cycles = dim.shift >= 0 ? position >> dim.shift : position / dim.cycle;
+    base += cycles * dim.cycleStride;
+    const Number* carry = &dim.carry[(position - cycles * dim.cycle) * n];
     for (std::size_t i = 0; i < n; ++i) out[i] += carry[i];
   }
   for (std::size_t i = 0; i < n; ++i) out[i] += base;

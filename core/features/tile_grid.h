@@ -43,6 +43,7 @@ class TileGrid {
     double origin = 0;         // the step that is position 0
     double tiles = 0;          // of a tiling, displaced ones included
     Number cycle = 1;          // n; for a wrapping variable n times its tiles
+    int shift = -1;            // log₂ of cycle, if that is whole: no division then
     Number cycleStride = 1;    // what one cycle adds to the tile's number; 0 for a wrapping variable
     bool wraps = false;
     bool closedBelow = false, closedAbove = false;  // a box: beyond it there is nothing

@@ -47,7 +47,9 @@ Result<WholeFile> WholeFile::createOrReplace(const std::string& what, const std:
   struct stat info {};
   if (stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode))
     return unwritable(what, path, "it is there already, and not a regular file");
-  return open(what, path, true);
+  std::error_code failed;
+  const auto target = std::filesystem::canonical(path, failed);  // what a link points to is replaced, not the link
+  return open(what, failed ? path : target.string(), true);
 }
 
 Result<WholeFile> WholeFile::open(const std::string& what, const std::string& path, bool replaces) {

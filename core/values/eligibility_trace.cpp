@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/values/eligibility_trace.h"
 
+#include <algorithm>
+
 namespace surefoot {
 
-void EligibilityTrace::decay(double factor, double cutoff) {
+void EligibilityTrace::decay(const WeightTable&, double factor, double cutoff) {
   for (std::uint32_t slot = 0; slot < entries_.size();) {
     entries_[slot].z *= factor;
     if (entries_[slot].z < cutoff || entries_[slot].z == 0.0)
@@ -13,17 +15,31 @@ void EligibilityTrace::decay(double factor, double cutoff) {
   }
 }
 
-void EligibilityTrace::clear() {
+void EligibilityTrace::drop(const WeightTable& table, Index weight) {
+  if (slot_.size() == table.size() && slot_[weight] != kNone) remove(slot_[weight]);
+}
+
+void EligibilityTrace::clear(const WeightTable&) {
   for (const Entry& e : entries_) slot_[e.weight] = kNone;
   entries_.clear();
 }
 
-void EligibilityTrace::setEntries(std::span<const Entry> entries) {
-  clear();
-  for (const Entry& e : entries) entry(e.weight).z = e.z;
+void EligibilityTrace::transfer(const WeightTable& table, Archive& archive) {
+  std::vector<Index> weights;
+  std::vector<double> z;
+  for (const Entry& e : entries_) weights.push_back(e.weight), z.push_back(e.z);
+  archive.list("weights", weights, table.size());
+  archive.list("z", z, table.size());
+  if (!archive.reading() || !archive.good()) return;
+  const auto outside = [&](Index i) { return i >= table.size(); };
+  if (weights.size() != z.size() || std::any_of(weights.begin(), weights.end(), outside))
+    return archive.refuse("weights", "does not fit the table");
+  clear(table);
+  for (std::size_t i = 0; i < weights.size(); ++i) entry(table, weights[i]).z = z[i];
 }
 
-EligibilityTrace::Entry& EligibilityTrace::entry(Index weight) {
+EligibilityTrace::Entry& EligibilityTrace::entry(const WeightTable& table, Index weight) {
+  if (slot_.size() != table.size()) slot_.assign(table.size(), kNone);
   std::uint32_t& slot = slot_[weight];
   if (slot == kNone) {
     slot = static_cast<std::uint32_t>(entries_.size());

@@ -1,42 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The eligibility trace z (thesis, section 2.2.2; Sutton & Barto 2018, section 12.7): which weights are answerable for
-// the reward that comes now. Only the entries that differ from 0 are kept.
+// the reward that comes now. Only the entries that differ from 0 are kept; every one of them is touched in every step.
+// The learner takes DeferredTrace where it can, which is faster; this one is for accumulating traces and for features
+// that are not binary, and it is what the other is held against.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
-#include "core/features/feature_map.h"
+#include "core/files/archive.h"
+#include "core/values/weight_table.h"
 
 namespace surefoot {
 
+/// Used by one thread; for one table, whose size is all that most calls want of it.
 class EligibilityTrace {
  public:
-  /// For a table of `weights` weights; no call below allocates once the trace has reached its usual length.
-  explicit EligibilityTrace(std::size_t weights) : slot_(weights, kNone) { entries_.reserve(4096); }
-
   /// z ← factor·z; entries that fall below `cutoff` are dropped.
-  void decay(double factor, double cutoff);
+  void decay(const WeightTable& table, double factor, double cutoff);
   /// z_i ← 1 (replacing traces, Singh & Sutton 1996).
-  void replace(Index weight) { entry(weight).z = 1.0; }
+  void replace(const WeightTable& table, Index weight) { entry(table, weight).z = 1.0; }
   /// z_i ← z_i + x (accumulating traces).
-  void accumulate(Index weight, double x = 1.0) { entry(weight).z += x; }
+  void accumulate(const WeightTable& table, Index weight, double x = 1.0) { entry(table, weight).z += x; }
   /// z_i ← max(z_i, x): a replacing trace of a feature that is worth x.
-  void raise(Index weight, double x) {
-    Entry& e = entry(weight);
+  void raise(const WeightTable& table, Index weight, double x) {
+    Entry& e = entry(table, weight);
     if (e.z < x) e.z = x;
   }
   /// z_i ← 0.
-  void drop(Index weight) {
-    if (slot_[weight] != kNone) remove(slot_[weight]);
-  }
+  void drop(const WeightTable& table, Index weight);
   /// z ← 0.
-  void clear();
-
+  void clear(const WeightTable& table);
   /// w ← w + step·z.
-  void addTo(double* weights, double step) const {
-    for (const Entry& e : entries_) weights[e.weight] += step * e.z;
+  void add(WeightTable& table, double step) const {
+    for (const Entry& e : entries_) table.add(e.weight, step * e.z);
   }
 
   struct Entry {
@@ -44,17 +42,17 @@ class EligibilityTrace {
     double z;
   };
   std::span<const Entry> entries() const { return entries_; }
-  /// Puts saved entries back, in their order. Each weight once.
-  void setEntries(std::span<const Entry> entries);
+
+  void transfer(const WeightTable& table, Archive& archive);
 
  private:
   static constexpr std::uint32_t kNone = ~std::uint32_t{0};
 
-  Entry& entry(Index weight);
+  Entry& entry(const WeightTable& table, Index weight);
   void remove(std::uint32_t slot);
 
   std::vector<Entry> entries_;
-  std::vector<std::uint32_t> slot_;  // [weight] where its entry stands, or kNone
+  std::vector<std::uint32_t> slot_;  // [weight] where its entry stands, or kNone; empty until it is needed
 };
 
 }  // namespace surefoot

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/schedule.h"
+#include "core/values/deferred_trace.h"
 #include "core/values/eligibility_trace.h"
 #include "core/values/linear_action_value.h"
 
@@ -37,21 +38,24 @@ class Estimate {
  public:
   Estimate(LinearActionValue<F> values, const EstimateSettings& settings)
       : settings_(settings),
-        values_(std::move(values)),
-        trace_(values_.weightCount()) {}
+        values_(std::move(values)) {}
 
   EstimateSettings& settings() { return settings_; }
   const EstimateSettings& settings() const { return settings_; }
   LinearActionValue<F>& values() { return values_; }
   const LinearActionValue<F>& values() const { return values_; }
-  const EligibilityTrace& trace() const { return trace_; }
   std::int64_t statesOutside() const { return statesOutside_; }
   /// The last temporal-difference error was beyond any sensible size.
   bool diverged() const { return diverged_; }
+  /// z_k of every weight, written behind what is in `z` already.
+  void eligibility(std::vector<float>& z) const;
 
   // One step of learning: look at S′, choose A′ from what is seen, learn about (S, A), go to S′. Hot.
 
-  void clearTrace() { trace_.clear(); }
+  void clearTrace() {
+    deferred_.clear(values_.weights());
+    plain_.clear(values_.weights());
+  }
   /// Looks at the next state; q ← q̂(S′, ·).
   void look(std::span<const double> state, std::span<double> q) {
     statesOutside_ += values_.claim(state, xNext()) == Cover::Edge;
@@ -64,12 +68,12 @@ class Estimate {
 
   /// Learns that (S, A) is worth R + next, where `next` is γ times the value of what follows, taken before this update.
   void learn(Action a, double reward, double next, double discount, const TraceSettings& traces) {
-    // clang-format off
-    const double delta = reward + next - values_.value(x(), a);       // δ ← R + γ q̂(S′,·) − q̂(S,A)
-    trace_.decay(discount * settings_.traceDecay, traces.cutoff);     // z ← γλ z
-    mark(a, traces);                                                  // z_i ← 1 for the active features of (S,A)
-    trace_.addTo(values_.data(), alpha() * delta);                    // w ← w + α δ z
-    // clang-format on
+    const double delta = reward + next - value(a);  // δ ← R + γ q̂(S′,·) − q̂(S,A)
+    const double lambda = settings_.traceDecay;
+    if (F::kBinary && traces.kind == TraceKind::Replacing)
+      update(deferred_, a, alpha() * delta, discount * lambda, traces);
+    else
+      update(plain_, a, alpha() * delta, discount * lambda, traces);
     values_.countVisit(x());
     diverged_ |= !(std::abs(delta) < kDivergedError);
   }
@@ -90,24 +94,36 @@ class Estimate {
     const double length = values_.squaredLength(x());
     return settings_.stepSize.now() / (length > 0 ? length : 1.0);
   }
-  void mark(Action a, const TraceSettings& traces) {
-    for (std::size_t k = 0; k < static_cast<std::size_t>(x().count); ++k) {
-      const Index feature = x().index[k], weight = values_.weight(feature, a);
-      if (traces.otherActions == OtherActions::Clear)
+  template <class Trace>
+  void update(Trace& trace, Action a, double alphaDelta, double gammaLambda, const TraceSettings& traces) {
+    if (traces.kind != kind_) clearTrace(), kind_ = traces.kind;  // the kind was changed while the life went on
+    trace.decay(values_.weights(), gammaLambda, traces.cutoff);   // z ← γλ z
+    mark(trace, a, traces);                                       // z_i ← 1 for the active features of (S,A)
+    trace.add(values_.weights(), alphaDelta);                     // w ← w + α δ z
+  }
+  template <class Trace>
+  void mark(Trace& trace, Action a, const TraceSettings& traces) {
+    if (traces.otherActions == OtherActions::Clear)
+      for (const Index feature : x().indices())
         for (Action b = 0; b < values_.actions(); ++b)
-          if (b != a) trace_.drop(values_.weight(feature, b));
-      if (traces.kind == TraceKind::Accumulating)
-        trace_.accumulate(weight, x().valueOf(k));
-      else if constexpr (F::kBinary)
-        trace_.replace(weight);
-      else
-        trace_.raise(weight, x().valueOf(k));
-    }
+          if (b != a) trace.drop(values_.weights(), values_.weight(feature, b));
+    if constexpr (std::is_same_v<Trace, DeferredTrace>)
+      return trace.replace(values_.weights(), x().indices(), values_.weight(1, 0), static_cast<Index>(a));
+    else
+      for (std::size_t k = 0; k < static_cast<std::size_t>(x().count); ++k) {
+        const Index weight = values_.weight(x().index[k], a);
+        if (traces.kind == TraceKind::Accumulating)
+          trace.accumulate(values_.weights(), weight, x().valueOf(k));
+        else
+          trace.raise(values_.weights(), weight, x().valueOf(k));
+      }
   }
 
   EstimateSettings settings_;
   LinearActionValue<F> values_;
-  EligibilityTrace trace_;
+  DeferredTrace deferred_;  // replacing traces of binary features
+  EligibilityTrace plain_;  // all others
+  TraceKind kind_ = TraceKind::Replacing;
   std::array<Active, 2> x_;  // active features of S and S′, taking turns
   std::size_t here_ = 0;
   bool diverged_ = false;
@@ -115,34 +131,36 @@ class Estimate {
 };
 
 template <FeatureMap F>
+void Estimate<F>::eligibility(std::vector<float>& z) const {
+  const std::size_t first = z.size(), size = values_.weightCount();
+  z.resize(first + size);
+  for (std::size_t k = 0; k < size; ++k) z[first + k] = static_cast<float>(deferred_.at(values_.weights(), k));
+  for (const auto& entry : plain_.entries()) z[first + entry.weight] = static_cast<float>(entry.z);
+}
+
+template <FeatureMap F>
 void Estimate<F>::transferLearning(Archive& archive) {
   archive.value("diverged", diverged_, 0, 1);
   archive.value("states_outside", statesOutside_);
+  archive.value("trace_kind", kind_, 0, 1);
   if constexpr (ClaimingFeatureMap<F>) {
     std::int64_t failed = values_.features().failedLookUps();
     archive.value("failed_look_ups", failed);
     values_.features().setFailedLookUps(failed);
   }
-  std::vector<Index> weights, features(x().indices().begin(), x().indices().end());
-  std::vector<double> z, values;
-  for (const auto& entry : trace_.entries()) weights.push_back(entry.weight), z.push_back(entry.z);
+  archive.under("deferred.", [&] { deferred_.transfer(values_.weights(), archive); });
+  archive.under("trace.", [&] { plain_.transfer(values_.weights(), archive); });
+
+  std::vector<Index> features(x().indices().begin(), x().indices().end());
+  std::vector<double> values;
   for (std::size_t k = 0; k < features.size(); ++k) values.push_back(x().valueOf(k));
-  archive.list("trace.weights", weights, values_.weightCount());
-  archive.list("trace.z", z, values_.weightCount());
   archive.list("features", features, x().index.size());
   archive.list("feature_values", values, x().index.size());
   if (!archive.reading() || !archive.good()) return;
-
-  const auto below = [](const std::vector<Index>& list, std::size_t limit) {
-    return std::all_of(list.begin(), list.end(), [=](Index i) { return i < limit; });
-  };
-  if (weights.size() != z.size() || !below(weights, values_.weightCount()))
-    return archive.refuse("trace.weights", "does not fit the table");
-  if (features.size() != values.size() || !below(features, values_.features().size()))
+  const std::size_t size = values_.features().size();
+  if (features.size() != values.size() ||
+      std::any_of(features.begin(), features.end(), [=](Index i) { return i >= size; }))
     return archive.refuse("features", "does not fit the table");
-  std::vector<EligibilityTrace::Entry> entries;
-  for (std::size_t i = 0; i < weights.size(); ++i) entries.push_back({weights[i], z[i]});
-  trace_.setEntries(entries);
   x().count = static_cast<int>(features.size());
   std::copy(features.begin(), features.end(), x().index.begin());
   if constexpr (!F::kBinary) std::copy(values.begin(), values.end(), x().value.begin());

@@ -16,6 +16,7 @@
 #include "core/files/archive.h"
 #include "core/parameters.h"
 #include "core/random.h"
+#include "core/values/weight_table.h"
 
 namespace surefoot {
 
@@ -61,11 +62,11 @@ class LinearActionValue final : public ActionValueFunction {
 
   LinearActionValue(F features, int actions, const InitialValue& initial, std::uint64_t seed)
       : features_(std::move(features)),
-        actions_(static_cast<std::size_t>(actions)) {
+        actions_(static_cast<std::size_t>(actions)),
+        weights_(features_.size() * actions_) {
     const double low = initial.low / features_.total();
     const double high = initial.high / features_.total();
-    weights_.resize(features_.size() * actions_);
-    for (std::size_t i = 0; i < weights_.size(); ++i) weights_[i] = low + (high - low) * uniformAt(seed, i);
+    for (std::size_t i = 0; i < weights_.size(); ++i) weights_.add(i, low + (high - low) * uniformAt(seed, i));
     visits_.assign(features_.size(), 0);
   }
 
@@ -80,14 +81,14 @@ class LinearActionValue final : public ActionValueFunction {
   }
   /// q ← q̂(s, ·) for the state with the active features x.
   void values(const Active& x, std::span<double> q) const {
+    if constexpr (F::kBinary) return weights_.sumRows(x.indices(), actions_, q.data());
     for (double& value : q) value = 0.0;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(x.count); ++k) {
-      const double* row = &weights_[x.index[k] * actions_];
-      for (std::size_t a = 0; a < actions_; ++a) q[a] += row[a] * x.valueOf(k);
-    }
+    for (std::size_t k = 0; k < static_cast<std::size_t>(x.count); ++k)
+      for (std::size_t a = 0; a < actions_; ++a) q[a] += weights_[x.index[k] * actions_ + a] * x.valueOf(k);
   }
   /// q̂(s, a).
   double value(const Active& x, Action a) const {
+    if constexpr (F::kBinary) return weights_.sum(x.indices(), static_cast<Index>(actions_), static_cast<Index>(a));
     double sum = 0.0;
     for (std::size_t k = 0; k < static_cast<std::size_t>(x.count); ++k)
       sum += weights_[weight(x.index[k], a)] * x.valueOf(k);
@@ -103,7 +104,8 @@ class LinearActionValue final : public ActionValueFunction {
   }
   /// The number of the weight of feature i and action a.
   Index weight(Index i, Action a) const { return i * static_cast<Index>(actions_) + static_cast<Index>(a); }
-  double* data() { return weights_.data(); }
+  WeightTable& weights() { return weights_; }
+  const WeightTable& weights() const { return weights_; }
   std::size_t weightCount() const { return weights_.size(); }
   /// Counts the features of x; of those that are not binary, the ones at least half as strong as the strongest.
   void countVisit(const Active& x) {
@@ -120,11 +122,11 @@ class LinearActionValue final : public ActionValueFunction {
   void fit(std::span<const double> state, std::span<const double> q, double share, double visits) {
     Active x;
     claim(state, x);
-    const double length = squaredLength(x);
+    const double length = response(x);
     for (std::size_t a = 0; a < actions_; ++a) {
       const double error = q[a] - value(x, static_cast<Action>(a));
       for (std::size_t k = 0; k < static_cast<std::size_t>(x.count); ++k)
-        weights_[weight(x.index[k], static_cast<Action>(a))] += share * error * x.valueOf(k) / length;
+        weights_.add(weight(x.index[k], static_cast<Action>(a)), share * error * x.valueOf(k) / length);
     }
     const auto count = static_cast<std::uint32_t>(std::min(std::ceil(visits), static_cast<double>(kMostVisits)));
     for (const Index i : x.indices()) visits_[i] = std::max(visits_[i], count);
@@ -139,7 +141,9 @@ class LinearActionValue final : public ActionValueFunction {
       if (archive.reading()) features_.setTiles(tiles);
     }
     shape.push_back(actions_);
-    archive.table("weights", weights_, shape);
+    std::vector<double> weights = weights_.settled();
+    archive.table("weights", weights, shape);
+    if (archive.reading()) weights_.assign(std::span<const double>(weights));
   }
   const F& features() const { return features_; }
   F& features() { return features_; }
@@ -162,7 +166,7 @@ class LinearActionValue final : public ActionValueFunction {
     for (std::size_t a = 0; a < actions_; ++a)
       out[a] = mean(state, [&](Index i) { return static_cast<double>(perWeight[i * actions_ + a]); });
   }
-  std::vector<std::span<const double>> tables() const override { return {weights_}; }
+  std::vector<std::vector<double>> tables() const override { return {weights_.settled()}; }
   std::vector<MemoryUse> memoryUse() const override {
     MemoryUse use{.slots = features_.size(), .occupied = {}, .failedLookUps = {}};
     if constexpr (ClaimingFeatureMap<F>) {
@@ -175,12 +179,20 @@ class LinearActionValue final : public ActionValueFunction {
   void assign(const ActionValueFunction& other) override {
     const auto& same = dynamic_cast<const LinearActionValue&>(other);
     assert(same.weights_.size() == weights_.size());
-    std::copy(same.weights_.begin(), same.weights_.end(), weights_.begin());
+    weights_.assign(same.weights_);
     std::copy(same.visits_.begin(), same.visits_.end(), visits_.begin());
     if constexpr (ClaimingFeatureMap<F>) features_ = same.features_;
   }
 
  private:
+  /// How much q̂(s) moves if every weight of x moves by its x: Σ x², and more where hashed features share a weight.
+  double response(const Active& x) const {
+    if constexpr (!ClaimingFeatureMap<F>) return squaredLength(x);
+    double pairs = 0.0;
+    for (const Index i : x.indices())
+      pairs += static_cast<double>(std::count(x.indices().begin(), x.indices().end(), i));
+    return pairs;
+  }
   /// Σ x·quantity / Σ x over the features of a state.
   double mean(std::span<const double> state, const auto& quantity) const {
     Active x;
@@ -194,7 +206,7 @@ class LinearActionValue final : public ActionValueFunction {
 
   F features_;
   std::size_t actions_;
-  std::vector<double> weights_;        // [feature][action]
+  WeightTable weights_;                // [feature][action]
   std::vector<std::uint32_t> visits_;  // [feature]
 };
 

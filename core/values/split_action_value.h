@@ -34,7 +34,7 @@ class SplitActionValue final : public ActionValueFunction {
   void average(std::span<const float> perWeight, std::span<const double> state, std::span<double> out) const override {
     positive_->average(perWeight.first(positive_->weightCount()), state, out);
   }
-  std::vector<std::span<const double>> tables() const override {
+  std::vector<std::vector<double>> tables() const override {
     return {positive_->tables().front(), negative_->tables().front()};
   }
   std::vector<MemoryUse> memoryUse() const override {

@@ -228,4 +228,77 @@ TEST(Files, TheRuleOfThumbIsThatOfTheLife) {
   EXPECT_GT(rule["upper_limit"].get<double>(), rule["lower_limit"].get<double>()) << "successes grow shorter";
 }
 
+TEST(Files, TwoResultsDoNotGoIntoOneFile) {
+  const Folder folder;
+  const std::string file = folder.file("x"), again = folder.file("./x");
+  expectRefusal("train --episodes 3 --save " + file + " --log " + again, 2, {"--save", "--log"});
+  expectRefusal("train --episodes 3 --save " + file + " --checkpoint " + file, 2, {"--checkpoint", "--save"});
+  EXPECT_FALSE(std::filesystem::exists(file));
+}
+
+TEST(Files, AByteThatWasChangedIsNoticed) {
+  const Folder folder;
+  const std::string file = folder.file("q");
+  run("train --episodes 20 --environment chain --save " + file);
+  std::string bytes = contentOf(file);
+  bytes[bytes.size() - 3] ^= 1;  // a mantissa bit of a weight
+  std::ofstream(file, std::ios::binary) << bytes;
+  expectRefusal("query " + file + " --state 5", 3, {"checksum"});
+  expectRefusal("train --episodes 1 --environment chain --load " + file, 3, {"checksum"});
+}
+
+TEST(Files, AResampledFunctionIsFiniteInAnyMemory) {
+  const Folder folder;
+  const std::string q = folder.file("q"), small = folder.file("small");
+  run("train --episodes 100 --environment mountain-car --save " + q);
+  for (const char* memory : {"1", "8", "100"}) {
+    EXPECT_TRUE(
+        run("resample " + q + " --set features.memory=" + memory + " --save " + small)["rms_error"].is_number());
+    EXPECT_EQ(surefoot("query " + small + " --state 0,0").code, 0);
+    std::filesystem::remove(small);
+  }
+}
+
+TEST(Files, ACheckpointBehindALinkStaysBehindIt) {
+  const Folder folder;
+  const std::string file = folder.file("life"), link = folder.file("link");
+  run("train --episodes 5 --environment chain --checkpoint " + file);
+  std::filesystem::create_symlink(file, link);
+  run("train --episodes 9 --resume " + link + " --checkpoint " + link);
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  EXPECT_NE(surefoot("inspect " + file).out.find("9 episodes"), std::string::npos);
+}
+
+TEST(Files, WhatCannotBeLivedAgainIsTheJournalsFault) {
+  const Folder folder;
+  const std::string journal = folder.file("j"), other = folder.file("other");
+  run("train --episodes 20 --environment chain --at 10:policy.epsilon=0.2 --journal " + journal);
+  const std::string text = contentOf(journal);
+  for (const auto& [from, to] : {std::pair{"\"policy.epsilon\",\"step\"", "\"eolicy.epsilon\",\"step\""},
+                                 std::pair{"\"value\":\"0.2\"", "\"value\":\"7\""},
+                                 std::pair{"\"policy.epsilon\",\"step\"", "\"features.tilings\",\"step\""}}) {
+    std::ofstream(other) << std::regex_replace(text, std::regex(from), to);
+    expectRefusal("replay " + other, 3, {other});
+  }
+  std::ofstream(other) << std::regex_replace(text, std::regex("\"episodes\":20,\"falls\""),
+                                             "\"episodes\":21,\"falls\"");
+  EXPECT_EQ(surefoot("replay " + other + " --verify").code, 5);
+}
+
+TEST(Files, WhatHasNoEffectIsRefused) {
+  const Folder folder;
+  const std::string file = folder.file("life");
+  expectRefusal("train --episodes 3 --set policy.epsilon_end=0.5", 2, {"policy.epsilon_schedule"});
+  expectRefusal("train --episodes 3 --set shaping.scale=2", 2, {"shaping.rewards"});
+  run("train --episodes 5 --environment chain --checkpoint " + file);
+  expectRefusal("train --episodes 4 --resume " + file, 2, {"--resume", "5 episodes"});
+  expectRefusal("slice " + file + " --axes state --out x", 2, {"two state variables"});
+  const Finished diverged = surefoot(
+      "train --episodes 5000 --set agent.step_size=2 --set agent.discount=1 --set agent.trace=accumulating --save " +
+      folder.file("q"));
+  EXPECT_EQ(diverged.code, 4);
+  EXPECT_NE(diverged.err.find("nothing of it is saved"), std::string::npos) << diverged.err;
+  EXPECT_FALSE(std::filesystem::exists(folder.file("q")));
+}
+
 }  // namespace surefoot

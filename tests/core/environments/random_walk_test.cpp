@@ -107,9 +107,10 @@ TEST(RandomWalk, LambdaOneOffLineIsMonteCarlo) {
   RandomWalk walk;
   Random random(7);
   for (int episode = 0; episode < 200; ++episode) {
-    std::vector<double> v(20), sum(20, 0.0), monteCarlo(20, 0.0);
+    std::vector<double> v(20), monteCarlo(20, 0.0);
+    WeightTable sum(20);
     for (double& value : v) value = random.uniform(-1, 1);
-    EligibilityTrace trace(20);
+    EligibilityTrace trace;
     std::vector<std::size_t> visited;
     walk.reset(random);
     Outcome outcome;
@@ -118,9 +119,9 @@ TEST(RandomWalk, LambdaOneOffLineIsMonteCarlo) {
       visited.push_back(s);
       outcome = walk.step(0);
       const double next = outcome.ending == Ending::None ? v[static_cast<std::size_t>(walk.state()[0])] : 0.0;
-      trace.decay(1.0, 0.0);
-      trace.accumulate(static_cast<Index>(s));
-      trace.addTo(sum.data(), kAlpha * (outcome.reward + next - v[s]));
+      trace.decay(sum, 1.0, 0.0);
+      trace.accumulate(sum, static_cast<Index>(s));
+      trace.add(sum, kAlpha * (outcome.reward + next - v[s]));
     }
     for (const std::size_t s : visited) monteCarlo[s] += kAlpha * (outcome.reward - v[s]);
     for (std::size_t s = 1; s < 20; ++s)
