@@ -122,6 +122,7 @@ struct CommandLine {
   CLI::App* inspect = app.add_subcommand("inspect", "what a file holds and where it comes from");
   CLI::App* resample = app.add_subcommand("resample", "carry a Q-function over into another resolution");
   CLI::App* replay = app.add_subcommand("replay", "live a journal again");
+  CLI::App* bench = app.add_subcommand("bench", "how fast this machine learns");
   CLI::App* probabilities = app.add_subcommand("probabilities", "the probability of every action, given its value");
   TrainOptions trainOptions, windowOptions;
   ListRequest listOptions;
@@ -131,6 +132,7 @@ struct CommandLine {
   InspectRequest inspectOptions;
   ResampleRequest resampleOptions;
   ReplayRequest replayOptions;
+  BenchRequest benchOptions;
 
   CommandLine() {
     app.require_subcommand(0, 1);
@@ -146,7 +148,8 @@ struct CommandLine {
         ->capture_default_str();
     addAssignments(*probabilities, probabilitiesOptions.assignments, "a parameter of the policy; may be repeated");
     probabilities->add_flag("--json", probabilitiesOptions.json, "as JSON");
-    for (CLI::App* command : {&app, train, window, list, probabilities, query, slice, inspect, resample, replay}) {
+    for (CLI::App* command :
+         {&app, train, window, list, probabilities, query, slice, inspect, resample, replay, bench}) {
       command->set_help_flag("-h,--help", "print this help");
       command->set_version_flag("--version", std::string("surefoot ") + kVersion, "print the version");
       command->allow_extras();
@@ -177,6 +180,7 @@ struct CommandLine {
     addOption(*resample, "--save", resampleOptions.save, "the file to write, which must not exist yet", "FILE");
     resample->add_flag("--json", resampleOptions.json, "report as JSON");
 
+    bench->add_flag("--json", benchOptions.json, "as JSON");
     file(replay, replayOptions.file, "a journal");
     replay->add_flag("--verify", replayOptions.verify, "fail unless the hash is that of the journal");
     replay->add_flag("--json", replayOptions.json, "print the result as one JSON object");
@@ -222,6 +226,7 @@ Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv
   if (line.slice->parsed()) return Request(line.sliceOptions);
   if (line.inspect->parsed()) return Request(line.inspectOptions);
   if (line.resample->parsed()) return Request(line.resampleOptions);
+  if (line.bench->parsed()) return Request(line.benchOptions);
   if (line.replay->parsed()) return Request(line.replayOptions);
   auto request = makeTrainRequest(registry, line.windowOptions, true);
   if (!request) return request.error();

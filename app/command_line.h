@@ -75,13 +75,18 @@ struct ReplayRequest {
   bool verify = false, json = false;
 };
 
+/// `surefoot bench`
+struct BenchRequest {
+  bool json = false;
+};
+
 /// --help or --version: the text to print.
 struct PrintRequest {
   std::string text;
 };
 
 using Request = std::variant<ListRequest, ProbabilitiesRequest, TrainRequest, WindowRequest, QueryRequest, SliceRequest,
-                             InspectRequest, ResampleRequest, ReplayRequest, PrintRequest>;
+                             InspectRequest, ResampleRequest, ReplayRequest, BenchRequest, PrintRequest>;
 
 Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv);
 

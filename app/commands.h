@@ -15,6 +15,7 @@ int queryCommand(const Registry& registry, const QueryRequest& request);
 int sliceCommand(const Registry& registry, const SliceRequest& request);
 int inspectCommand(const Registry& registry, const InspectRequest& request);
 int resampleCommand(const Registry& registry, const ResampleRequest& request);
+int benchCommand(const Registry& registry, const BenchRequest& request);
 int replayCommand(const Registry& registry, const ReplayRequest& request);
 
 /// Prints "surefoot: …" to standard error and returns the exit code of the error.

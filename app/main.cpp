@@ -49,6 +49,7 @@ int run(int argc, char** argv) {
     int operator()(const InspectRequest& r) const { return inspectCommand(registry, r); }
     int operator()(const ResampleRequest& r) const { return resampleCommand(registry, r); }
     int operator()(const ReplayRequest& r) const { return replayCommand(registry, r); }
+    int operator()(const BenchRequest& r) const { return benchCommand(registry, r); }
     int operator()(const PrintRequest& r) const { return print(r.text); }
   };
   return std::visit(Dispatch{registry, argc, argv}, *request);

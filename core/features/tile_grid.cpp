@@ -50,17 +50,17 @@ template <class Number>
 Result<TileGrid<Number>> TileGrid<Number>::create(const Task& task, const TileSettings& settings, double mostTiles) {
   TileGrid grid;
   const int n = grid.tilings_ = settings.tilings;
-  double stride = 1.0;  // tiles of a tiling along the dimensions so far
+  double stride = n;  // tiles along the dimensions so far, of all tilings
   for (std::size_t d = 0; d < task.state.size(); ++d) {
     const StateVariable& v = task.state[d];
     Result<Dimension> dim = layOut(v, settings, d);
     if (!dim) return dim.error();
-    if (stride * dim->tiles * n > mostTiles)
+    if (stride * dim->tiles > mostTiles)
       return Error{
           fmt::format("features.{}: {} tilings with features.scale = {} have {:.3g} tiles; at most {:.3g} are "
                       "allowed, so take fewer tilings, fewer tiles, a smaller scale, or a hashed table "
                       "(features.memory).",
-                      v.key, n, settings.scale, stride * dim->tiles * n, mostTiles)};
+                      v.key, n, settings.scale, stride * dim->tiles, mostTiles)};
     if (std::has_single_bit(dim->cycle)) dim->shift = std::countr_zero(dim->cycle);
     dim->cycleStride = dim->wraps ? 0 : static_cast<Number>(stride);
     for (Number position = 0; position < dim->cycle; ++position)
@@ -73,8 +73,7 @@ Result<TileGrid<Number>> TileGrid<Number>::create(const Task& task, const TileSe
     stride *= dim->tiles;
     grid.dimensions_.push_back(std::move(*dim));
   }
-  for (int i = 0; i < n; ++i) grid.tilingStart_.push_back(static_cast<Number>(i) * static_cast<Number>(stride));
-  grid.size_ = static_cast<Number>(stride) * static_cast<Number>(n);
+  grid.size_ = static_cast<Number>(stride);
   return grid;
 }
 
@@ -83,7 +82,7 @@ Cover TileGrid<Number>::find(std::span<const double> state, std::span<Number> ou
   const auto n = static_cast<std::size_t>(tilings_);
   Cover cover = Cover::Inside;
   Number base = 0;
-  for (std::size_t i = 0; i < n; ++i) out[i] = tilingStart_[i];
+  for (std::size_t i = 0; i < n; ++i) out[i] = static_cast<Number>(i);
   for (std::size_t d = 0; d < dimensions_.size(); ++d) {
     const Dimension& dim = dimensions_[d];
     double step = std::floor(state[d] * dim.scale);
@@ -131,9 +130,10 @@ nlohmann::json TileGrid<Number>::layout() const {
 
 template <class Number>
 std::vector<std::size_t> TileGrid<Number>::shape() const {
-  std::vector<std::size_t> shape = {static_cast<std::size_t>(tilings_)};
+  std::vector<std::size_t> shape;
   for (auto dim = dimensions_.rbegin(); dim != dimensions_.rend(); ++dim)
     shape.push_back(static_cast<std::size_t>(dim->tiles));
+  shape.push_back(static_cast<std::size_t>(tilings_));
   return shape;
 }
 

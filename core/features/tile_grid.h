@@ -6,7 +6,8 @@
 //
 // that is, each tiling is displaced by the odd numbers 1, 3, 5 … times width/n. n should be a power of two and at
 // least 4 per dimension; any n ≥ 1 works. Here every tile of every tiling gets a number of its own; what stands under
-// that number is the business of TileCoder (a dense table) and HashedTileCoder.
+// that number is the business of TileCoder (a dense table) and HashedTileCoder. The tilings count fastest, because most
+// of them have a state in a tile of the same place: then what belongs to a state lies together in memory.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -29,7 +30,7 @@ class TileGrid {
   /// out ← the number of the tile of each tiling; `out` is as long as there are tilings. Hot.
   Cover find(std::span<const double> state, std::span<Number> out) const;
   nlohmann::json layout() const;
-  /// Tilings, then tiles along each dimension, the last dimension first.
+  /// Tiles along each dimension, the last dimension first, then tilings.
   std::vector<std::size_t> shape() const;
 
  private:
@@ -57,7 +58,6 @@ class TileGrid {
   int tilings_ = 1;
   Number size_ = 0;
   std::vector<Dimension> dimensions_;
-  std::vector<Number> tilingStart_;
 };
 
 extern template class TileGrid<std::uint32_t>;

@@ -18,15 +18,15 @@ void DeferredTrace::decay(WeightTable& table, double factor, double cutoff) {
 void DeferredTrace::replace(WeightTable& table, std::span<const Index> rows, Index columns, Index column) {
   makeRoom(rows.size());
   const double e = inverse_, sum = table.sum_;
-  double *const tableV = table.v_.data(), *const tableE = table.e_.data();
+  WeightTable::Weight* const weights = table.weights_.data() + column;
   Mark* const marks = marks_.data();
   const std::size_t mask = marks_.size() - 1;
   std::size_t end = end_;
   for (const Index row : rows) {
-    const Index k = row * columns + column;
-    tableV[k] += sum * (tableE[k] - e);
-    tableE[k] = e;
-    marks[end++ & mask] = {k, e};
+    WeightTable::Weight& w = weights[row * columns];
+    w.v += sum * (w.e - e);
+    w.e = e;
+    marks[end++ & mask] = {row * columns + column, e};
   }
   end_ = end;
 }
@@ -43,12 +43,12 @@ void DeferredTrace::beginAgain(WeightTable& table) {
   std::size_t kept = begin_;
   for (std::size_t i = begin_; i != end_; ++i) {
     const Mark m = mark(i);
-    if (table.e_[m.k] != m.e) continue;  // dead, or a second mark of the same step
+    if (table.weights_[m.k].e != m.e) continue;  // dead, or a second mark of the same step
     pay(table, m);
     mark(kept++) = {m.k, m.e * product_};
   }
   end_ = kept;
-  for (std::size_t i = begin_; i != end_; ++i) table.e_[mark(i).k] = mark(i).e;
+  for (std::size_t i = begin_; i != end_; ++i) table.weights_[mark(i).k].e = mark(i).e;
   mostMarks_ = std::max(kUsualMarks, 2 * (end_ - begin_));
   table.sum_ = 0.0;
   setProduct(1.0);
@@ -70,8 +70,8 @@ void DeferredTrace::transfer(WeightTable& table, Archive& archive) {
     const Mark& m = mark(i);
     weights.push_back(m.k);
     e.push_back(m.e);
-    live.push_back(table.e_[m.k]);
-    v.push_back(table.v_[m.k]);
+    live.push_back(table.weights_[m.k].e);
+    v.push_back(table.weights_[m.k].v);
   }
   constexpr std::size_t kMost = 1u << 30;
   archive.list("weights", weights, kMost);
@@ -94,8 +94,7 @@ void DeferredTrace::transfer(WeightTable& table, Archive& archive) {
   makeRoom(weights.size());
   for (std::size_t i = 0; i < weights.size(); ++i) {
     mark(end_++) = {weights[i], e[i]};
-    table.e_[weights[i]] = live[i];
-    table.v_[weights[i]] = v[i];
+    table.weights_[weights[i]] = {v[i], live[i]};
   }
 }
 

@@ -38,8 +38,9 @@ class DeferredTrace {
   void replace(WeightTable& table, Index k) { replace(table, std::span(&k, 1), 1, 0); }
   /// z_k ← 0.
   void drop(WeightTable& table, Index k) {
-    table.v_[k] += table.sum_ * table.e_[k];
-    table.e_[k] = 0.0;
+    WeightTable::Weight& w = table.weights_[k];
+    w.v += table.sum_ * w.e;
+    w.e = 0.0;
   }
   /// w ← w + step·z.
   void add(WeightTable& table, double step) { table.sum_ += step * product_; }
@@ -47,7 +48,7 @@ class DeferredTrace {
   void clear(WeightTable& table);
 
   /// z_k.
-  double at(const WeightTable& table, std::size_t k) const { return table.e_[k] * product_; }
+  double at(const WeightTable& table, std::size_t k) const { return table.weights_[k].e * product_; }
 
   void transfer(WeightTable& table, Archive& archive);
 
@@ -61,9 +62,10 @@ class DeferredTrace {
 
   Mark& mark(std::size_t i) { return marks_[i & (marks_.size() - 1)]; }
   void pay(WeightTable& table, const Mark& mark) {
-    if (table.e_[mark.k] != mark.e) return;
-    table.v_[mark.k] += table.sum_ * mark.e;
-    table.e_[mark.k] = 0.0;
+    WeightTable::Weight& w = table.weights_[mark.k];
+    if (w.e != mark.e) return;
+    w.v += table.sum_ * mark.e;
+    w.e = 0.0;
   }
   void makeRoom(std::size_t more);
   void beginAgain(WeightTable& table);

@@ -13,50 +13,56 @@ namespace surefoot {
 
 class WeightTable {
  public:
-  explicit WeightTable(std::size_t size) : v_(size), e_(size, 0.0) {}
+  explicit WeightTable(std::size_t size) : weights_(size) {}
 
-  std::size_t size() const { return v_.size(); }
-  double operator[](std::size_t k) const { return v_[k] + sum_ * e_[k]; }
+  std::size_t size() const { return weights_.size(); }
+  double operator[](std::size_t k) const { return weights_[k].v + sum_ * weights_[k].e; }
   /// All of w, with nothing put off any more.
   std::vector<double> settled() const {
-    std::vector<double> w(v_.size());
+    std::vector<double> w(size());
     for (std::size_t k = 0; k < w.size(); ++k) w[k] = (*this)[k];
     return w;
   }
-  /// w ← values, nothing put off.
+  /// w ← values, as many as there are; nothing put off.
   void assign(std::span<const double> values) {
-    v_.assign(values.begin(), values.end());
-    e_.assign(v_.size(), 0.0);
+    for (std::size_t k = 0; k < size(); ++k) weights_[k] = {values[k], 0.0};
     sum_ = 0.0;
   }
   /// w ← those of a table of the same size, nothing put off; without allocation.
   void assign(const WeightTable& other) {
-    for (std::size_t k = 0; k < v_.size(); ++k) v_[k] = other[k];
-    std::fill(e_.begin(), e_.end(), 0.0);
+    for (std::size_t k = 0; k < size(); ++k) weights_[k] = {other[k], 0.0};
     sum_ = 0.0;
   }
   /// w_k ← w_k + change.
-  void add(std::size_t k, double change) { v_[k] += change; }
+  void add(std::size_t k, double change) { weights_[k].v += change; }
 
   /// q_a ← Σ_i w(i, a) over the rows i of a table with `actions` columns. Hot.
   void sumRows(std::span<const Index> rows, std::size_t actions, double* q) const;
 
   /// Σ_i w(i, column) over the rows i of a table with so many columns. Hot.
   double sum(std::span<const Index> rows, Index columns, Index column) const {
-    const double *v = v_.data(), *e = e_.data();
-    double sv = 0.0, se = 0.0;
+    const Weight* weights = weights_.data() + column;
+    Weight total;
     for (const Index row : rows) {
-      const Index k = row * columns + column;
-      sv += v[k];
-      se += e[k];
+      const Weight& w = weights[row * columns];
+      total.v += w.v;
+      total.e += w.e;
     }
-    return sv + sum_ * se;
+    return total.v + sum_ * total.e;
   }
 
  private:
   friend class DeferredTrace;
 
-  std::vector<double> v_, e_;
+  template <std::size_t kActions>
+  void sumOver(std::span<const Index> rows, double* q) const;
+
+  /// Side by side, because whoever reads one needs the other.
+  struct Weight {
+    double v = 0.0, e = 0.0;
+  };
+
+  std::vector<Weight> weights_;
   double sum_ = 0.0;  // D
 };
 

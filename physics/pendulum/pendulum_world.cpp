@@ -53,7 +53,7 @@ PendulumWorld::PendulumWorld(const PendulumSettings& s)
   b2RevoluteJointDef hinge;
   hinge.Initialize(base_, pole_, b2Vec2_zero);
   if (s.friction > 0.0) {
-    hinge.enableMotor = true;
+    hinge.enableMotor = motor_ = true;
     hinge.motorSpeed = 0.0f;
     hinge.maxMotorTorque = f(s.friction);
   }
@@ -78,7 +78,7 @@ void PendulumWorld::step(double torque) {
     const double force = (torque - damping_ * wheelRate()) * forcePerTorque_;
     base_->ApplyForceToCenter(b2Vec2(f(force), 0.0f), true);
     world_.SetWarmStarting(!fresh_);  // the impulses of the last episode belong to another state
-    world_.Step(substepTime_, kVelocityIterations, kPositionIterations);
+    world_.Step(substepTime_, motor_ ? kFrictionIterations : kVelocityIterations, kPositionIterations);
     fresh_ = false;
   }
 }

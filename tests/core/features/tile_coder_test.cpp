@@ -64,9 +64,9 @@ TEST(TileCoder, DisplacesByOddNumbers) {
   const TileCoder coder = coderFor(task, 4);
   const auto a = active(coder, {0.3, 0.9});
   const auto b = active(coder, {0.425, 0.9});
-  // Numbers: 3 × 3 tiles a tiling (one more than cover the range, for the displacement), x fastest: 9·i + tx + 3·ty,
-  // with the displacement mod 4, ty = (7 + 3i mod 4)/4 = 1, 2, 2, 2.
-  EXPECT_EQ(a, (std::vector<Index>{0 + 0 + 3, 9 + 0 + 6, 18 + 1 + 6, 27 + 1 + 6}));
+  // Numbers: 3 × 3 tiles a tiling (one more than cover the range, for the displacement), the tiling fastest, then x:
+  // 4·(tx + 3·ty) + i, with the displacement mod 4, ty = (7 + 3i mod 4)/4 = 1, 2, 2, 2.
+  EXPECT_EQ(a, (std::vector<Index>{4 * 3 + 0, 4 * 6 + 1, 4 * 7 + 2, 4 * 7 + 3}));
   EXPECT_EQ(a[0], b[0]);
   EXPECT_NE(a[1], b[1]);
   EXPECT_EQ(a[2], b[2]);

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `surefoot bench`: how fast this machine learns. Medians of five runs, CPU time of the learning threads.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/interrupt.h"
+#include "core/experiment/experiment.h"
+
+namespace surefoot {
+
+namespace {
+
+constexpr int kRuns = 5;
+
+struct Case {
+  const char* name;
+  Names names;
+  std::vector<Assignment> assignments;
+  std::int64_t steps;  // of a run
+  const char* limit;   // what is known of the limits of such a loop
+};
+
+Names namesOf(const char* environment, const char* agent, const char* features, const char* policy) {
+  Names names;
+  names.environment = environment, names.agent = agent, names.features = features, names.policy = policy;
+  return names;
+}
+
+/// The limits were measured on a virtual machine with an AMD EPYC processor, 2 cores.
+std::vector<Case> cases() {
+  return {{"pendulum, Sarsa",
+           namesOf("pendulum", "sarsa", "tile-coder", "epsilon-greedy"),
+           {},
+           1'000'000,
+           "3.3 M: Box2D's share (245 ns) and a learner of 50 ns"},
+          {"pendulum, Sarsa_2Q", namesOf("pendulum", "sarsa-2q", "tile-coder", "epsilon-greedy"), {}, 600'000, ""},
+          {"mountain car, λ 0.5",
+           namesOf("mountain-car", "sarsa", "tile-coder", "greedy"),
+           {{"agent.trace_decay", "0.5"}, {"agent.discount", "1"}},
+           2'000'000,
+           ""},
+          {"mountain car, λ 0.9",
+           namesOf("mountain-car", "sarsa", "tile-coder", "greedy"),
+           {{"agent.trace_decay", "0.9"}, {"agent.discount", "1"}},
+           2'000'000,
+           "8.1 M: equations for a world and a lazy trace"},
+          {"mountain car, λ 0.98",
+           namesOf("mountain-car", "sarsa", "tile-coder", "greedy"),
+           {{"agent.trace_decay", "0.98"}, {"agent.discount", "1"}},
+           2'000'000,
+           ""},
+          {"cliff, table, λ 0",
+           namesOf("cliff", "sarsa", "table", "epsilon-greedy"),
+           {{"agent.trace_decay", "0"}},
+           3'000'000,
+           ""}};
+}
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+double wallSeconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Steps per CPU-second of one case; 0 if it was interrupted.
+Result<double> measure(const Registry& registry, const Case& which, const std::atomic<bool>& interrupted) {
+  auto c = configure(registry, which.names, which.assignments);
+  if (!c) return c.error();
+  std::vector<double> speeds;
+  for (int run = 0; run < kRuns && !interrupted; ++run) {
+    c->seed = static_cast<std::uint64_t>(run + 1);
+    RunOptions options{};
+    options.interrupted = &interrupted;
+    options.make = [&](int) { return makeLife(registry, *c, 0, false, which.steps); };
+    const auto lives = runLives(registry, *c, options);
+    if (!lives) return lives.error();
+    if (!lives->empty()) speeds.push_back(static_cast<double>(lives->front().steps) / lives->front().cpuSeconds);
+  }
+  return speeds.empty() || interrupted ? 0.0 : median(speeds);
+}
+
+/// How much more two threads do in the same wall-clock time.
+Result<double> gainOfTwoThreads(const Registry& registry, const std::atomic<bool>& interrupted) {
+  auto c = configure(registry, {}, {});
+  if (!c) return c.error();
+  c->lives = 8;
+  c->minutes = 10.0;
+  std::vector<double> gains;
+  for (int run = 0; run < kRuns && !interrupted; ++run) {
+    double seconds[2];
+    for (const int jobs : {1, 2}) {
+      RunOptions options{};
+      options.jobs = jobs;
+      options.interrupted = &interrupted;
+      const double start = wallSeconds();
+      if (const auto lives = runLives(registry, *c, options); !lives) return lives.error();
+      seconds[jobs - 1] = wallSeconds() - start;
+    }
+    gains.push_back(seconds[0] / seconds[1]);
+  }
+  return gains.empty() || interrupted ? 0.0 : median(gains);
+}
+
+}  // namespace
+
+int benchCommand(const Registry& registry, const BenchRequest& request) {
+  const std::atomic<bool>& interrupted = watchForInterrupt();
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  std::string text = "learning steps per CPU-second, median of 5\n";
+  for (const Case& which : cases()) {
+    const auto speed = measure(registry, which, interrupted);
+    if (!speed) return fail(speed.error());
+    json[which.name] = *speed;
+    const std::string limit = *which.limit ? fmt::format("   limit {}", which.limit) : "";
+    text += fmt::format("  {:<22}{:>7.2f} M{}\n", which.name, *speed * 1e-6, limit);
+  }
+  const auto gain = gainOfTwoThreads(registry, interrupted);
+  if (!gain) return fail(gain.error());
+  if (interrupted) return fail({"interrupted; a speed needs all its runs.", ErrorKind::Interrupted});
+  json["two threads against one"] = *gain;
+  text += fmt::format("  {:<22}{:>7.2f} ×\n", "two threads", *gain);
+  return print(request.json ? nlohmann::ordered_json{{"steps_per_cpu_second", json}}.dump(2) + "\n" : text);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The whole learning loop: environment, features, choice, update, log. The counter is steps per CPU-second.
+#include <benchmark/benchmark.h>
+
+#include "core/experiment/configuration.h"
+#include "physics/register.h"
+
+namespace surefoot {
+
+namespace {
+
+const Registry& registry() {
+  static const Registry filled = [] {
+    Registry r;
+    registerCore(r);
+    registerPhysics(r);
+    return r;
+  }();
+  return filled;
+}
+
+/// One life after the other, a batch of steps an iteration.
+void live(benchmark::State& state, const Names& names, const std::vector<Assignment>& assignments) {
+  constexpr std::int64_t kBatch = 10'000, kLong = 1'000'000;
+  auto c = configure(registry(), names, assignments);
+  if (!c) return state.SkipWithError(c.error().message.c_str());
+  auto life = makeLife(registry(), *c, 0, false);
+  for (int i = 0; i < 20; ++i) (*life)->step();
+  for (auto _ : state) {
+    if ((*life)->steps() > kLong) {
+      state.PauseTiming();
+      ++c->seed;
+      life = makeLife(registry(), *c, 0, false);
+      state.ResumeTiming();
+    }
+    for (std::int64_t i = 0; i < kBatch; ++i) (*life)->step();
+  }
+  state.counters["steps/s"] =
+      benchmark::Counter(static_cast<double>(state.iterations() * kBatch), benchmark::Counter::kIsRate);
+}
+
+Names namesOf(const char* environment, const char* agent, const char* features, const char* policy) {
+  Names names;
+  names.environment = environment, names.agent = agent, names.features = features, names.policy = policy;
+  return names;
+}
+
+void pendulum(benchmark::State& state, const char* agent, const char* features, const char* policy) {
+  live(state, namesOf("pendulum", agent, features, policy), {});
+}
+BENCHMARK_CAPTURE(pendulum, sarsa, "sarsa", "tile-coder", "epsilon-greedy");
+BENCHMARK_CAPTURE(pendulum, trl, "sarsa", "tile-coder", "trl");
+BENCHMARK_CAPTURE(pendulum, softmax, "sarsa", "tile-coder", "softmax");
+BENCHMARK_CAPTURE(pendulum, sarsa_2q, "sarsa-2q", "tile-coder", "epsilon-greedy");
+BENCHMARK_CAPTURE(pendulum, radial_basis, "sarsa", "radial-basis", "epsilon-greedy");
+
+void mountainCar(benchmark::State& state, const char* lambda) {
+  live(state, namesOf("mountain-car", "sarsa", "tile-coder", "greedy"),
+       {{"agent.trace_decay", lambda}, {"agent.discount", "1"}, {"features.initial_high", "0"}});
+}
+BENCHMARK_CAPTURE(mountainCar, lambda_0, "0");
+BENCHMARK_CAPTURE(mountainCar, lambda_50, "0.5");
+BENCHMARK_CAPTURE(mountainCar, lambda_90, "0.9");
+BENCHMARK_CAPTURE(mountainCar, lambda_98, "0.98");
+
+void tilings(benchmark::State& state) {
+  live(state, namesOf("mountain-car", "sarsa", "tile-coder", "greedy"),
+       {{"agent.discount", "1"}, {"features.tilings", std::to_string(state.range(0))}, {"features.initial_high", "0"}});
+}
+BENCHMARK(tilings)->RangeMultiplier(2)->Range(1, 128);
+
+void cliff(benchmark::State& state) {
+  live(state, namesOf("cliff", "sarsa", "table", "epsilon-greedy"), {{"agent.trace_decay", "0"}});
+}
+BENCHMARK(cliff);
+
+/// The world alone, with random actions.
+void world(benchmark::State& state, const char* name) {
+  const auto entry = findEntry(registry().environments, "environment", name);
+  const auto environment = (*entry)->make();
+  Random random(1);
+  environment->reset(random);
+  const auto actions = static_cast<std::uint64_t>(environment->task().actions.size());
+  for (auto _ : state)
+    if (environment->step(static_cast<Action>(random.next() % actions)).ending != Ending::None)
+      environment->reset(random);
+  state.counters["steps/s"] = benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+}
+BENCHMARK_CAPTURE(world, pendulum, "pendulum");
+BENCHMARK_CAPTURE(world, mountain_car, "mountain-car");
+
+}  // namespace
+}  // namespace surefoot
