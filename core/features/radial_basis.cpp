@@ -23,18 +23,8 @@ RadialBasis::Settings::Settings(const Task& task) : variables_(task.state) {
 void RadialBasis::Settings::declare(Fields& f) {
   for (std::size_t d = 0; d < variables_.size(); ++d) {
     const StateVariable& v = variables_[d];
-    f.real(resolution[d], {.key = v.key,
-                           .title = capitalised(v.title),
-                           .symbol = v.symbol,
-                           .unit = v.perSpan,
-                           .low = 0.01,
-                           .high = 1000,
-                           .sliderLow = std::min(1.0, v.resolution),
-                           .sliderHigh = 32,
-                           .when = When::NewTable,
-                           .group = Group::Representation,
-                           .help = fmt::format("Centres per {} of the {}.", v.spanText, v.title),
-                           .origin = "ours"});
+    f.real(resolution[d],
+           resolutionParameter(v, fmt::format("Centres per {} of the {}.", v.spanText, v.title), "ours"));
     f.real(width[d],
            {.key = v.key + "_width",
             .title = capitalised(v.title) + ", width",
@@ -50,23 +40,10 @@ void RadialBasis::Settings::declare(Fields& f) {
             .origin = "ours: half a tile",
             .order = 2});
   }
-  const auto factor = [&](double& member, const char* key, const char* title, const char* help, const char* origin) {
-    f.real(member, {.key = key,
-                    .title = title,
-                    .unit = "×",
-                    .low = 0.01,
-                    .high = 100,
-                    .sliderLow = 0.1,
-                    .sliderHigh = 2,
-                    .when = When::NewTable,
-                    .group = Group::Representation,
-                    .help = help,
-                    .origin = origin,
-                    .order = 2});
-  };
-  factor(scale, "scale", "Scale", "Multiplies every resolution: the fraction of Q_opt in chapter 6.",
-         "thesis, section 6.3");
-  factor(widthScale, "width", "Width", "Multiplies every width and leaves the centres where they are.", "ours");
+  f.real(scale, factorParameter("scale", "Scale", "Multiplies every resolution: the fraction of Q_opt in chapter 6.",
+                                "thesis, section 6.3"));
+  f.real(widthScale,
+         factorParameter("width", "Width", "Multiplies every width and leaves the centres where they are.", "ours"));
 }
 
 Result<RadialBasis::Dimension> RadialBasis::layOut(const StateVariable& v, const Settings& s, std::size_t d) {

@@ -3,11 +3,44 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
+
 namespace surefoot {
 
 std::string capitalised(std::string title) {
   title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
   return title;
+}
+
+Parameter resolutionParameter(const StateVariable& v, std::string help, std::string origin) {
+  return {.key = v.key,
+          .title = capitalised(v.title),
+          .symbol = v.symbol,
+          .unit = v.perSpan,
+          .low = 0.01,
+          .high = 1000,
+          .sliderLow = std::min(1.0, v.resolution),
+          .sliderHigh = 32,
+          .when = When::NewTable,
+          .group = Group::Representation,
+          .help = std::move(help),
+          .origin = std::move(origin)};
+}
+
+Parameter factorParameter(std::string key, std::string title, std::string help, std::string origin) {
+  return {.key = std::move(key),
+          .title = std::move(title),
+          .unit = "×",
+          .low = 0.01,
+          .high = 100,
+          .sliderLow = 0.1,
+          .sliderHigh = 2,
+          .when = When::NewTable,
+          .group = Group::Representation,
+          .help = std::move(help),
+          .origin = std::move(origin),
+          .order = 2};
 }
 
 TileSettings::TileSettings(const Task& task) : variables_(task.state) {
@@ -31,32 +64,14 @@ void TileSettings::declare(Fields& f) {
                       .origin = "thesis, section 3.1.3"});
   for (std::size_t d = 0; d < variables_.size(); ++d) {
     const StateVariable& v = variables_[d];
-    f.real(resolution[d], {.key = v.key,
-                           .title = capitalised(v.title),
-                           .symbol = v.symbol,
-                           .unit = v.perSpan,
-                           .low = 0.01,
-                           .high = 1000,
-                           .sliderLow = std::min(1.0, v.resolution),
-                           .sliderHigh = 32,
-                           .when = When::NewTable,
-                           .group = Group::Representation,
-                           .help = fmt::format("Tiles per {} of the {}: few generalise far, many tell states apart.",
-                                               v.spanText, v.title),
-                           .origin = "thesis, section 3.1.3"});
+    f.real(
+        resolution[d],
+        resolutionParameter(
+            v, fmt::format("Tiles per {} of the {}: few generalise far, many tell states apart.", v.spanText, v.title),
+            "thesis, section 3.1.3"));
   }
-  f.real(scale, {.key = "scale",
-                 .title = "Scale",
-                 .unit = "×",
-                 .low = 0.01,
-                 .high = 100,
-                 .sliderLow = 0.1,
-                 .sliderHigh = 2,
-                 .when = When::NewTable,
-                 .group = Group::Representation,
-                 .help = "Multiplies every resolution: the fraction of Q_opt in chapter 6.",
-                 .origin = "thesis, section 6.3",
-                 .order = 2});
+  f.real(scale, factorParameter("scale", "Scale", "Multiplies every resolution: the fraction of Q_opt in chapter 6.",
+                                "thesis, section 6.3"));
   f.integer(memory, {.key = "memory",
                      .title = "Hashed tiles",
                      .low = 0,
