@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files as a user meets them: saved, loaded, asked, resumed after a kill, replayed.
+#include <chrono>
 #include <cmath>
 #include <regex>
 #include <sstream>
@@ -141,13 +142,17 @@ TEST(Files, KilledAtAnyMomentACheckpointIsWholeAndGoesOn) {
   const std::string file = folder.file("life"), arguments = "--minutes 4 --agent sarsa-2q";
   const std::string expected = hashOf(arguments);
   const std::string fresh = std::string(SUREFOOT_PROGRAM) + " train " + arguments;
+  // How long this machine takes for a start and five checkpoints: the kills are spread around it.
+  const auto start = std::chrono::steady_clock::now();
+  run("train --minutes 0.05 --agent sarsa-2q --every 0.01 --checkpoint " + folder.file("short"));
+  const double five = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   Random random(11);
   int found = 0;
   for (int kill = 0; kill < 50; ++kill) {
     const bool resuming = std::filesystem::exists(file);
     const std::string command = resuming ? std::string(SUREFOOT_PROGRAM) + " train --resume " + file : fresh;
     std::ostringstream seconds;
-    seconds << random.uniform(0.02, 0.12);
+    seconds << random.uniform(0.2, 2.0) * five;
     static_cast<void>(std::system(
         ("timeout -s KILL " + seconds.str() + " " + command + " --checkpoint " + file + " --every 0.01 >/dev/null 2>&1")
             .c_str()));
