@@ -90,8 +90,8 @@ Result<double> measure(const Registry& registry, const Case& which, const std::a
 Result<double> gainOfTwoThreads(const Registry& registry, const std::atomic<bool>& interrupted) {
   auto c = configure(registry, {}, {});
   if (!c) return c.error();
-  c->lives = 8;
-  c->minutes = 10.0;
+  c->lives = 4;
+  c->minutes = 40.0;
   std::vector<double> gains;
   for (int run = 0; run < kRuns && !interrupted; ++run) {
     double seconds[2];
