@@ -79,9 +79,9 @@ TEST(RandomWalk, WalksAStepToEitherSideAndIsPaidAtTheEnds) {
 }
 
 // Sutton & Barto 2018, Figure 12.6 (TD(λ), accumulating traces; average RMS error over the 19 states and the first 10
-// episodes): the lowest points of the curves. The figure prints no numbers; these are those of a second implementation,
-// written apart from this one in plain Python (300 runs), which the figure is read to agree with. Tolerance: twice the
-// standard error of 100 lives, 0.007.
+// episodes): the lowest points of the curves. The figure prints no numbers; these are of a second implementation of its
+// experiment, written apart from this one in plain Python (300 runs). Tolerance: twice the standard error of 100 lives,
+// 0.007.
 TEST(RandomWalk, TheErrorsAreThoseOfFigure126) {
   struct Reading {
     double lambda, error;
