@@ -24,37 +24,35 @@ struct Case {
   const char* limit;   // what is known of the limits of such a loop
 };
 
-Names namesOf(const char* environment, const char* agent, const char* features, const char* policy) {
-  Names names;
-  names.environment = environment, names.agent = agent, names.features = features, names.policy = policy;
-  return names;
-}
-
 /// The limits were measured on a virtual machine with an AMD EPYC processor, 2 cores.
 std::vector<Case> cases() {
   return {{"pendulum, Sarsa",
-           namesOf("pendulum", "sarsa", "tile-coder", "epsilon-greedy"),
+           {.environment = "pendulum", .agent = "sarsa", .features = "tile-coder", .policy = "epsilon-greedy"},
            {},
            1'000'000,
            "3.3 M: Box2D's share (245 ns) and a learner of 50 ns"},
-          {"pendulum, Sarsa_2Q", namesOf("pendulum", "sarsa-2q", "tile-coder", "epsilon-greedy"), {}, 600'000, ""},
+          {"pendulum, Sarsa_2Q",
+           {.environment = "pendulum", .agent = "sarsa-2q", .features = "tile-coder", .policy = "epsilon-greedy"},
+           {},
+           600'000,
+           ""},
           {"mountain car, λ 0.5",
-           namesOf("mountain-car", "sarsa", "tile-coder", "greedy"),
+           {.environment = "mountain-car", .agent = "sarsa", .features = "tile-coder", .policy = "greedy"},
            {{"agent.trace_decay", "0.5"}, {"agent.discount", "1"}},
            2'000'000,
            ""},
           {"mountain car, λ 0.9",
-           namesOf("mountain-car", "sarsa", "tile-coder", "greedy"),
+           {.environment = "mountain-car", .agent = "sarsa", .features = "tile-coder", .policy = "greedy"},
            {{"agent.trace_decay", "0.9"}, {"agent.discount", "1"}},
            2'000'000,
            "8.1 M: equations for a world and a lazy trace"},
           {"mountain car, λ 0.98",
-           namesOf("mountain-car", "sarsa", "tile-coder", "greedy"),
+           {.environment = "mountain-car", .agent = "sarsa", .features = "tile-coder", .policy = "greedy"},
            {{"agent.trace_decay", "0.98"}, {"agent.discount", "1"}},
            2'000'000,
            ""},
           {"cliff, table, λ 0",
-           namesOf("cliff", "sarsa", "table", "epsilon-greedy"),
+           {.environment = "cliff", .agent = "sarsa", .features = "table", .policy = "epsilon-greedy"},
            {{"agent.trace_decay", "0"}},
            3'000'000,
            ""}};

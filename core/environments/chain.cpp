@@ -23,25 +23,23 @@ Chain::Chain() {
 }
 
 void Chain::reset(Random& random) {
-  position_ = std::floor(random.uniform(2, kStates));
+  state_[0] = std::floor(random.uniform(2, kStates));
   limit_.steps = 0;
 }
 
 Outcome Chain::step(Action action) {
-  position_ += task_.actions[static_cast<std::size_t>(action)];
-  ++limit_.steps;
+  state_[0] += task_.actions[static_cast<std::size_t>(action)];
   Outcome outcome;
-  if (position_ == 1) {
+  if (state_[0] == 1) {
     outcome.reward = outcome.terms[kFall] = -kReward;
     outcome.ending = Ending::Terminal;
     outcome.event = Event::Fall;
-  } else if (position_ == kStates) {
+  } else if (state_[0] == kStates) {
     outcome.reward = outcome.terms[kGoal] = kReward;
     outcome.ending = Ending::Terminal;
     outcome.event = Event::Success;
-  } else if (limit_.steps >= limit_.most) {
-    outcome.ending = Ending::Truncated;
   }
+  limit_.count(outcome);
   return outcome;
 }
 

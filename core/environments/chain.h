@@ -6,27 +6,19 @@
 #pragma once
 
 #include "core/environments/corridor.h"
+#include "core/environments/small_world.h"
 
 namespace surefoot {
 
-class Chain final : public Environment {
+class Chain final : public SmallWorld<1> {
  public:
   static constexpr int kStates = 10;
 
   Chain();
-  void declare(Fields& f) override { limit_.declare(f); }
-  const Task& task() const override { return task_; }
   void reset(Random& random) override;
   Outcome step(Action action) override;
-  std::span<const double> state() const override { return {&position_, 1}; }
-  std::vector<double> pose() const override { return {position_}; }
   void draw(std::span<const double> pose, Scene& scene) const override;
   std::vector<ReadOut> readOuts(std::span<const double> pose) const override { return {{"state", "", pose[0], 0}}; }
-
- private:
-  Task task_;
-  StepLimit limit_;
-  double position_ = 5.0;
 };
 
 }  // namespace surefoot

@@ -22,7 +22,6 @@ void Cliff::reset(Random&) {
 Outcome Cliff::step(Action action) {
   constexpr double kGoal = kGrid.columns - 1.0;
   kGrid.move(state_, action);
-  ++limit_.steps;
   Outcome outcome;
   outcome.terms[kTime] = -1.0;
   const auto [column, row] = state_;
@@ -35,8 +34,8 @@ Outcome Cliff::step(Action action) {
     outcome.event = Event::Fall;
     state_ = {0.0, 0.0};
   }
-  if (outcome.ending == Ending::None && limit_.steps >= limit_.most) outcome.ending = Ending::Truncated;
   outcome.reward = outcome.terms[kTime] + outcome.terms[kFall];
+  limit_.count(outcome);
   return outcome;
 }
 

@@ -5,31 +5,20 @@
 // left, right. No clock.
 #pragma once
 
-#include <array>
-
 #include "core/environments/grid.h"
-#include "core/environments/step_limit.h"
+#include "core/environments/small_world.h"
 
 namespace surefoot {
 
-class Cliff final : public Environment {
+class Cliff final : public SmallWorld<2> {
  public:
   static constexpr Grid kGrid{.columns = 12, .rows = 4};
 
   Cliff();
-  void declare(Fields& f) override { limit_.declare(f); }
-  const Task& task() const override { return task_; }
   void reset(Random& random) override;
   Outcome step(Action action) override;
-  std::span<const double> state() const override { return state_; }
-  std::vector<double> pose() const override { return {state_[0], state_[1]}; }
   void draw(std::span<const double> pose, Scene& scene) const override;
   std::vector<ReadOut> readOuts(std::span<const double> pose) const override;
-
- private:
-  Task task_;
-  StepLimit limit_;
-  std::array<double, 2> state_{};
 };
 
 }  // namespace surefoot

@@ -2,10 +2,7 @@
 // What worlds of states in a row share: the picture, a disc on a line of cells between two ends.
 #pragma once
 
-#include <array>
-
 #include "core/environments/grid.h"
-#include "core/environments/step_limit.h"
 
 namespace surefoot {
 

@@ -27,7 +27,6 @@ void GridWorld::resetTo(double column, double row) {
 
 Outcome GridWorld::step(Action action) {
   kGrid.move(state_, action);
-  ++limit_.steps;
   Outcome outcome;
   const auto [column, row] = state_;
   if (column == kGrid.columns - 1.0 && row == kGrid.rows - 1.0) {
@@ -38,9 +37,8 @@ Outcome GridWorld::step(Action action) {
     outcome.reward = outcome.terms[kFall] = -kReward;
     outcome.ending = Ending::Terminal;
     outcome.event = Event::Fall;
-  } else if (limit_.steps >= limit_.most) {
-    outcome.ending = Ending::Truncated;
   }
+  limit_.count(outcome);
   return outcome;
 }
 

@@ -5,31 +5,22 @@
 #pragma once
 
 #include "core/environments/grid.h"
-#include "core/environments/step_limit.h"
+#include "core/environments/small_world.h"
 
 namespace surefoot {
 
-class GridWorld final : public Environment {
+class GridWorld final : public SmallWorld<2> {
  public:
   static constexpr Grid kGrid{.columns = 10, .rows = 10};
   /// The bad region, both ends included.
   static constexpr int kBadLeft = 4, kBadRight = 6, kBadBottom = 3, kBadTop = 6;
 
   GridWorld();
-  void declare(Fields& f) override { limit_.declare(f); }
-  const Task& task() const override { return task_; }
   void reset(Random& random) override;
   void resetTo(double column, double row);
   Outcome step(Action action) override;
-  std::span<const double> state() const override { return state_; }
-  std::vector<double> pose() const override { return {state_[0], state_[1]}; }
   void draw(std::span<const double> pose, Scene& scene) const override;
   std::vector<ReadOut> readOuts(std::span<const double> pose) const override;
-
- private:
-  Task task_;
-  StepLimit limit_;
-  std::array<double, 2> state_{};
 };
 
 }  // namespace surefoot

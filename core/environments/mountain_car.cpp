@@ -64,15 +64,13 @@ Outcome MountainCar::step(Action action) {
                  kFastest);
   x = std::clamp(x + v, kLeft, kGoal);
   if (x == kLeft) v = 0.0;
-  ++limit_.steps;
   Outcome outcome;
   outcome.reward = outcome.terms[0] = -1.0;
   if (x >= kGoal) {
     outcome.ending = Ending::Terminal;
     outcome.event = Event::Success;
-  } else if (limit_.steps >= limit_.most) {
-    outcome.ending = Ending::Truncated;
   }
+  limit_.count(outcome);
   return outcome;
 }
 

@@ -5,32 +5,20 @@
 // −0.4), at rest. Actions: full throttle reverse, none, forward. No clock.
 #pragma once
 
-#include <array>
-
-#include "core/environment.h"
-#include "core/environments/step_limit.h"
+#include "core/environments/small_world.h"
 
 namespace surefoot {
 
-class MountainCar final : public Environment {
+class MountainCar final : public SmallWorld<2> {
  public:
   static constexpr double kLeft = -1.2, kGoal = 0.5, kFastest = 0.07;
 
   MountainCar();
-  void declare(Fields& f) override { limit_.declare(f); }
-  const Task& task() const override { return task_; }
   void reset(Random& random) override;
   void resetTo(double position, double velocity);
   Outcome step(Action action) override;
-  std::span<const double> state() const override { return state_; }
-  std::vector<double> pose() const override { return {state_[0], state_[1]}; }
   void draw(std::span<const double> pose, Scene& scene) const override;
   std::vector<ReadOut> readOuts(std::span<const double> pose) const override;
-
- private:
-  Task task_;
-  StepLimit limit_;
-  std::array<double, 2> state_{};
 };
 
 }  // namespace surefoot

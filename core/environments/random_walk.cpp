@@ -18,26 +18,24 @@ RandomWalk::RandomWalk() {
 }
 
 void RandomWalk::reset(Random& random) {
-  position_ = (1 + kStates) / 2;
+  state_[0] = (1 + kStates) / 2;
   limit_.steps = 0;
   way_ = Random(random.next());
 }
 
 Outcome RandomWalk::step(Action) {
-  position_ += way_.uniform() < 0.5 ? -1 : 1;
-  ++limit_.steps;
+  state_[0] += way_.uniform() < 0.5 ? -1 : 1;
   Outcome outcome;
-  if (position_ < 1) {
+  if (state_[0] < 1) {
     outcome.reward = outcome.terms[kLeft] = -1;
     outcome.ending = Ending::Terminal;
     outcome.event = Event::Fall;
-  } else if (position_ > kStates) {
+  } else if (state_[0] > kStates) {
     outcome.reward = outcome.terms[kRight] = 1;
     outcome.ending = Ending::Terminal;
     outcome.event = Event::Success;
-  } else if (limit_.steps >= limit_.most) {
-    outcome.ending = Ending::Truncated;
   }
+  limit_.count(outcome);
   return outcome;
 }
 

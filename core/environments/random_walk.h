@@ -5,20 +5,17 @@
 #pragma once
 
 #include "core/environments/corridor.h"
+#include "core/environments/small_world.h"
 
 namespace surefoot {
 
-class RandomWalk final : public Environment {
+class RandomWalk final : public SmallWorld<1> {
  public:
   static constexpr int kStates = 19;
 
   RandomWalk();
-  void declare(Fields& f) override { limit_.declare(f); }
-  const Task& task() const override { return task_; }
   void reset(Random& random) override;
   Outcome step(Action action) override;
-  std::span<const double> state() const override { return {&position_, 1}; }
-  std::vector<double> pose() const override { return {position_}; }
   void draw(std::span<const double> pose, Scene& scene) const override;
   std::vector<ReadOut> readOuts(std::span<const double> pose) const override { return {{"state", "", pose[0], 0}}; }
 
@@ -26,9 +23,6 @@ class RandomWalk final : public Environment {
   static double value(double state) { return (state - 10.0) / 10.0; }
 
  private:
-  Task task_;
-  StepLimit limit_;
-  double position_ = 10.0;
   Random way_{0};  // of this episode
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/parameters.h"
+#include "core/types.h"
 
 namespace surefoot {
 
@@ -10,6 +11,11 @@ struct StepLimit {
   int most = 100000;
   int steps = 0;  ///< of the episode so far
 
+  /// One more step; cuts the episode off if it has reached the limit and not ended by itself.
+  void count(Outcome& outcome) {
+    ++steps;
+    if (outcome.ending == Ending::None && steps >= most) outcome.ending = Ending::Truncated;
+  }
   void declare(Fields& f) {
     f.integer(most, {.key = "max_steps",
                      .title = "Step limit",

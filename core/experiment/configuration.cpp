@@ -136,12 +136,18 @@ Result<LifeParts> makeParts(const Registry& registry, const Configuration& c, st
   if (!agent) return agent.error();
   LifeParts parts{std::move(environment), std::move(*policy), std::move(*agent), c.parameters, c.names.policy, {}};
   parts.preLearned = c.start != nullptr;
+  Configuration then = c;  // as it is after the commands so far
   for (const CommandText& text : c.commands) {
     auto command = makeCommand(registry, c, text);
     if (!command) return Error{fmt::format("at step {}: {}", text.step, command.error().message)};
     if (command->key == "push" && !parts.environment->push(0.0))
       return Error{
           fmt::format("at step {}: push: the environment {} has no body to push.", text.step, c.names.environment)};
+    if (then.parameters.find(command->key)) {
+      if (const Status s = then.parameters.set(command->key, command->value); !s) return s.error();
+      if (const auto possible = makeEnvironment(registry, then); !possible)
+        return Error{fmt::format("at step {}: {}", text.step, possible.error().message)};
+    }
     parts.commands.push_back(std::move(*command));
   }
   return parts;

@@ -18,8 +18,8 @@ namespace surefoot {
 /// What a person chooses by name.
 struct Names {
   std::string environment = "pendulum";
-  std::string preset;    ///< empty: the environment's first, if it has any
-  std::string scenario;  ///< likewise
+  std::string preset{};    ///< empty: the environment's first, if it has any
+  std::string scenario{};  ///< likewise
   std::string agent = "sarsa";
   std::string features = "tile-coder";
   std::string policy = "epsilon-greedy";

@@ -141,8 +141,12 @@ void Life::setPolicy(const std::string& name, std::unique_ptr<Policy> policy) {
 std::string Life::divergence() const {
   // The largest step size is the likeliest cause; accumulating traces make any of them larger.
   const Parameters::Entry* largest = nullptr;
-  for (const auto& entry : parameters_.all())
-    if (entry.parameter.key.ends_with(".step_size") && (!largest || entry.value > largest->value)) largest = &entry;
+  const bool shaped = parameters_.find("shaping.rewards") && parameters_.get("shaping.rewards") != 0.0;
+  for (const auto& entry : parameters_.all()) {
+    const std::string& key = entry.parameter.key;
+    if (!key.ends_with(".step_size") || (key.starts_with("shaping.") && !shaped)) continue;
+    if (!largest || entry.value > largest->value) largest = &entry;
+  }
   std::string cause = "try smaller rewards";
   if (largest)
     cause = fmt::format("{} = {} is the likely cause; try a smaller one", largest->parameter.key, largest->value);

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "core/features/limits.h"
+#include "core/features/resolution.h"
 #include "core/random.h"
 
 namespace surefoot {

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "core/features/limits.h"
-#include "core/features/tile_settings.h"
+#include "core/features/resolution.h"
 #include "core/portable_math.h"
 
 namespace surefoot {

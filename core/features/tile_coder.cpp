@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/features/limits.h"
+#include "core/features/resolution.h"
 
 namespace surefoot {
 

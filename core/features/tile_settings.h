@@ -26,14 +26,4 @@ struct TileSettings {
   std::vector<StateVariable> variables_;
 };
 
-/// "pole angle" → "Pole angle".
-std::string capitalised(std::string title);
-
-// What several representations declare alike.
-
-/// The resolution of a variable: how many of something per span.
-Parameter resolutionParameter(const StateVariable& variable, std::string help, std::string origin);
-/// A factor on numbers that were chosen one by one.
-Parameter factorParameter(std::string key, std::string title, std::string help, std::string origin);
-
 }  // namespace surefoot

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files as a user meets them: saved, loaded, asked, resumed after a kill, replayed.
-#include <chrono>
+// Q-functions as a user meets them: saved, loaded, asked, carried over.
 #include <cmath>
-#include <regex>
 #include <sstream>
 
 #include "core/random.h"
@@ -13,15 +11,6 @@ namespace surefoot {
 using Json = nlohmann::json;
 
 namespace {
-
-Json run(const std::string& arguments) {
-  const Finished finished = surefoot(arguments + " --json");
-  EXPECT_EQ(finished.code, 0) << arguments << "\n" << finished.err;
-  return finished.code == 0 ? Json::parse(finished.out) : Json::object();
-}
-std::string hashOf(const std::string& arguments) {
-  return run("train " + arguments)["lives"][0]["hash"];
-}
 
 /// The Python of the README.
 std::string example() {
@@ -136,88 +125,6 @@ TEST(Files, PreLearningOnAWrongModelSavesFalls) {
   EXPECT_LT(falls("--load " + q), 0.6 * falls(""));
 }
 
-// 50 kills, spread over the run by a seed: whatever there is can be read, and goes on to the same end.
-TEST(Files, KilledAtAnyMomentACheckpointIsWholeAndGoesOn) {
-  const Folder folder;
-  const std::string file = folder.file("life"), arguments = "--minutes 4 --agent sarsa-2q";
-  const std::string expected = hashOf(arguments);
-  const std::string fresh = std::string(SUREFOOT_PROGRAM) + " train " + arguments;
-  // How long this machine takes for a start and five checkpoints: the kills are spread around it.
-  const auto start = std::chrono::steady_clock::now();
-  run("train --minutes 0.05 --agent sarsa-2q --every 0.01 --checkpoint " + folder.file("short"));
-  const double five = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  Random random(11);
-  int found = 0;
-  for (int kill = 0; kill < 50; ++kill) {
-    const bool resuming = std::filesystem::exists(file);
-    const std::string command = resuming ? std::string(SUREFOOT_PROGRAM) + " train --resume " + file : fresh;
-    std::ostringstream seconds;
-    seconds << random.uniform(0.2, 2.0) * five;
-    static_cast<void>(std::system(
-        ("timeout -s KILL " + seconds.str() + " " + command + " --checkpoint " + file + " --every 0.01 >/dev/null 2>&1")
-            .c_str()));
-    if (!std::filesystem::exists(file)) continue;
-    ++found;
-    ASSERT_EQ(surefoot("inspect " + file).code, 0) << "after kill " << kill;
-    if (kill % 7 != 0) continue;
-    ASSERT_EQ(hashOf("--resume " + file), expected) << "after kill " << kill;
-  }
-  EXPECT_GT(found, 25);
-  EXPECT_EQ(hashOf("--resume " + file), expected);
-}
-
-TEST(Files, ACheckpointOfAnotherLifeIsNotOverwritten) {
-  const Folder folder;
-  const std::string file = folder.file("life");
-  run("train --minutes 0.2 --checkpoint " + file);
-  const std::string before = contentOf(file);
-  expectRefusal("train --minutes 0.2 --checkpoint " + file, 3, {"exists", "--resume"});
-  EXPECT_EQ(contentOf(file), before);
-  expectRefusal("train --resume " + file + " --set policy.epsilon=0.1", 2, {"--set", "--resume"});
-  expectRefusal("train --resume " + file + " --seed 3", 2, {"--seed"});
-  expectRefusal("train --resume " + file + " --log " + folder.file("log.csv"), 2, {"--log"});
-  expectRefusal("train --minutes 1 --every 3", 2, {"--checkpoint"});
-  expectRefusal("train --minutes 1 --lives 2 --save x", 2, {"--save", "one life"});
-  EXPECT_EQ(run("train --minutes 0.4 --resume " + file)["lives"][0]["steps"], 4800) << "it may be longer";
-}
-
-// The disk is full when a checkpoint is written: the old one stays, the run goes on, and the program says so.
-TEST(Files, AFullDiskLeavesTheOldCheckpoint) {
-  const Folder folder;
-  const std::string file = folder.file("life");
-  run("train --environment chain --episodes 5 --checkpoint " + file);
-  const std::string before = contentOf(file);
-  const std::string command = "(ulimit -f 1; exec " + std::string(SUREFOOT_PROGRAM) + " train --episodes 50 --resume " +
-                              file + " --checkpoint " + file + " >/dev/null 2>" + folder.file("err") + ")";
-  const int status = std::system(("bash -c '" + command + "'").c_str());
-  EXPECT_EQ(WEXITSTATUS(status), 3);
-  EXPECT_EQ(contentOf(file), before);
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.file("")), {}), 2) << "the checkpoint and err";
-}
-
-TEST(Files, AJournalIsLivedAgain) {
-  const Folder folder;
-  const std::string journal = folder.file("life.jsonl"), q = folder.file("q");
-  run("train --minutes 0.2 --save " + q);
-  const std::string hash = hashOf("--minutes 1 --load " + q +
-                                  " --at 500:policy.epsilon=0.2 --at 700:policy=softmax --at 900:push=0.1 --at "
-                                  "2000:environment.damping=0.01 --journal " +
-                                  journal);
-  EXPECT_EQ(run("replay " + journal + " --verify")["lives"][0]["hash"], hash);
-  const std::string text = contentOf(journal);
-  std::ofstream(folder.file("other.jsonl")) << std::regex_replace(text, std::regex("\"0.2\""), "\"0.3\"");
-  const Finished other = surefoot("replay " + folder.file("other.jsonl") + " --verify");
-  EXPECT_EQ(other.code, 5);
-  EXPECT_NE(other.err.find(hash), std::string::npos) << other.err;
-  std::filesystem::remove(q);
-  expectRefusal("replay " + journal, 3, {q, "No such file"});
-  expectRefusal("train --minutes 1 --at 5:policy.epsilon", 2, {"STEP:KEY=VALUE"});
-  expectRefusal("train --minutes 1 --at x:policy.epsilon=1", 2, {"STEP:KEY=VALUE"});
-  expectRefusal("train --minutes 1 --at 5:policy.epsilon=2", 2, {"policy.epsilon", "step 5", "0 to 1"});
-  expectRefusal("train --minutes 1 --at 5:features.tilings=2", 2, {"new table"});
-  expectRefusal("train --episodes 1 --environment cliff --at 5:push=1", 2, {"no body"});
-}
-
 TEST(Files, AHashedTableReportsItsOccupancy) {
   const Json table = run("train --minutes 0.5 --set features.memory=2000")["lives"][0]["tables"][0];
   EXPECT_EQ(table["features"], 2000);
@@ -264,37 +171,12 @@ TEST(Files, AResampledFunctionIsFiniteInAnyMemory) {
   }
 }
 
-TEST(Files, ACheckpointBehindALinkStaysBehindIt) {
-  const Folder folder;
-  const std::string file = folder.file("life"), link = folder.file("link");
-  run("train --episodes 5 --environment chain --checkpoint " + file);
-  std::filesystem::create_symlink(file, link);
-  run("train --episodes 9 --resume " + link + " --checkpoint " + link);
-  EXPECT_TRUE(std::filesystem::is_symlink(link));
-  EXPECT_NE(surefoot("inspect " + file).out.find("9 episodes"), std::string::npos);
-}
-
-TEST(Files, WhatCannotBeLivedAgainIsTheJournalsFault) {
-  const Folder folder;
-  const std::string journal = folder.file("j"), other = folder.file("other");
-  run("train --episodes 20 --environment chain --at 10:policy.epsilon=0.2 --journal " + journal);
-  const std::string text = contentOf(journal);
-  for (const auto& [from, to] : {std::pair{"\"policy.epsilon\",\"step\"", "\"eolicy.epsilon\",\"step\""},
-                                 std::pair{"\"value\":\"0.2\"", "\"value\":\"7\""},
-                                 std::pair{"\"policy.epsilon\",\"step\"", "\"features.tilings\",\"step\""}}) {
-    std::ofstream(other) << std::regex_replace(text, std::regex(from), to);
-    expectRefusal("replay " + other, 3, {other});
-  }
-  std::ofstream(other) << std::regex_replace(text, std::regex("\"episodes\":20,\"falls\""),
-                                             "\"episodes\":21,\"falls\"");
-  EXPECT_EQ(surefoot("replay " + other + " --verify").code, 5);
-}
-
 TEST(Files, WhatHasNoEffectIsRefused) {
   const Folder folder;
   const std::string file = folder.file("life");
   expectRefusal("train --episodes 3 --set policy.epsilon_end=0.5", 2, {"policy.epsilon_schedule"});
   expectRefusal("train --episodes 3 --set shaping.scale=2", 2, {"shaping.rewards"});
+  expectRefusal("train --episodes 3 --at 5:environment.start_angle=1.5", 2, {"step 5", "start_angle", "fall_angle"});
   run("train --episodes 5 --environment chain --checkpoint " + file);
   expectRefusal("train --episodes 4 --resume " + file, 2, {"--resume", "5 episodes"});
   expectRefusal("slice " + file + " --axes state --out x", 2, {"two state variables"});

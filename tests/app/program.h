@@ -48,6 +48,18 @@ inline Finished surefoot(const std::string& arguments) {
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), contentOf(out), contentOf(err)};
 }
 
+/// The JSON that a command prints, which must succeed.
+inline nlohmann::json run(const std::string& arguments) {
+  const Finished finished = surefoot(arguments + " --json");
+  EXPECT_EQ(finished.code, 0) << arguments << "\n" << finished.err;
+  return finished.code == 0 ? nlohmann::json::parse(finished.out) : nlohmann::json::object();
+}
+
+/// The hash of the one life of `train`.
+inline std::string hashOf(const std::string& arguments) {
+  return run("train " + arguments)["lives"][0]["hash"];
+}
+
 /// One sentence on standard error, nothing on standard output, the expected code, and the words in it.
 inline void expectRefusal(const std::string& arguments, int code, const std::vector<std::string>& words = {}) {
   const Finished run = surefoot(arguments);

@@ -39,14 +39,8 @@ void live(benchmark::State& state, const Names& names, const std::vector<Assignm
       benchmark::Counter(static_cast<double>(state.iterations() * kBatch), benchmark::Counter::kIsRate);
 }
 
-Names namesOf(const char* environment, const char* agent, const char* features, const char* policy) {
-  Names names;
-  names.environment = environment, names.agent = agent, names.features = features, names.policy = policy;
-  return names;
-}
-
 void pendulum(benchmark::State& state, const char* agent, const char* features, const char* policy) {
-  live(state, namesOf("pendulum", agent, features, policy), {});
+  live(state, {.environment = "pendulum", .agent = agent, .features = features, .policy = policy}, {});
 }
 BENCHMARK_CAPTURE(pendulum, sarsa, "sarsa", "tile-coder", "epsilon-greedy");
 BENCHMARK_CAPTURE(pendulum, trl, "sarsa", "tile-coder", "trl");
@@ -55,7 +49,7 @@ BENCHMARK_CAPTURE(pendulum, sarsa_2q, "sarsa-2q", "tile-coder", "epsilon-greedy"
 BENCHMARK_CAPTURE(pendulum, radial_basis, "sarsa", "radial-basis", "epsilon-greedy");
 
 void mountainCar(benchmark::State& state, const char* lambda) {
-  live(state, namesOf("mountain-car", "sarsa", "tile-coder", "greedy"),
+  live(state, {.environment = "mountain-car", .agent = "sarsa", .features = "tile-coder", .policy = "greedy"},
        {{"agent.trace_decay", lambda}, {"agent.discount", "1"}, {"features.initial_high", "0"}});
 }
 BENCHMARK_CAPTURE(mountainCar, lambda_0, "0");
@@ -64,13 +58,14 @@ BENCHMARK_CAPTURE(mountainCar, lambda_90, "0.9");
 BENCHMARK_CAPTURE(mountainCar, lambda_98, "0.98");
 
 void tilings(benchmark::State& state) {
-  live(state, namesOf("mountain-car", "sarsa", "tile-coder", "greedy"),
+  live(state, {.environment = "mountain-car", .agent = "sarsa", .features = "tile-coder", .policy = "greedy"},
        {{"agent.discount", "1"}, {"features.tilings", std::to_string(state.range(0))}, {"features.initial_high", "0"}});
 }
 BENCHMARK(tilings)->RangeMultiplier(2)->Range(1, 128);
 
 void cliff(benchmark::State& state) {
-  live(state, namesOf("cliff", "sarsa", "table", "epsilon-greedy"), {{"agent.trace_decay", "0"}});
+  live(state, {.environment = "cliff", .agent = "sarsa", .features = "table", .policy = "epsilon-greedy"},
+       {{"agent.trace_decay", "0"}});
 }
 BENCHMARK(cliff);
 

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What several representations declare alike: how fine they are, variable by variable and as a whole.
+#pragma once
+
+#include <string>
+
+#include "core/environment.h"
+
+namespace surefoot {
+
+/// The most weights that one table may have, of all actions together: 1 GiB of doubles.
+inline constexpr double kMostWeights = 1u << 27;
+
+/// "pole angle" → "Pole angle".
+std::string capitalised(std::string title);
+
+/// The resolution of a variable: how many of something per span.
+Parameter resolutionParameter(const StateVariable& variable, std::string help, std::string origin);
+/// A factor on numbers that were chosen one by one.
+Parameter factorParameter(std::string key, std::string title, std::string help, std::string origin);
+
+}  // namespace surefoot

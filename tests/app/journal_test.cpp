@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Journals as a user meets them: written, lived again, damaged.
+#include <regex>
+
+#include "tests/app/program.h"
+
+namespace surefoot {
+
+TEST(JournalFile, AJournalIsLivedAgain) {
+  const Folder folder;
+  const std::string journal = folder.file("life.jsonl"), q = folder.file("q");
+  run("train --minutes 0.2 --save " + q);
+  const std::string hash = hashOf("--minutes 1 --load " + q +
+                                  " --at 500:policy.epsilon=0.2 --at 700:policy=softmax --at 900:push=0.1 --at "
+                                  "2000:environment.damping=0.01 --journal " +
+                                  journal);
+  EXPECT_EQ(run("replay " + journal + " --verify")["lives"][0]["hash"], hash);
+  const std::string text = contentOf(journal);
+  std::ofstream(folder.file("other.jsonl")) << std::regex_replace(text, std::regex("\"0.2\""), "\"0.3\"");
+  const Finished other = surefoot("replay " + folder.file("other.jsonl") + " --verify");
+  EXPECT_EQ(other.code, 5);
+  EXPECT_NE(other.err.find(hash), std::string::npos) << other.err;
+  std::filesystem::remove(q);
+  expectRefusal("replay " + journal, 3, {q, "No such file"});
+  expectRefusal("train --minutes 1 --at 5:policy.epsilon", 2, {"STEP:KEY=VALUE"});
+  expectRefusal("train --minutes 1 --at x:policy.epsilon=1", 2, {"STEP:KEY=VALUE"});
+  expectRefusal("train --minutes 1 --at 5:policy.epsilon=2", 2, {"policy.epsilon", "step 5", "0 to 1"});
+  expectRefusal("train --minutes 1 --at 5:features.tilings=2", 2, {"new table"});
+  expectRefusal("train --episodes 1 --environment cliff --at 5:push=1", 2, {"no body"});
+}
+
+TEST(JournalFile, WhatCannotBeLivedAgainIsTheJournalsFault) {
+  const Folder folder;
+  const std::string journal = folder.file("j"), other = folder.file("other");
+  run("train --episodes 20 --environment chain --at 10:policy.epsilon=0.2 --journal " + journal);
+  const std::string text = contentOf(journal);
+  for (const auto& [from, to] : {std::pair{"\"policy.epsilon\",\"step\"", "\"eolicy.epsilon\",\"step\""},
+                                 std::pair{"\"value\":\"0.2\"", "\"value\":\"7\""},
+                                 std::pair{"\"policy.epsilon\",\"step\"", "\"features.tilings\",\"step\""}}) {
+    std::ofstream(other) << std::regex_replace(text, std::regex(from), to);
+    expectRefusal("replay " + other, 3, {other});
+  }
+  std::ofstream(other) << std::regex_replace(text, std::regex("\"episodes\":20,\"falls\""),
+                                             "\"episodes\":21,\"falls\"");
+  EXPECT_EQ(surefoot("replay " + other + " --verify").code, 5);
+}
+
+}  // namespace surefoot
