@@ -100,15 +100,10 @@ Status checkDifferentFiles(const TrainOptions& o) {
 /// Parameters that are given but do nothing, because what they belong to is off: a slip worth a word.
 Status checkEffect(const Parameters& parameters, const std::vector<Assignment>& assignments) {
   for (const Assignment& a : assignments) {
-    if (a.key.starts_with("shaping.") && parameters.get("shaping.rewards") == 0.0 && a.key != "shaping.rewards")
-      return Error{fmt::format("{}: it has no effect while shaping.rewards is off.", a.key)};
-    for (const char* suffix : {"_end", "_over", "_per"}) {
-      if (!a.key.ends_with(suffix)) continue;
-      const std::string schedule = a.key.substr(0, a.key.rfind('_')) + "_schedule";
-      const Parameters::Entry* entry = parameters.find(schedule);
-      if (entry && entry->value == 0.0)
-        return Error{fmt::format("{}: it has no effect while {} is constant.", a.key, schedule)};
-    }
+    const Parameters::Entry* choice = parameters.find(parameters.find(a.key)->parameter.needs);
+    if (choice && choice->value == 0.0)
+      return Error{fmt::format("{}: it has no effect while {} is {}.", a.key, choice->parameter.key,
+                               formatValue(choice->parameter, choice->value))};
   }
   return Done{};
 }

@@ -70,9 +70,11 @@ void Fields::integer(int& member, Parameter parameter) {
 void Fields::add(Field field) {
   Parameter& parameter = field.parameter;
   parameter.key = prefix_ + parameter.key;
-  if (!title_.empty()) {
-    parameter.title[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(parameter.title[0])));
-    parameter.title = title_ + " " + parameter.title;
+  if (!parameter.needs.empty()) parameter.needs = prefix_ + parameter.needs;
+  for (std::string* text : {&parameter.title, &parameter.label}) {
+    if (title_.empty() || text->empty()) continue;
+    (*text)[0] = static_cast<char>(std::tolower(static_cast<unsigned char>((*text)[0])));
+    *text = title_ + " " + *text;
   }
   if (parameter.sliderLow == parameter.sliderHigh) {
     parameter.sliderLow = parameter.low;
@@ -92,6 +94,11 @@ void Fields::under(const std::string& prefix, const std::string& title, const st
 void Fields::setOrder(std::string_view key, int order) {
   for (Field& field : fields_)
     if (field.parameter.key == key) field.parameter.order = order;
+}
+
+void Fields::setNeeds(std::string_view prefix, const std::string& choice) {
+  for (Field& field : fields_)
+    if (field.parameter.key.starts_with(prefix)) field.parameter.needs = choice;
 }
 
 void Parameters::add(const Fields& fields) {

@@ -31,6 +31,7 @@ enum class Kind { Real, Integer, Choice };
 struct Parameter {
   std::string key{};     ///< within its component; with the prefix it is the full key, e.g. "policy.temperature"
   std::string title{};   ///< what a form calls it: "Temperature"
+  std::string label{};   ///< what stands beside the control, where the title is too long for that; empty: the title
   std::string symbol{};  ///< "τ"; a dot above is U+0307 behind the letter; may be empty
   std::string unit{};    ///< "N m"; empty for a pure number
   double low = 0.0, high = 1.0;              ///< allowed, both ends included
@@ -42,6 +43,7 @@ struct Parameter {
   Kind kind = Kind::Real;
   std::vector<std::string> choices{};  ///< names of the values 0, 1, … of a choice
   int order = 1;                       ///< 1: always in the form; 2: in a larger window; 3: only when asked for
+  std::string needs{};                 ///< key of a choice; while that is its first, this parameter has no effect
   double fallback = 0.0;               ///< the default; filled in from the member
 };
 
@@ -87,6 +89,8 @@ class Fields {
   void under(const std::string& prefix, const std::string& title, const std::function<void(Fields&)>& declare);
   /// Moves a parameter declared so far to another place in the form (Parameter::order).
   void setOrder(std::string_view key, int order);
+  /// Everything declared so far whose key begins with `prefix` has no effect while a choice is its first.
+  void setNeeds(std::string_view prefix, const std::string& choice);
   const std::vector<Field>& all() const { return fields_; }
 
  private:

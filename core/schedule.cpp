@@ -17,10 +17,13 @@ void Scheduled::declare(Fields& f, const Parameter& parameter) {
   p.key = parameter.key + "_schedule";
   p.title = parameter.title + ", schedule";
   p.help = "How it changes while the life goes on: not at all, in a straight line, or by halves.";
+  p.label = "Schedule";
   p.choices = {"constant", "linear", "exponential"};
   f.choice(kind_, p);
 
+  p.needs = parameter.key + "_schedule";
   p.key = parameter.key + "_end";
+  p.label = "End value";
   p.title = parameter.title + ", end";
   p.help = "The value that the schedule goes to.";
   p.choices = {};
@@ -29,6 +32,7 @@ void Scheduled::declare(Fields& f, const Parameter& parameter) {
   f.real(end_, p);
 
   p.key = parameter.key + "_over";
+  p.label = "Over";
   p.title = parameter.title + ", time";
   p.help = "How long a linear schedule takes to its end; the half-life of an exponential one.";
   p.unit = "";
@@ -39,6 +43,7 @@ void Scheduled::declare(Fields& f, const Parameter& parameter) {
   f.real(over_, p);
 
   p.key = parameter.key + "_per";
+  p.label = "Counted in";
   p.title = parameter.title + ", clock";
   p.sliderLow = p.sliderHigh = 0;
   p.help = "What the time of the schedule is counted in.";

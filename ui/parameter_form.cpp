@@ -111,7 +111,6 @@ void ParameterForm::build() {
   }
   column->addStretch(1);
   setWidget(page);
-  chooseRows();
   refresh();
 }
 
@@ -122,11 +121,16 @@ void ParameterForm::setShowAll(bool all) {
 
 void ParameterForm::chooseRows() {
   const int most = all_ ? 3 : height() >= kRoomForMore ? 2 : 1;
+  const Parameters& parameters = session_.configuration().parameters;
+  const auto hasEffect = [&](const ParameterRow& row) {
+    return row.needs().empty() || parameters.get(row.needs()) != 0.0;
+  };
   for (const Section& section : sections_) {
     bool any = false;
     for (const auto& [row, order] : section.rows) {
-      row->setVisible(order <= most);
-      any |= order <= most;
+      const bool shown = order <= most && hasEffect(*row);
+      row->setVisible(shown);
+      any |= shown;
     }
     section.head->setVisible(any);
   }
@@ -138,6 +142,7 @@ void ParameterForm::resizeEvent(QResizeEvent* event) {
 }
 
 void ParameterForm::refresh() {
+  chooseRows();
   const Configuration& c = session_.configuration();
   const auto policy = findEntry(session_.registry().policies, "policy", c.names.policy);
   const std::vector<std::string> keys = policyKeys(**policy);

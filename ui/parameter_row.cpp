@@ -166,20 +166,21 @@ void ParameterRow::paintEvent(QPaintEvent*) {
   const QFont font = textFont(13);
   p.setFont(font);
   p.setPen(t.ink);
-  const QString title = toText(parameter_.title);
+  const double end = slider_ ? slider_->x() + 4 : width() / 2 - 4;  // of the room for words
+  const QString title = QFontMetricsF(font).elidedText(
+      toText(parameter_.label.empty() ? parameter_.title : parameter_.label), Qt::ElideRight, end - kName);
   const double baseline = kRow / 2.0 + 4.5;
   p.drawText(QPointF(kName, baseline), title);
   p.setPen(t.quiet);
   const double symbolLeft = kName + QFontMetricsF(font).horizontalAdvance(title) + 5;
   const QString symbol = toText(parameter_.symbol);
-  const double room = (slider_ ? slider_->x() + 4 : width() / 2) - symbolLeft;
-  if (symbolWidth(font, symbol) <= room) drawSymbol(p, symbolLeft, baseline, symbol);
+  if (symbolWidth(font, symbol) <= end - symbolLeft) drawSymbol(p, symbolLeft, baseline, symbol);
   p.setFont(textFont(11));
   QString unit = toText(parameter_.unit);
   if (QFontMetricsF(p.font()).horizontalAdvance(unit) > kUnit - 3) unit.remove(' ');
   p.drawText(QPointF(width() - kUnit + 3, baseline - 0.5), unit);
   if (value_ == base_) return;
-  const QString fallback = textOf(base_);
+  const QString fallback = choice_ ? toText(formatValue(parameter_, base_)) : textOf(base_);
   const QString text =
       changedAt_ ? tr("set at step %1, default %2").arg(toText(countText(static_cast<double>(*changedAt_))), fallback)
                  : tr("default %1").arg(fallback);

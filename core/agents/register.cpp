@@ -21,9 +21,10 @@ struct ShapingParts {
     representation.tiles.scale = representation.gaussians.scale = 0.5;
   }
   void declare(const std::string& features, Fields& f) {
-    f.under("shaping.", "Shaping", [&](Fields& g) { representation.declare(features, g); });
+    f.under("shaping.", "V", [&](Fields& g) { representation.declare(features, g); });
     for (const auto& field : f.all())
       if (field.parameter.key.starts_with("shaping.")) f.setOrder(field.parameter.key, 3);
+    f.setNeeds("shaping.", "shaping.rewards");
     f.under("shaping.", "", [&](Fields& g) { shaping.declare(g); });
   }
 };

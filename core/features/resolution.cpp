@@ -11,6 +11,10 @@ std::string capitalised(std::string title) {
   return title;
 }
 
+std::string shortLabel(const std::string& word, const StateVariable& variable) {
+  return variable.symbol.empty() ? word + " " + variable.title : word;  // the symbol stands behind the label anyway
+}
+
 Parameter resolutionParameter(const StateVariable& v, std::string help, std::string origin) {
   return {.key = v.key,
           .title = capitalised(v.title),

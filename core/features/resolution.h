@@ -14,6 +14,9 @@ inline constexpr double kMostWeights = 1u << 27;
 /// "pole angle" → "Pole angle".
 std::string capitalised(std::string title);
 
+/// "From α", "From column": a word and the variable that it is about, short.
+std::string shortLabel(const std::string& word, const StateVariable& variable);
+
 /// The resolution of a variable: how many of something per span.
 Parameter resolutionParameter(const StateVariable& variable, std::string help, std::string origin);
 /// A factor on numbers that were chosen one by one.

@@ -50,10 +50,11 @@ void TileSettings::declare(Fields& f) {
   for (std::size_t d = 0; d < variables_.size(); ++d) {
     const StateVariable& v = variables_[d];
     if (v.period) continue;
-    const auto edge = [&](double& member, const char* suffix, const char* word) {
+    const auto edge = [&](double& member, const char* suffix, const char* word, const char* label) {
       f.real(member,
              {.key = v.key + suffix,
               .title = capitalised(v.title) + word,
+              .label = shortLabel(label, v),
               .symbol = v.symbol,
               .unit = v.unit,
               .low = v.low,
@@ -64,8 +65,8 @@ void TileSettings::declare(Fields& f) {
               .origin = "ours (thesis, section 6.5)",
               .order = 3});
     };
-    edge(from[d], "_from", ", from");
-    edge(to[d], "_to", ", to");
+    edge(from[d], "_from", ", from", "From");
+    edge(to[d], "_to", ", to", "To");
   }
 }
 

@@ -52,6 +52,10 @@ TEST(Contract, EveryParameterHasTitleHelpOriginAndADefaultInRange) {
       EXPECT_LT(p.sliderLow, p.sliderHigh) << p.key;
       EXPECT_LE(p.sliderLow, p.fallback) << p.key;
       EXPECT_LE(p.fallback, p.sliderHigh) << p.key;
+      if (p.needs.empty()) continue;
+      const Parameters::Entry* choice = configuration->parameters.find(p.needs);
+      ASSERT_TRUE(choice) << p.key << " needs " << p.needs;
+      EXPECT_EQ(choice->parameter.kind, Kind::Choice) << p.needs;
     }
   }
 }

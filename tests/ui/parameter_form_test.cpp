@@ -20,6 +20,24 @@ TEST(ParameterForm, HasARowForEveryParameter) {
     EXPECT_TRUE(shown.contains(entry.parameter.key)) << entry.parameter.key;
 }
 
+// What a schedule needs is shown as soon as there is one.
+TEST(ParameterForm, WhatHasNoEffectIsNotShown) {
+  Window w;
+  w.window->findChild<ParameterForm*>()->setShowAll(true);
+  const auto shown = [&](const std::string& key) {
+    for (const ParameterRow* row : w.window->findChildren<ParameterRow*>())
+      if (row->key() == key) return !row->isHidden();
+    return false;
+  };
+  EXPECT_TRUE(shown("policy.epsilon_schedule"));
+  EXPECT_FALSE(shown("policy.epsilon_end"));
+  EXPECT_FALSE(shown("shaping.discount"));
+  ASSERT_TRUE(w.session->setParameter("policy.epsilon_schedule", 1));
+  EXPECT_TRUE(shown("policy.epsilon_end"));
+  EXPECT_TRUE(shown("policy.epsilon_per"));
+  EXPECT_FALSE(shown("policy.threshold_end"));
+}
+
 TEST(ParameterForm, TheSliderReachesBothEndsExactly) {
   Window w;
   auto* slider = w.named<Slider>("Step size");
