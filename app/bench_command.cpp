@@ -84,24 +84,25 @@ Result<double> measure(const Registry& registry, const Case& which, const std::a
   return speeds.empty() || interrupted ? 0.0 : median(speeds);
 }
 
-/// How much more two threads do in the same wall-clock time.
+/// How much more two threads do in the same wall-clock time: two lives one after the other, at once, and one after the
+/// other again, so that a machine that becomes faster or slower meanwhile does not count.
 Result<double> gainOfTwoThreads(const Registry& registry, const std::atomic<bool>& interrupted) {
   auto c = configure(registry, {}, {});
   if (!c) return c.error();
-  c->lives = 4;
-  c->minutes = 40.0;
+  c->lives = 2;
+  c->minutes = 60.0;
   std::vector<double> gains;
   for (int run = 0; run < kRuns && !interrupted; ++run) {
-    double seconds[2];
-    for (const int jobs : {1, 2}) {
+    double oneByOne = 0, atOnce = 0;
+    for (const int jobs : {1, 2, 1}) {
       RunOptions options{};
       options.jobs = jobs;
       options.interrupted = &interrupted;
       const double start = wallSeconds();
       if (const auto lives = runLives(registry, *c, options); !lives) return lives.error();
-      seconds[jobs - 1] = wallSeconds() - start;
+      (jobs == 1 ? oneByOne : atOnce) += wallSeconds() - start;
     }
-    gains.push_back(seconds[0] / seconds[1]);
+    gains.push_back(oneByOne / 2 / atOnce);
   }
   return gains.empty() || interrupted ? 0.0 : median(gains);
 }

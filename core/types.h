@@ -13,8 +13,10 @@ namespace surefoot {
 using Action = int;
 inline constexpr Action kNoAction = -1;
 
-/// Most actions an environment may have, and most reward terms. Buffers of these sizes live on the stack.
+/// Most actions an environment may have, most state variables and most reward terms. Buffers of these sizes live on
+/// the stack.
 inline constexpr int kMaxActions = 4096;
+inline constexpr int kMaxStateVariables = 32;
 inline constexpr int kMaxRewardTerms = 8;
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();

@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <bit>
+#include <cassert>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -50,6 +52,7 @@ template <class Number>
 Result<TileGrid<Number>> TileGrid<Number>::create(const Task& task, const TileSettings& settings, double mostTiles) {
   TileGrid grid;
   const int n = grid.tilings_ = settings.tilings;
+  assert(!task.state.empty() && task.state.size() <= kMaxStateVariables);
   double stride = n;  // tiles along the dimensions so far, of all tilings
   for (std::size_t d = 0; d < task.state.size(); ++d) {
     const StateVariable& v = task.state[d];
@@ -68,7 +71,7 @@ Result<TileGrid<Number>> TileGrid<Number>::create(const Task& task, const TileSe
         const auto displacement = static_cast<Number>(i * (2 * static_cast<int>(d) + 1) % n);
         Number tile = (position + displacement) / static_cast<Number>(n);
         if (dim->wraps) tile %= static_cast<Number>(dim->tiles);
-        dim->carry.push_back(tile * static_cast<Number>(stride));
+        dim->carry.push_back(tile * static_cast<Number>(stride) + (d == 0 ? static_cast<Number>(i) : 0));
       }
     stride *= dim->tiles;
     grid.dimensions_.push_back(std::move(*dim));
@@ -82,7 +85,7 @@ Cover TileGrid<Number>::find(std::span<const double> state, std::span<Number> ou
   const auto n = static_cast<std::size_t>(tilings_);
   Cover cover = Cover::Inside;
   Number base = 0;
-  for (std::size_t i = 0; i < n; ++i) out[i] = static_cast<Number>(i);
+  std::array<const Number*, kMaxStateVariables> carries;
   for (std::size_t d = 0; d < dimensions_.size(); ++d) {
     const Dimension& dim = dimensions_[d];
     double step = std::floor(state[d] * dim.scale);
@@ -101,10 +104,11 @@ Cover TileGrid<Number>::find(std::span<const double> state, std::span<Number> ou
     }
     const Number cycles = dim.shift >= 0 ? position >> dim.shift : position / dim.cycle;
     base += cycles * dim.cycleStride;
-    const Number* carry = &dim.carry[(position - cycles * dim.cycle) * n];
-    for (std::size_t i = 0; i < n; ++i) out[i] += carry[i];
+    carries[d] = &dim.carry[(position - cycles * dim.cycle) * n];
   }
-  for (std::size_t i = 0; i < n; ++i) out[i] += base;
+  for (std::size_t i = 0; i < n; ++i) out[i] = base + carries[0][i];
+  for (std::size_t d = 1; d < dimensions_.size(); ++d)
+    for (std::size_t i = 0; i < n; ++i) out[i] += carries[d][i];
   return cover;
 }
 

@@ -63,9 +63,9 @@ class DeferredTrace {
   Mark& mark(std::size_t i) { return marks_[i & (marks_.size() - 1)]; }
   void pay(WeightTable& table, const Mark& mark) {
     WeightTable::Weight& w = table.weights_[mark.k];
-    if (w.e != mark.e) return;
-    w.v += table.sum_ * mark.e;
-    w.e = 0.0;
+    const bool alive = w.e == mark.e;  // no branch: nothing predicts it
+    w.v += alive ? table.sum_ * mark.e : 0.0;
+    w.e = alive ? 0.0 : w.e;
   }
   void makeRoom(std::size_t more);
   void beginAgain(WeightTable& table);

@@ -110,12 +110,12 @@ class LinearActionValue final : public ActionValueFunction {
   /// Counts the features of x; of those that are not binary, the ones at least half as strong as the strongest.
   void countVisit(const Active& x) {
     double least = 0.0;
+    std::uint32_t* const visits = visits_.data();
+    const std::span<const Index> indices = x.indices();
     if constexpr (!F::kBinary)
-      for (std::size_t k = 0; k < static_cast<std::size_t>(x.count); ++k) least = std::max(least, x.valueOf(k) / 2);
-    for (std::size_t k = 0; k < static_cast<std::size_t>(x.count); ++k) {
-      std::uint32_t& visits = visits_[x.index[k]];
-      if (x.valueOf(k) >= least) visits += visits != kMostVisits;
-    }
+      for (std::size_t k = 0; k < indices.size(); ++k) least = std::max(least, x.valueOf(k) / 2);
+    for (std::size_t k = 0; k < indices.size(); ++k)
+      if (F::kBinary || x.valueOf(k) >= least) visits[indices[k]] += visits[indices[k]] != kMostVisits;
   }
 
   /// Moves q̂(s, ·) towards `q`, closing the given share of the error; its features count as visited at least so often.

@@ -3,36 +3,38 @@
 
 namespace surefoot {
 
-/// For a fixed number of actions the sums stay in registers. The order of additions is that of the general case.
-template <std::size_t kActions>
-void WeightTable::sumOver(std::span<const Index> rows, double* q) const {
-  Weight total[kActions];
+/// Of kColumns columns at once, whose sums stay in registers. The order of additions is that of a single column.
+template <std::size_t kColumns>
+void WeightTable::sumColumns(std::span<const Index> rows, std::size_t columns, std::size_t first, double* q) const {
+  Weight total[kColumns];
   for (const Index row : rows) {
-    const Weight* weights = &weights_[row * kActions];
-    for (std::size_t a = 0; a < kActions; ++a) {
+    const Weight* weights = &weights_[row * columns + first];
+    for (std::size_t a = 0; a < kColumns; ++a) {
       total[a].v += weights[a].v;
       total[a].e += weights[a].e;
     }
   }
-  for (std::size_t a = 0; a < kActions; ++a) q[a] = total[a].v + sum_ * total[a].e;
+  for (std::size_t a = 0; a < kColumns; ++a) q[first + a] = total[a].v + sum_ * total[a].e;
 }
 
 void WeightTable::sumRows(std::span<const Index> rows, std::size_t actions, double* q) const {
-  switch (actions) {
+  constexpr std::size_t kBlock = 6;
+  std::size_t a = 0;
+  for (; a + kBlock <= actions; a += kBlock) sumColumns<kBlock>(rows, actions, a, q);
+  switch (actions - a) {
     case 1:
-      return sumOver<1>(rows, q);
+      return sumColumns<1>(rows, actions, a, q);
     case 2:
-      return sumOver<2>(rows, q);
+      return sumColumns<2>(rows, actions, a, q);
     case 3:
-      return sumOver<3>(rows, q);
+      return sumColumns<3>(rows, actions, a, q);
     case 4:
-      return sumOver<4>(rows, q);
+      return sumColumns<4>(rows, actions, a, q);
     case 5:
-      return sumOver<5>(rows, q);
+      return sumColumns<5>(rows, actions, a, q);
     default:
-      break;
+      return;
   }
-  for (std::size_t a = 0; a < actions; ++a) q[a] = sum(rows, static_cast<Index>(actions), static_cast<Index>(a));
 }
 
 }  // namespace surefoot

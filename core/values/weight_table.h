@@ -54,8 +54,8 @@ class WeightTable {
  private:
   friend class DeferredTrace;
 
-  template <std::size_t kActions>
-  void sumOver(std::span<const Index> rows, double* q) const;
+  template <std::size_t kColumns>
+  void sumColumns(std::span<const Index> rows, std::size_t columns, std::size_t first, double* q) const;
 
   /// Side by side, because whoever reads one needs the other.
   struct Weight {

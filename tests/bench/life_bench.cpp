@@ -2,8 +2,8 @@
 // The whole learning loop: environment, features, choice, update, log. The counter is steps per CPU-second.
 #include <benchmark/benchmark.h>
 
-#include "core/experiment/configuration.h"
 #include "physics/register.h"
+#include "tests/bench/living.h"
 
 namespace surefoot {
 
@@ -19,28 +19,8 @@ const Registry& registry() {
   return filled;
 }
 
-/// One life after the other, a batch of steps an iteration.
-void live(benchmark::State& state, const Names& names, const std::vector<Assignment>& assignments) {
-  constexpr std::int64_t kBatch = 10'000, kLong = 1'000'000;
-  auto c = configure(registry(), names, assignments);
-  if (!c) return state.SkipWithError(c.error().message.c_str());
-  auto life = makeLife(registry(), *c, 0, false);
-  for (int i = 0; i < 20; ++i) (*life)->step();
-  for (auto _ : state) {
-    if ((*life)->steps() > kLong) {
-      state.PauseTiming();
-      ++c->seed;
-      life = makeLife(registry(), *c, 0, false);
-      state.ResumeTiming();
-    }
-    for (std::int64_t i = 0; i < kBatch; ++i) (*life)->step();
-  }
-  state.counters["steps/s"] =
-      benchmark::Counter(static_cast<double>(state.iterations() * kBatch), benchmark::Counter::kIsRate);
-}
-
 void pendulum(benchmark::State& state, const char* agent, const char* features, const char* policy) {
-  live(state, {.environment = "pendulum", .agent = agent, .features = features, .policy = policy}, {});
+  live(state, registry(), {.environment = "pendulum", .agent = agent, .features = features, .policy = policy}, {});
 }
 BENCHMARK_CAPTURE(pendulum, sarsa, "sarsa", "tile-coder", "epsilon-greedy");
 BENCHMARK_CAPTURE(pendulum, trl, "sarsa", "tile-coder", "trl");
@@ -49,7 +29,8 @@ BENCHMARK_CAPTURE(pendulum, sarsa_2q, "sarsa-2q", "tile-coder", "epsilon-greedy"
 BENCHMARK_CAPTURE(pendulum, radial_basis, "sarsa", "radial-basis", "epsilon-greedy");
 
 void mountainCar(benchmark::State& state, const char* lambda) {
-  live(state, {.environment = "mountain-car", .agent = "sarsa", .features = "tile-coder", .policy = "greedy"},
+  live(state, registry(),
+       {.environment = "mountain-car", .agent = "sarsa", .features = "tile-coder", .policy = "greedy"},
        {{"agent.trace_decay", lambda}, {"agent.discount", "1"}, {"features.initial_high", "0"}});
 }
 BENCHMARK_CAPTURE(mountainCar, lambda_0, "0");
@@ -58,13 +39,14 @@ BENCHMARK_CAPTURE(mountainCar, lambda_90, "0.9");
 BENCHMARK_CAPTURE(mountainCar, lambda_98, "0.98");
 
 void tilings(benchmark::State& state) {
-  live(state, {.environment = "mountain-car", .agent = "sarsa", .features = "tile-coder", .policy = "greedy"},
+  live(state, registry(),
+       {.environment = "mountain-car", .agent = "sarsa", .features = "tile-coder", .policy = "greedy"},
        {{"agent.discount", "1"}, {"features.tilings", std::to_string(state.range(0))}, {"features.initial_high", "0"}});
 }
 BENCHMARK(tilings)->RangeMultiplier(2)->Range(1, 128);
 
 void cliff(benchmark::State& state) {
-  live(state, {.environment = "cliff", .agent = "sarsa", .features = "table", .policy = "epsilon-greedy"},
+  live(state, registry(), {.environment = "cliff", .agent = "sarsa", .features = "table", .policy = "epsilon-greedy"},
        {{"agent.trace_decay", "0"}});
 }
 BENCHMARK(cliff);
