@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "app/laboratory_line.h"
 #include "app/requests.h"
 #include "core/text.h"
 #include "core/version.h"
@@ -13,17 +14,6 @@
 namespace surefoot {
 
 namespace {
-
-void addOption(CLI::App& app, const std::string& name, std::optional<std::string>& value, const std::string& help,
-               const std::string& type) {
-  app.add_option_function<std::string>(
-         name, [&value](const std::string& text) { value = text; }, help)
-      ->type_name(type);
-}
-
-void addAssignments(CLI::App& app, std::vector<std::string>& assignments, const std::string& help) {
-  app.add_option("--set", assignments, help)->type_name("KEY=VALUE")->expected(1)->allow_extra_args(false)->take_all();
-}
 
 void addTrainOptions(CLI::App& app, TrainOptions& o) {
   const auto choice = [&](const char* name, std::string& value, const char* help) {
@@ -124,6 +114,7 @@ struct CommandLine {
   CLI::App* replay = app.add_subcommand("replay", "live a journal again");
   CLI::App* bench = app.add_subcommand("bench", "how fast this machine learns");
   CLI::App* probabilities = app.add_subcommand("probabilities", "the probability of every action, given its value");
+  LaboratoryLine laboratory{app};
   TrainOptions trainOptions, windowOptions;
   ListRequest listOptions;
   ProbabilitiesOptions probabilitiesOptions;
@@ -148,8 +139,10 @@ struct CommandLine {
         ->capture_default_str();
     addAssignments(*probabilities, probabilitiesOptions.assignments, "a parameter of the policy; may be repeated");
     probabilities->add_flag("--json", probabilitiesOptions.json, "as JSON");
-    for (CLI::App* command :
-         {&app, train, window, list, probabilities, query, slice, inspect, resample, replay, bench}) {
+    std::vector<CLI::App*> commands = laboratory.commands();
+    for (CLI::App* c : {&app, train, window, list, probabilities, query, slice, inspect, resample, replay, bench})
+      commands.push_back(c);
+    for (CLI::App* command : commands) {
       command->set_help_flag("-h,--help", "print this help");
       command->set_version_flag("--version", std::string("surefoot ") + kVersion, "print the version");
       command->allow_extras();
@@ -219,6 +212,7 @@ Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv
   }
   if (const Status s = line.checkLeftovers(); !s) return s.error();
 
+  if (auto request = line.laboratory.request(registry)) return std::move(*request);
   if (line.list->parsed()) return Request(line.listOptions);
   if (line.train->parsed()) return any(makeTrainRequest(registry, line.trainOptions, false));
   if (line.probabilities->parsed()) return any(makeProbabilitiesRequest(registry, line.probabilitiesOptions));

@@ -9,6 +9,7 @@
 
 #include "core/experiment/checkpoint.h"
 #include "core/experiment/configuration.h"
+#include "core/laboratory/laboratory.h"
 
 namespace surefoot {
 
@@ -80,13 +81,40 @@ struct BenchRequest {
   bool json = false;
 };
 
+/// `surefoot experiment`: a plan into a store.
+struct ExperimentRequest {
+  Plan plan{};
+  std::string out;
+  LabOptions lab{};
+  bool resume = false, dryRun = false, json = false;
+};
+
+/// `surefoot export`
+struct ExportRequest {
+  std::string store;
+  std::optional<std::string> csv;
+};
+
+/// `surefoot merge`
+struct MergeRequest {
+  std::vector<std::string> parts;
+  std::optional<std::string> out;
+};
+
+/// `surefoot statistics`
+struct StatisticsRequest {
+  std::string store;
+  bool json = false;
+};
+
 /// --help or --version: the text to print.
 struct PrintRequest {
   std::string text;
 };
 
 using Request = std::variant<ListRequest, ProbabilitiesRequest, TrainRequest, WindowRequest, QueryRequest, SliceRequest,
-                             InspectRequest, ResampleRequest, ReplayRequest, BenchRequest, PrintRequest>;
+                             InspectRequest, ResampleRequest, ReplayRequest, BenchRequest, ExperimentRequest,
+                             ExportRequest, MergeRequest, StatisticsRequest, PrintRequest>;
 
 Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv);
 

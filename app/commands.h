@@ -16,6 +16,10 @@ int sliceCommand(const Registry& registry, const SliceRequest& request);
 int inspectCommand(const Registry& registry, const InspectRequest& request);
 int resampleCommand(const Registry& registry, const ResampleRequest& request);
 int benchCommand(const Registry& registry, const BenchRequest& request);
+int experimentCommand(const Registry& registry, const ExperimentRequest& request);
+int exportCommand(const ExportRequest& request);
+int mergeCommand(const MergeRequest& request);
+int statisticsCommand(const StatisticsRequest& request);
 int replayCommand(const Registry& registry, const ReplayRequest& request);
 
 /// Prints "surefoot: …" to standard error and returns the exit code of the error.

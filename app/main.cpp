@@ -50,6 +50,10 @@ int run(int argc, char** argv) {
     int operator()(const ResampleRequest& r) const { return resampleCommand(registry, r); }
     int operator()(const ReplayRequest& r) const { return replayCommand(registry, r); }
     int operator()(const BenchRequest& r) const { return benchCommand(registry, r); }
+    int operator()(const ExperimentRequest& r) const { return experimentCommand(registry, r); }
+    int operator()(const ExportRequest& r) const { return exportCommand(r); }
+    int operator()(const MergeRequest& r) const { return mergeCommand(r); }
+    int operator()(const StatisticsRequest& r) const { return statisticsCommand(r); }
     int operator()(const PrintRequest& r) const { return print(r.text); }
   };
   return std::visit(Dispatch{registry, argc, argv}, *request);

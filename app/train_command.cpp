@@ -2,50 +2,14 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include <chrono>
-
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/interrupt.h"
+#include "app/progress_line.h"
 #include "app/report.h"
 #include "app/train_files.h"
 
 namespace surefoot {
-
-namespace {
-
-std::string duration(double seconds) {
-  const auto s = static_cast<std::int64_t>(seconds + 0.5);
-  return s < 3600 ? fmt::format("{}:{:02}", s / 60, s % 60)
-                  : fmt::format("{}:{:02}:{:02}", s / 3600, s / 60 % 60, s % 60);
-}
-
-/// One line on the terminal, drawn over again.
-class ProgressLine {
- public:
-  explicit ProgressLine(int lives) : lives_(lives) {}
-  void show(const Progress& p) {
-    const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-    const auto filled = static_cast<std::size_t>(p.share * 24);
-    const std::string eta = p.share > 0.001 ? duration(elapsed / p.share - elapsed) : "…";
-    write(fmt::format("\r[{}{}] {:3.0f} %  {} of {} lives, {} falls, {} elapsed, {} left \033[K",
-                      std::string(filled, '#'), std::string(24 - filled, '.'), p.share * 100, p.livesDone, lives_,
-                      p.falls, duration(elapsed), eta));
-  }
-  ~ProgressLine() { write("\r\033[K"); }
-
- private:
-  /// The terminal may be gone by now; that is no reason to lose the run.
-  static void write(const std::string& text) {
-    std::fputs(text.c_str(), stderr);
-    std::fflush(stderr);
-  }
-
-  int lives_;
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
-
-}  // namespace
 
 namespace {
 
@@ -68,8 +32,8 @@ Result<std::vector<LifeResult>> run(const Registry& registry, const TrainRequest
   std::optional<ProgressLine> line;
   if (isatty(STDERR_FILENO))
     options.progress = [&](const Progress& p) {
-      if (!line) line.emplace(request.configuration.lives);
-      line->show(p);
+      if (!line) line.emplace();
+      line->show(p.share, fmt::format("{} of {} lives, {} falls", p.livesDone, request.configuration.lives, p.falls));
     };
   return runLives(registry, request.configuration, options);
 }

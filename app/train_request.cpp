@@ -15,14 +15,6 @@ namespace surefoot {
 
 namespace {
 
-Result<std::uint64_t> parseSeed(const std::string& text) {
-  std::uint64_t value = 0;
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (code == std::errc{} && end == text.data() + text.size()) return value;
-  return Error{fmt::format("--seed: \"{}\" is not allowed; it takes a whole number from 0 to {}.", shortened(text),
-                           std::numeric_limits<std::uint64_t>::max())};
-}
-
 /// STEP:KEY=VALUE
 Result<std::vector<CommandText>> parseCommands(const std::vector<std::string>& texts) {
   std::vector<CommandText> commands;
@@ -58,7 +50,7 @@ Status readExtent(const TrainOptions& o, Configuration& c) {
   if (const Status s = real("--minutes", o.minutes, 0.001, 1e6, c.minutes); !s) return s;
   if (const Status s = real("--until", o.until, -1e9, 1e9, c.until); !s) return s;
   if (o.seed) {
-    const auto seed = parseSeed(*o.seed);
+    const auto seed = parseSeed("--seed", *o.seed);
     if (!seed) return seed.error();
     c.seed = *seed;
   }

@@ -211,4 +211,12 @@ std::string joinWords(const std::vector<std::string>& words, std::string_view la
   return text;
 }
 
+Result<std::uint64_t> parseSeed(std::string_view name, std::string_view text) {
+  std::uint64_t value = 0;
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (code == std::errc{} && end == text.data() + text.size()) return value;
+  return Error{fmt::format("{}: \"{}\" is not allowed; it takes a whole number from 0 to {}.", name, shortened(text),
+                           std::numeric_limits<std::uint64_t>::max())};
+}
+
 }  // namespace surefoot

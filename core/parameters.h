@@ -62,6 +62,9 @@ Result<double> checkValue(const Parameter& parameter, double value);
 /// A number from text, nothing before or behind it, finite; independent of the locale.
 Result<double> parseNumber(std::string_view name, std::string_view text);
 
+/// A master seed from text: a whole number from 0 to 2⁶⁴ − 1.
+Result<std::uint64_t> parseSeed(std::string_view name, std::string_view text);
+
 /// A list of declarations bound to members. Short-lived: it points into the struct that declared itself.
 class Fields {
  public:

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/experiment/configuration.h"
+#include "core/experiment/meter.h"
 #include "core/experiment/rule_of_thumb.h"
 
 namespace surefoot {
@@ -33,13 +34,6 @@ struct LifeResult {
 };
 
 LifeResult summarise(const Life& life, int index, double cpuSeconds);
-
-struct Progress {
-  std::int64_t steps = 0;  ///< of all lives
-  std::int64_t falls = 0;
-  int livesDone = 0;
-  double share = 0.0;  ///< of the whole work, 0 … 1
-};
 
 struct RunOptions {
   /// Makes life number `index`, if not makeLife.

@@ -116,13 +116,18 @@ bool WholeFile::giveName() const {
   return true;
 }
 
-Status WholeFile::commit(std::string_view content) {
+Status WholeFile::append(std::string_view content) {
   while (!content.empty()) {
     const ssize_t written = write(descriptor_, content.data(), content.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) return unwritable(what_, path_, std::strerror(errno));
     content.remove_prefix(static_cast<std::size_t>(written));
   }
+  return Done{};
+}
+
+Status WholeFile::commit(std::string_view content) {
+  if (const Status s = append(content); !s) return s;
   if (fsync(descriptor_) != 0 || !(replaces_ ? takePlace() : giveName()))
     return unwritable(what_, path_, std::strerror(errno));
   close(std::exchange(descriptor_, -1));

@@ -24,8 +24,10 @@ class WholeFile {
   /// Without commit() nothing is left behind.
   ~WholeFile();
 
-  /// Writes everything and gives the file its name. Call once.
-  Status commit(std::string_view content);
+  /// Writes a part of the content, where all of it at once would be too much.
+  Status append(std::string_view content);
+  /// Writes the rest and gives the file its name. Call once.
+  Status commit(std::string_view content = {});
 
  private:
   WholeFile(std::string what, std::string path, std::string temporary, int descriptor, bool replaces)

@@ -12,25 +12,13 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "tests/app/folder.h"
+
 namespace surefoot {
 
 struct Finished {
   int code = -1;
   std::string out, err;
-};
-
-/// A folder that goes with the test.
-class Folder {
- public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "surefoot-XXXXXX").string();
-    path_ = mkdtemp(name.data());
-  }
-  ~Folder() { std::filesystem::remove_all(path_); }
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
-
- private:
-  std::filesystem::path path_;
 };
 
 inline std::string contentOf(const std::string& file) {

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `surefoot experiment`: a plan into a store.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "app/commands.h"
+#include "app/exit_code.h"
+#include "app/interrupt.h"
+#include "app/progress_line.h"
+
+namespace surefoot {
+
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+/// What would be done, a line a condition.
+int tellPlan(const ExperimentRequest& request) {
+  const Plan& plan = request.plan;
+  if (request.json) {
+    OrderedJson list = OrderedJson::array();
+    for (const Condition& c : plan.conditions)
+      list.push_back({{"name", c.name}, {"seed", c.configuration.seed}, {"text", c.text}});
+    return print(OrderedJson{{"title", plan.title},
+                             {"seed", plan.seed},
+                             {"lives", plan.lives},
+                             {"paired", plan.paired},
+                             {"conditions", list}}
+                     .dump(2) +
+                 "\n");
+  }
+  std::string text = fmt::format("{}\n{} conditions, {} lives each, seed {}\n", plan.title, plan.conditions.size(),
+                                 plan.lives, plan.seed);
+  for (const Condition& c : plan.conditions) text += fmt::format("  {}\n      {}\n", c.name, c.text);
+  return print(text);
+}
+
+/// A new store, or the one there is, if it belongs to the plan.
+Result<Store> openStore(const Registry& registry, const ExperimentRequest& request) {
+  auto stored = planToStore(registry, request.plan);
+  if (!stored) return stored.error();
+  stored->shard = request.lab.shard, stored->shards = request.lab.shards;
+  if (!request.resume || Store::missing(request.out)) return Store::create(request.out, *stored);
+  auto store = Store::openToWrite(request.out);
+  if (!store) return store;
+  const auto there = store->plan();
+  if (!there) return there.error();
+  if (const Status s = checkSamePlan(*there, *stored, request.out); !s) return s.error();
+  if (const Status s = checkSameShard(*there, *stored, request.out); !s) return s.error();
+  const int planned = there->conditions.front().lives;
+  if (request.plan.lives < planned)
+    return Error{fmt::format("--lives: {} holds {} lives a condition; going on, there can only be more, not {}.",
+                             request.out, planned, request.plan.lives)};
+  if (request.plan.lives > planned)
+    if (const Status s = store->setLives(request.plan.lives); !s) return s.error();
+  return store;
+}
+
+class Teller {
+ public:
+  explicit Teller(bool json) : json_(json) {}
+  bool wanted() const { return json_ || isatty(STDERR_FILENO); }
+  void show(const LabProgress& p) {
+    const int done = p.livesThere + p.work.livesDone;
+    if (json_) {
+      const auto now = std::chrono::steady_clock::now();
+      if (now - told_ < std::chrono::seconds(1)) return;
+      told_ = now;
+      print(OrderedJson{{"event", "progress"},
+                        {"share", p.work.share},
+                        {"lives", done},
+                        {"of", p.livesPlanned},
+                        {"falls", p.work.falls},
+                        {"steps", p.work.steps}}
+                .dump() +
+            "\n");
+      return;
+    }
+    if (!line_) line_.emplace();
+    line_->show(p.work.share, fmt::format("{} of {} lives, {} falls", done, p.livesPlanned, p.work.falls));
+  }
+
+ private:
+  bool json_;
+  std::optional<ProgressLine> line_;
+  std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+int experimentCommand(const Registry& registry, const ExperimentRequest& request) {
+  if (request.dryRun) return tellPlan(request);
+  auto store = openStore(registry, request);
+  if (!store) return fail(store.error());
+
+  LabOptions lab = request.lab;
+  lab.interrupted = &watchForInterrupt();
+  Result<LabResult> result = Error{};
+  {
+    Teller teller(request.json);
+    if (teller.wanted()) lab.progress = [&](const LabProgress& p) { teller.show(p); };
+    result = runPlan(registry, request.plan, *store, lab);
+  }
+  if (!result) return fail(result.error());
+  const auto hash = store->contentHash();
+  if (!hash) return fail(hash.error());
+  int code = kDone;
+  if (request.json)
+    code = print(OrderedJson{{"event", "done"},
+                             {"store", request.out},
+                             {"lives", result->livesThere},
+                             {"of", result->livesPlanned},
+                             {"complete", result->complete()},
+                             {"pre_learnings_at_cap", result->preLearningsAtCap},
+                             {"content_hash", fmt::format("{:016x}", *hash)}}
+                     .dump() +
+                 "\n");
+  else
+    code = print(fmt::format("{}: {} of {} lives, content {:016x}\n", request.out, result->livesThere,
+                             result->livesPlanned, *hash));
+  if (code != kDone) return code;
+  if (result->preLearningsAtCap > 0)
+    std::fprintf(stderr,
+                 "surefoot: %d Q-functions did not reach the reward of their pre-learning before its cap; they are "
+                 "used as they are.\n",
+                 result->preLearningsAtCap);
+  if (!result->complete())
+    return fail({fmt::format("interrupted; {} of {} lives are in {}, and --resume does the rest.", result->livesThere,
+                             result->livesPlanned, request.out),
+                 ErrorKind::Interrupted});
+  return kDone;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the plans are that come with the program: in resources/plans beside the program in a build tree, in
+// share/surefoot/plans when it is installed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/result.h"
+
+namespace surefoot {
+
+/// A folder of what comes with the program, e.g. "plans"; empty if it is not there.
+std::string resourceFolder(const std::string& name);
+/// Their names, in order.
+std::vector<std::string> shippedPlans();
+/// The file of a plan: a path, or the name of a shipped one.
+Result<std::string> findPlan(const std::string& plan);
+
+}  // namespace surefoot

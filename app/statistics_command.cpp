@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/commands.h"
+#include "core/laboratory/findings.h"
+
+namespace surefoot {
+
+int statisticsCommand(const StatisticsRequest& request) {
+  if (request.store.empty()) return fail({"STORE: the store of results is needed."});
+  const auto store = Store::open(request.store);
+  if (!store) return fail(store.error());
+  const auto findings = findingsOf(*store);
+  if (!findings) return fail(findings.error());
+  return print(request.json ? findingsAsJson(*findings).dump(2) + "\n" : findingsAsTable(*findings));
+}
+
+}  // namespace surefoot

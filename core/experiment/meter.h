@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How far lives on other threads are.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <vector>
+
+#include "core/experiment/life.h"
+#include "core/experiment/work_pool.h"
+
+namespace surefoot {
+
+struct Progress {
+  std::int64_t steps = 0;  ///< of all lives
+  std::int64_t falls = 0;
+  int livesDone = 0;
+  double share = 0.0;  ///< of the whole work, 0 … 1
+};
+
+/// Of one life, on a cache line of its own: its thread writes, another reads now and then.
+struct alignas(64) Meter {
+  std::atomic<std::int64_t> steps{0}, falls{0};
+  std::atomic<double> share{0.0};
+  std::atomic<bool> done{false};
+
+  void read(const Life& life);
+};
+
+Progress sum(const std::vector<Meter>& meters);
+
+/// Steps a life until it has taken `steps`, is finished, or the pool stops.
+void live(Life& life, std::int64_t steps, const WorkPool& pool, Meter& meter);
+
+/// CPU time of the calling thread [s].
+double threadCpuSeconds();
+
+}  // namespace surefoot

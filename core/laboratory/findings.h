@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a store of results shows: the measures of every condition with 95 % intervals, and its comparison with the
+// reference condition.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "core/laboratory/measures.h"
+
+namespace surefoot {
+
+/// A condition against the reference, in falls during learning.
+struct Comparison {
+  Interval change;                         ///< in per cent; −45: 45 % fewer. Bootstrap: of Q-functions, then lives
+  std::optional<TestResult> anova, welch;  ///< the thesis's test; the same without equal variances
+  std::optional<TestResult> paired;        ///< where life i shares its seeds or its Q-function with life i of the other
+  double holm = 1.0;                       ///< p of the analysis of variance, adjusted for the conditions compared
+  std::optional<double> effect;            ///< Hedges' g
+  std::optional<std::int64_t> livesNeeded;  ///< a condition, to see this difference with a power of 80 %
+  std::optional<Interval> minutes;          ///< learning time: difference from the reference's
+  std::optional<Interval> changeAtItsEnd;   ///< falls of both up to the reference's end of learning, in per cent
+
+  double p() const { return anova ? anova->p : 1.0; }
+  bool significant() const { return p() < 0.01; }  ///< the thesis's X
+};
+
+struct Finding {
+  std::string name, reference;
+  int lives = 0, diverged = 0;
+  std::optional<std::size_t> end;  ///< of learning, an episode
+  double largestChangeAfter = 0.0;
+  Interval falls, minutes, allFalls, endPerformance, averageReward;
+  Interval successDuring, successAfter, failureDuring, failureAfter;  ///< transitions; NaN where there are none
+  std::optional<Interval> threshold;                                  ///< the rule of thumb with n* during learning
+  int qFunctions = 0, atCap = 0;                       ///< of the pre-learning; those that did not reach their reward
+  std::optional<VarianceComponent> betweenQFunctions;  ///< of falls
+  std::optional<Comparison> comparison;
+  std::vector<std::string> warnings;
+};
+
+struct Findings {
+  StoredPlan plan;
+  bool complete = true;  ///< all lives that were planned are there
+  std::vector<Finding> conditions;
+};
+
+/// Reads the whole store; the bootstrap's random numbers depend on the plan's seed only.
+Result<Findings> findingsOf(const Store& store);
+
+nlohmann::ordered_json findingsAsJson(const Findings& findings);
+/// A table for people, with the warnings below it.
+std::string findingsAsTable(const Findings& findings);
+
+}  // namespace surefoot

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs a plan into a store: the lives that the store does not hold yet, on a pool of threads, each written when it is
+// over. The store's content is the same for any number of threads and any order.
+#pragma once
+
+#include "core/experiment/meter.h"
+#include "core/laboratory/store.h"
+
+namespace surefoot {
+
+struct LabProgress {
+  Progress work;         ///< of this run: lives that were missing, and the pre-learning that they need
+  int livesThere = 0;    ///< that the store held before
+  int livesPlanned = 0;  ///< in all, of this shard
+};
+
+struct LabOptions {
+  int jobs = 1;
+  int shard = 1, shards = 1;  ///< life number k (of all, in order) belongs to shard k mod shards + 1
+  const std::atomic<bool>* interrupted = nullptr;      ///< lives in hand are given up
+  std::function<void(const LabProgress&)> progress{};  ///< about four times a second, on the calling thread
+};
+
+struct LabResult {
+  int livesPlanned = 0, livesThere = 0;  ///< of this shard; those that the store holds now
+  int preLearningsAtCap = 0;             ///< Q-functions of this run that did not reach their reward
+  bool complete() const { return livesThere == livesPlanned; }
+};
+
+/// Runs what is missing. An error keeps what was written; an interruption is no error.
+Result<LabResult> runPlan(const Registry& registry, const Plan& plan, Store& store, const LabOptions& options);
+
+}  // namespace surefoot

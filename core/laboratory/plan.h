@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// An experiment of many conditions, as a plan file says it (TOML). README.md describes the format.
+//
+// A condition is a configuration, how many lives are lived under it, and what these have learned before. Its text names
+// everything in which it differs from the defaults; its lives' seeds are derived from the plan's master seed and this
+// text (without the length of a life), so that conditions are independent of each other and of their order, and the
+// same condition in two plans has the same lives.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/experiment/configuration.h"
+
+namespace surefoot {
+
+/// Q-functions that lives begin with, each learned in a life of its own (thesis, section 4.2.1).
+struct PreLearning {
+  Configuration configuration;  ///< until and episodes (the cap) are set; Q-function j is its life number j
+  int pool = 5;                 ///< how many; 0: one for every life
+  std::string text;             ///< what it is; conditions of the same text share their Q-functions
+
+  /// The Q-function that life number `life` begins with.
+  int numberFor(int life) const { return pool == 0 ? life : life % pool; }
+};
+
+struct Condition {
+  std::string name;
+  std::string text;
+  std::string reference;  ///< name of the condition that it is compared with; empty: none
+  Configuration configuration;
+  std::optional<PreLearning> preLearning;
+  std::vector<Assignment> varied;  ///< what a list in the plan varied: key as in the plan, value
+};
+
+struct Plan {
+  std::string title;
+  std::uint64_t seed = 1;
+  int lives = 40;       ///< per condition
+  bool paired = false;  ///< life i has the same seeds in every condition
+  std::vector<Condition> conditions;
+};
+
+/// What the command line puts in place of what the plan says.
+struct PlanChanges {
+  std::optional<int> lives;
+  std::optional<std::uint64_t> seed;
+  std::vector<Assignment> assignments;  ///< for every condition
+};
+
+/// Reads a plan; an error names file, line and what is allowed. Files that it names are looked for beside it.
+Result<Plan> readPlan(const Registry& registry, const std::string& path, const PlanChanges& changes);
+/// The same from a text; `path` is named in messages.
+Result<Plan> parsePlan(const Registry& registry, const std::string& text, const std::string& path,
+                       const PlanChanges& changes);
+
+/// "environment=pendulum scenario=2 … policy.threshold=50": the names, and every parameter that has another value than
+/// under these names alone. Parameters of policies that are not chosen are left out.
+std::string describe(const Registry& registry, const Configuration& configuration);
+
+}  // namespace surefoot

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Statistics of samples. Distributions are Boost.Math's; the bootstrap draws from a generator that is handed in, so
+// that an interval is the same on every machine. A sample holds finite numbers; where it is too small to say anything
+// the answer is empty. Any thread.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/random.h"
+
+namespace surefoot {
+
+using Sample = std::span<const double>;
+
+struct Interval {
+  double value = 0.0;            ///< the estimate itself
+  double low = 0.0, high = 0.0;  ///< of 95 %
+};
+
+double meanOf(Sample x);
+/// Unbiased, n − 1; 0 for fewer than two.
+double varianceOf(Sample x);
+
+/// Mean with its 95 % interval by Student's t. Empty for fewer than two.
+std::optional<Interval> meanInterval(Sample x);
+/// t(0.975) with so many degrees of freedom: what a standard error is multiplied by.
+double tQuantile(double degrees);
+
+struct TestResult {
+  double statistic = 0.0;
+  double degrees1 = 0.0, degrees2 = 0.0;  ///< of freedom; t tests have one
+  double p = 1.0;                         ///< two-sided
+};
+
+/// One-way analysis of variance (Fisher): do all groups have one mean? Empty with fewer than two groups, an empty
+/// group, or one value a group. Groups without any variance: p is 1 for equal means, else 0.
+std::optional<TestResult> oneWayAnova(const std::vector<Sample>& groups);
+/// Welch's t test (1947): the same for two groups whose variances may differ.
+std::optional<TestResult> welchTest(Sample a, Sample b);
+/// Interval of mean(b) − mean(a), after Welch.
+std::optional<Interval> differenceInterval(Sample a, Sample b);
+/// Student's t test of the differences of pairs.
+std::optional<TestResult> pairedTest(Sample a, Sample b);
+/// Brown & Forsythe (1974): equal variances? An analysis of variance of the distances from the medians.
+std::optional<TestResult> brownForsytheTest(const std::vector<Sample>& groups);
+/// D'Agostino & Pearson (1973): skewness and kurtosis of a normal distribution? χ² with two degrees of freedom; from 20
+/// values on.
+std::optional<TestResult> normalityTest(Sample x);
+/// Holm (1979): the p values adjusted for being so many; in the order given.
+std::vector<double> holm(std::span<const double> p);
+
+/// Hedges' g: (mean(b) − mean(a))/s with s pooled, corrected for small samples (Hedges 1981).
+std::optional<double> effectSize(Sample a, Sample b);
+/// Spearman's rank correlation, ties shared; empty if one of them is constant.
+std::optional<double> rankCorrelation(Sample a, Sample b);
+
+/// How many lives per condition tell a difference of two means, with the power given, two-sided at 5 %, for values of
+/// that standard deviation; at most 10⁶. (Normal approximation, with Guenther's (1981) correction of z²/4.)
+std::int64_t livesNeeded(double standardDeviation, double difference, double power = 0.8);
+
+/// How much of the variance lies between groups of equal size: the random-effects model of one-way analysis of
+/// variance.
+struct VarianceComponent {
+  TestResult test;     ///< is there any?
+  double share = 0.0;  ///< of the whole, 0 … 1
+};
+std::optional<VarianceComponent> varianceComponent(const std::vector<Sample>& groups);
+
+/// Groups of values that belong together: the lives that began with one Q-function. One group each for lives that share
+/// nothing is written as one group of all.
+using Groups = std::vector<std::vector<double>>;
+
+/// The bootstrap (Efron & Tibshirani 1993): `f` of the means of a resample of every condition, so many times, in order.
+/// With several groups it draws groups, then values within each; `shared`: the groups of all conditions are the same
+/// ones, and are drawn together.
+std::vector<double> resample(const std::vector<Groups>& conditions, bool shared,
+                             const std::function<double(const std::vector<double>& means)>& f, Random& random,
+                             int count = 10'000);
+/// `f` of the means themselves, and the percentile interval (2.5 % to 97.5 %) of its resamples.
+Interval bootstrap(const std::vector<Groups>& conditions, bool shared,
+                   const std::function<double(const std::vector<double>& means)>& f, Random& random,
+                   int count = 10'000);
+
+/// 100·(after/before − 1): −45 means 45 % fewer. 0 where both are 0.
+double changeInPerCent(double before, double after);
+
+/// The q-quantile (0 … 1) of sorted values, linearly between neighbours (Hyndman & Fan 1996, type 7).
+double quantileOfSorted(Sample sorted, double q);
+
+}  // namespace surefoot

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The results of an experiment in one SQLite file. A life is written whole or not at all, so that whatever ends the
+// program, everything before is kept and `resume` does the rest. Nothing in it tells of wall-clock time, host or number
+// of jobs. Used by one thread at a time; while a store is open for writing no other process can open it.
+//
+//   experiment   key, value                  program version, title, seed, paired, shard
+//   conditions   condition, name, reference (its name), text, configuration (JSON), lives, goal_reward,
+//                step_time
+//   pre_learned  condition, q_function, episodes, falls, steps, average_reward, reached, hash
+//   lives        condition, life, q_function, episodes, steps, falls, states_outside, diverged, hash
+//   episodes     condition, life, episode, transitions, reward, falls, ending
+//   endings      ending, name                0 end, 1 success, 2 fall, 3 truncated
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/experiment/experiment.h"
+#include "core/laboratory/plan.h"
+
+namespace surefoot {
+
+enum class EndingCode : int { End, Success, Fall, Truncated };
+EndingCode endingCode(const EpisodeRow& row);
+
+/// One condition as the store holds it.
+struct StoredCondition {
+  std::string name, reference, text;
+  std::string configuration;  ///< JSON
+  int lives = 0;              ///< planned
+  double goalReward = 0.0;    ///< highest reward of an episode
+  double stepTime = 0.0;      ///< [s]; 0: no clock
+};
+
+struct StoredPlan {
+  std::string title, version;
+  std::uint64_t seed = 0;
+  bool paired = false;
+  int shard = 1, shards = 1;  ///< this store holds part `shard` of `shards`
+  std::vector<StoredCondition> conditions;
+};
+
+/// A life without its episodes.
+struct StoredLife {
+  int condition = 0, life = 0;
+  int qFunction = -1;  ///< of its pool; -1: none
+  std::int64_t episodes = 0, steps = 0, falls = 0, statesOutside = 0;
+  std::string diverged;
+  std::uint64_t hash = 0;
+};
+
+struct StoredEpisode {
+  std::int64_t transitions = 0;
+  double reward = 0.0;
+  int falls = 0;
+  EndingCode ending = EndingCode::End;
+};
+
+/// A Q-function that lives of a condition began with.
+struct StoredPreLearning {
+  int condition = 0, qFunction = 0;
+  std::int64_t episodes = 0, falls = 0, steps = 0;
+  double averageReward = 0.0;
+  bool reached = false;  ///< the reward that was asked for; else it ended at the cap
+  std::uint64_t hash = 0;
+};
+
+class Store {
+ public:
+  /// A new file; refused if there is one of this name.
+  static Result<Store> create(const std::string& path, const StoredPlan& plan);
+  /// To go on writing.
+  static Result<Store> openToWrite(const std::string& path);
+  /// To read; other processes may read, too.
+  static Result<Store> open(const std::string& path);
+  /// Nothing is there, or nothing was begun.
+  static bool missing(const std::string& path);
+
+  Store(Store&&) noexcept;
+  Store& operator=(Store&&) noexcept;
+  ~Store();
+
+  /// Writes a life with all that belongs to it, or nothing.
+  Status save(const StoredLife& life, const std::vector<StoredEpisode>& episodes,
+              const std::optional<StoredPreLearning>& before);
+  /// Takes everything over from another store of the same plan.
+  Status add(const Store& part);
+  /// More lives than were planned at first.
+  Status setLives(int lives);
+
+  Result<StoredPlan> plan() const;
+  /// Ordered by condition and life.
+  Result<std::vector<StoredLife>> lives() const;
+  Result<std::vector<StoredPreLearning>> preLearned() const;
+  Result<std::vector<StoredEpisode>> episodes(int condition, int life) const;
+  /// Over everything but the shard and the program's version, ordered by condition, life and episode.
+  Result<std::uint64_t> contentHash() const;
+
+  const std::string& path() const { return path_; }
+
+ private:
+  struct Database;
+  Store(std::string path, std::unique_ptr<Database> database);
+  static Result<Store> openAs(const std::string& path, bool write);
+  std::string path_;
+  std::unique_ptr<Database> database_;
+};
+
+/// What the store keeps of a plan.
+Result<StoredPlan> planToStore(const Registry& registry, const Plan& plan);
+
+/// Whether a store belongs to a plan: the first difference, with both values. The number of lives may be another.
+Status checkSamePlan(const StoredPlan& stored, const StoredPlan& plan, const std::string& path);
+/// Whether it holds the same part of it.
+Status checkSameShard(const StoredPlan& stored, const StoredPlan& plan, const std::string& path);
+
+}  // namespace surefoot

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// experiment, statistics, export and merge, as a user runs them.
+#include <algorithm>
+#include <chrono>
+#include <thread>
+
+#include "tests/app/program.h"
+
+namespace surefoot {
+
+namespace {
+
+const char* const kPlan = R"(
+title = "Three policies"
+lives = 8
+reference = "ε-greedy"
+[base]
+minutes = 1
+[pre-learning]
+scenario = "2"
+until = 150
+pool = 4
+[[condition]]
+name = "ε-greedy"
+[[condition]]
+name = "TRL {policy.threshold}"
+policy = "trl"
+set.policy.threshold = [0, 50]
+)";
+
+class LaboratoryCommands : public testing::Test {
+ protected:
+  LaboratoryCommands() { std::ofstream(file("plan.toml")) << kPlan; }
+  std::string file(const std::string& name) const { return folder.file(name); }
+  /// The last line that `experiment --json` prints.
+  nlohmann::json experiment(const std::string& arguments, int code = 0) const {
+    const Finished run = surefoot("experiment " + file("plan.toml") + " --json " + arguments);
+    EXPECT_EQ(run.code, code) << run.err;
+    const auto end = run.out.find_last_not_of('\n');
+    if (end == std::string::npos) return {};
+    const auto begin = run.out.rfind('\n', end);
+    return nlohmann::json::parse(run.out.substr(begin == std::string::npos ? 0 : begin + 1));
+  }
+  Folder folder;
+};
+
+}  // namespace
+
+TEST_F(LaboratoryCommands, AStoreIsMadeReadAndExported) {
+  const auto done = experiment("--out " + file("r.sqlite"));
+  EXPECT_EQ(done["lives"], 24);
+  EXPECT_EQ(done["complete"], true);
+
+  const auto statistics = run("statistics " + file("r.sqlite"));
+  ASSERT_EQ(statistics["conditions"].size(), 3u);
+  EXPECT_EQ(statistics["conditions"][0]["lives"], 8);
+  EXPECT_TRUE(statistics["conditions"][2]["against_reference"]["change_per_cent"]["low"].is_number());
+  const Finished table = surefoot("statistics " + file("r.sqlite"));
+  EXPECT_NE(table.out.find("TRL 50"), std::string::npos) << table.out;
+
+  EXPECT_EQ(surefoot("export " + file("r.sqlite") + " --csv " + file("csv")).code, 0);
+  const std::string lives = contentOf(file("csv/lives.csv"));
+  EXPECT_EQ(std::count(lives.begin(), lives.end(), '\n'), 25);
+  std::int64_t episodes = 0;
+  std::istringstream rows(lives);
+  std::string row;
+  std::getline(rows, row);
+  while (std::getline(rows, row)) {
+    std::istringstream cells(row);
+    std::string cell;
+    for (int i = 0; i < 4; ++i) std::getline(cells, cell, ',');
+    episodes += std::stoll(cell);
+  }
+  const std::string all = contentOf(file("csv/episodes.csv"));
+  EXPECT_EQ(std::count(all.begin(), all.end(), '\n'), episodes + 1);
+  expectRefusal("export " + file("r.sqlite") + " --csv " + file("csv"), 3, {"exists already"});
+}
+
+TEST_F(LaboratoryCommands, JobsAndShardsChangeNothing) {
+  const auto hash = experiment("--jobs 1 --out " + file("one.sqlite"))["content_hash"];
+  EXPECT_EQ(experiment("--jobs 3 --out " + file("three.sqlite"))["content_hash"], hash);
+  std::string parts, firstFour;
+  for (int i = 1; i <= 5; ++i) {
+    const std::string part = file("part" + std::to_string(i));
+    experiment("--shard " + std::to_string(i) + "/5 --out " + part);
+    parts += part + " ";
+    if (i == 4) firstFour = parts;
+    if (i == 4) expectRefusal("merge " + parts + " --out " + file("m.sqlite"), 3, {"shard 5 of 5"});
+  }
+  const Finished merged = surefoot("merge " + parts + " --out " + file("m.sqlite"));
+  EXPECT_EQ(merged.code, 0) << merged.err;
+  EXPECT_NE(merged.out.find(hash.get<std::string>()), std::string::npos) << merged.out;
+  expectRefusal("merge " + parts + " --out " + file("m.sqlite"), 3, {"exists already"});
+  experiment("--seed 2 --shard 5/5 --out " + file("other"));
+  expectRefusal("merge " + firstFour + file("other") + " --out " + file("n.sqlite"), 3, {"seed"});
+}
+
+TEST_F(LaboratoryCommands, KilledAtAnyMomentItGoesOnToTheSameContent) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto hash = experiment("--out " + file("whole.sqlite"))["content_hash"];
+  const double whole = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  constexpr int kKills = 8;
+  for (int kill = 0; kill < kKills; ++kill) {
+    const std::string store = file("killed" + std::to_string(kill) + ".sqlite");
+    const double moment = whole * (kill + 0.5) / kKills;
+    std::system(("timeout -s KILL " + std::to_string(moment) + " " + SUREFOOT_PROGRAM + " experiment " +
+                 file("plan.toml") + " --out " + store + " >/dev/null 2>&1")
+                    .c_str());
+    EXPECT_EQ(experiment("--resume --out " + store)["content_hash"], hash) << "killed after " << moment << " s";
+  }
+}
+
+TEST_F(LaboratoryCommands, AnInterruptKeepsWhatIsDone) {
+  const std::string store = file("s.sqlite");
+  const Finished run = [&] {
+    const std::string command = std::string("timeout -s INT 1 ") + SUREFOOT_PROGRAM + " experiment " +
+                                file("plan.toml") + " --lives 2000 --out " + store + " >/dev/null 2>" + file("err");
+    const int status = std::system(command.c_str());
+    return Finished{WEXITSTATUS(status), "", contentOf(file("err"))};
+  }();
+  EXPECT_NE(run.err.find("--resume"), std::string::npos) << run.err;
+  const auto statistics = surefoot("statistics " + store);
+  EXPECT_EQ(statistics.code, 0) << statistics.err;
+  EXPECT_NE(statistics.out.find("Not all planned lives"), std::string::npos);
+}
+
+TEST_F(LaboratoryCommands, ADryRunWritesNothing) {
+  const auto plan = run("experiment " + file("plan.toml") + " --dry-run --lives 3 --out " + file("r.sqlite"));
+  EXPECT_EQ(plan["lives"], 3);
+  EXPECT_EQ(plan["conditions"].size(), 3u);
+  EXPECT_FALSE(std::filesystem::exists(file("r.sqlite")));
+}
+
+TEST_F(LaboratoryCommands, ShippedPlansAreFoundByNameAndAreSound) {
+  const Finished list = surefoot("experiment nothing-like-this");
+  EXPECT_EQ(list.code, 3);
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(SUREFOOT_SOURCE) + "/resources/plans")) {
+    const std::string name = entry.path().stem().string();
+    EXPECT_NE(list.err.find(name), std::string::npos) << list.err;
+    EXPECT_EQ(surefoot("experiment " + name + " --dry-run").code, 0) << name;
+  }
+}
+
+TEST_F(LaboratoryCommands, WhatCannotBeIsRefusedInASentence) {
+  const std::string plan = file("plan.toml"), store = file("r.sqlite");
+  experiment("--lives 2 --out " + store);
+  expectRefusal("experiment", 2, {"PLAN"});
+  expectRefusal("experiment " + file("absent.toml"), 3, {"absent.toml"});
+  expectRefusal("experiment quik", 3, {"did you mean quick"});
+  expectRefusal("experiment " + plan + " --out " + store, 3, {"exists already", "--resume"});
+  expectRefusal("experiment " + plan + " --lives 1 --resume --out " + store, 2, {"--lives", "2"});
+  expectRefusal("experiment " + plan + " --lives 2 --seed 7 --resume --out " + store, 3, {"seed", "1", "7"});
+  expectRefusal("experiment " + plan + " --lives 2 --shard 1/2 --resume --out " + store, 3, {"shard"});
+  expectRefusal("experiment " + plan + " --set agent.trace_decay=0.5 --lives 2 --resume --out " + store, 3,
+                {"condition 1", "trace_decay"});
+  expectRefusal("experiment " + plan + " --lives 0 --out " + file("x"), 2, {"--lives"});
+  expectRefusal("experiment " + plan + " --shard 3/2 --out " + file("x"), 2, {"--shard"});
+  expectRefusal("experiment " + plan + " --set policy.threshold=3 --out " + file("x"), 2, {"policy.threshold"});
+  expectRefusal("experiment " + plan + " --out " + file("no/folder/x"), 3, {"folder"});
+  expectRefusal("experiment " + plan + " --resume --out " + plan, 3, {"not a store"});
+  expectRefusal("statistics", 2, {"STORE"});
+  expectRefusal("statistics " + file("absent"), 3, {"absent"});
+  expectRefusal("statistics " + plan, 3, {"not a store"});
+  expectRefusal("export " + store, 2, {"--csv"});
+  expectRefusal("merge --out " + file("x"), 2, {"PARTS"});
+  expectRefusal("merge " + store, 2, {"--out"});
+}
+
+}  // namespace surefoot
