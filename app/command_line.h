@@ -89,6 +89,14 @@ struct ExperimentRequest {
   bool resume = false, dryRun = false, json = false;
 };
 
+/// `surefoot reproduce`: recipes of the thesis.
+struct ReproduceRequest {
+  std::vector<std::string> recipes;  ///< files
+  std::string out;
+  PlanChanges changes{};
+  LabOptions lab{};
+};
+
 /// `surefoot export`
 struct ExportRequest {
   std::string store;
@@ -114,7 +122,7 @@ struct PrintRequest {
 
 using Request = std::variant<ListRequest, ProbabilitiesRequest, TrainRequest, WindowRequest, QueryRequest, SliceRequest,
                              InspectRequest, ResampleRequest, ReplayRequest, BenchRequest, ExperimentRequest,
-                             ExportRequest, MergeRequest, StatisticsRequest, PrintRequest>;
+                             ReproduceRequest, ExportRequest, MergeRequest, StatisticsRequest, PrintRequest>;
 
 Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv);
 

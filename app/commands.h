@@ -17,6 +17,7 @@ int inspectCommand(const Registry& registry, const InspectRequest& request);
 int resampleCommand(const Registry& registry, const ResampleRequest& request);
 int benchCommand(const Registry& registry, const BenchRequest& request);
 int experimentCommand(const Registry& registry, const ExperimentRequest& request);
+int reproduceCommand(const Registry& registry, const ReproduceRequest& request);
 int exportCommand(const ExportRequest& request);
 int mergeCommand(const MergeRequest& request);
 int statisticsCommand(const StatisticsRequest& request);

@@ -25,6 +25,7 @@ void addAssignments(CLI::App& app, std::vector<std::string>& assignments, const 
 
 LaboratoryLine::LaboratoryLine(CLI::App& app)
     : experiment_(app.add_subcommand("experiment", "run a plan of many conditions, all lives of each, into a store")),
+      reproduce_(app.add_subcommand("reproduce", "the figures of the thesis, and what its claims come to")),
       export_(app.add_subcommand("export", "write a store's tables as CSV")),
       merge_(app.add_subcommand("merge", "join the parts of an experiment that was run in shards")),
       statistics_(app.add_subcommand("statistics", "what a store of results shows, with intervals and tests")) {
@@ -41,6 +42,17 @@ LaboratoryLine::LaboratoryLine(CLI::App& app)
   experiment_->add_flag("--resume", o.resume, "do what is missing in the store; begin it if it is not there");
   experiment_->add_flag("--dry-run", o.dryRun, "tell what would be done");
   experiment_->add_flag("--json", o.json, "tell progress and result as lines of JSON");
+
+  ReproduceOptions& r = reproduceOptions_;
+  reproduce_->add_option("LIST", r.list, "figures and tables by the thesis's numbers, such as 4.6; or all")
+      ->type_name("");
+  reproduce_->add_option("--lives", r.lives, "lives a condition: thesis (as many as it lived) or a number")
+      ->type_name("N")
+      ->capture_default_str();
+  reproduce_->add_option("--out", r.out, "the folder to write to; what is done there already is not done again")
+      ->type_name("FOLDER")
+      ->capture_default_str();
+  addOption(*reproduce_, "--jobs", r.jobs, "threads [all cores]", "N");
 
   export_->add_option("STORE", exportOptions_.store, "a store of results")->type_name("");
   addOption(*export_, "--csv", exportOptions_.csv, "the folder to write to; its files must not exist yet", "FOLDER");
@@ -68,6 +80,29 @@ Status readShard(const std::string& text, LabOptions& lab) {
   return Done{};
 }
 
+Status readJobs(const std::optional<std::string>& text, LabOptions& lab) {
+  const auto jobs = text ? parseCount("--jobs", *text, 1024)
+                         : Result<std::int64_t>(std::max(1u, std::thread::hardware_concurrency()));
+  if (!jobs) return jobs.error();
+  lab.jobs = static_cast<int>(*jobs);
+  return Done{};
+}
+
+Result<Request> makeReproduceRequest(const ReproduceOptions& o) {
+  if (o.list.empty()) return Error{"LIST: figures or tables of the thesis are needed, such as 4.6, or all."};
+  ReproduceRequest request{.recipes = {}, .out = o.out};
+  auto recipes = findRecipes(o.list);
+  if (!recipes) return recipes.error();
+  request.recipes = std::move(*recipes);
+  if (o.lives != "thesis") {
+    const auto lives = parseCount("--lives", o.lives, 1'000'000);
+    if (!lives) return lives.error();
+    request.changes.lives = static_cast<int>(*lives);
+  }
+  if (const Status s = readJobs(o.jobs, request.lab); !s) return s.error();
+  return Request(std::move(request));
+}
+
 Result<Request> makeExperimentRequest(const Registry& registry, const ExperimentOptions& o) {
   ExperimentRequest request{.out = o.out, .resume = o.resume, .dryRun = o.dryRun, .json = o.json};
   if (o.plan.empty())
@@ -86,10 +121,7 @@ Result<Request> makeExperimentRequest(const Registry& registry, const Experiment
     if (!seed) return seed.error();
     changes.seed = *seed;
   }
-  const auto jobs = o.jobs ? parseCount("--jobs", *o.jobs, 1024)
-                           : Result<std::int64_t>(std::max(1u, std::thread::hardware_concurrency()));
-  if (!jobs) return jobs.error();
-  request.lab.jobs = static_cast<int>(*jobs);
+  if (const Status s = readJobs(o.jobs, request.lab); !s) return s.error();
   if (o.shard)
     if (const Status s = readShard(*o.shard, request.lab); !s) return s.error();
   const auto path = findPlan(o.plan);
@@ -104,6 +136,7 @@ Result<Request> makeExperimentRequest(const Registry& registry, const Experiment
 
 std::optional<Result<Request>> LaboratoryLine::request(const Registry& registry) const {
   if (experiment_->parsed()) return makeExperimentRequest(registry, experimentOptions_);
+  if (reproduce_->parsed()) return makeReproduceRequest(reproduceOptions_);
   if (export_->parsed()) return Result<Request>(exportOptions_);
   if (merge_->parsed()) return Result<Request>(mergeOptions_);
   if (statistics_->parsed()) return Result<Request>(statisticsOptions_);

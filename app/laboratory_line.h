@@ -23,17 +23,25 @@ struct ExperimentOptions {
   bool resume = false, dryRun = false, json = false;
 };
 
+/// The options of `reproduce`, as they were written.
+struct ReproduceOptions {
+  std::vector<std::string> list;
+  std::string out = "reproduction", lives = "thesis";
+  std::optional<std::string> jobs;
+};
+
 class LaboratoryLine {
  public:
   explicit LaboratoryLine(CLI::App& app);
 
-  std::vector<CLI::App*> commands() const { return {experiment_, export_, merge_, statistics_}; }
+  std::vector<CLI::App*> commands() const { return {experiment_, reproduce_, export_, merge_, statistics_}; }
   /// The request of the command that was given, if it is one of these.
   std::optional<Result<Request>> request(const Registry& registry) const;
 
  private:
-  CLI::App *experiment_, *export_, *merge_, *statistics_;
+  CLI::App *experiment_, *reproduce_, *export_, *merge_, *statistics_;
   ExperimentOptions experimentOptions_;
+  ReproduceOptions reproduceOptions_;
   ExportRequest exportOptions_;
   MergeRequest mergeOptions_;
   StatisticsRequest statisticsOptions_;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/laboratory/recipe.h"
 #include "core/parameters.h"
 #include "core/text.h"
 
@@ -21,12 +22,37 @@ std::string resourceFolder(const std::string& name) {
   return "";
 }
 
+namespace {
+
+/// The TOML files of a folder of resources, in order: "4.10" behind "4.9".
+std::vector<fs::path> filesIn(const std::string& folder) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(resourceFolder(folder), error))
+    if (entry.path().extension() == ".toml") files.push_back(entry.path());
+  const auto key = [](const fs::path& file) {
+    std::string name = file.stem().string(), padded;
+    for (std::size_t i = 0; i < name.size();) {
+      std::size_t digits = 0;
+      while (i + digits < name.size() && std::isdigit(static_cast<unsigned char>(name[i + digits]))) ++digits;
+      if (digits == 0) {
+        padded += name[i++];
+        continue;
+      }
+      padded += std::string(digits < 4 ? 4 - digits : 0, '0') + name.substr(i, digits);
+      i += digits;
+    }
+    return padded;
+  };
+  std::sort(files.begin(), files.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
+  return files;
+}
+
+}  // namespace
+
 std::vector<std::string> shippedPlans() {
   std::vector<std::string> names;
-  std::error_code error;
-  for (const auto& entry : fs::directory_iterator(resourceFolder("plans"), error))
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-  std::sort(names.begin(), names.end());
+  for (const fs::path& file : filesIn("plans")) names.push_back(file.stem().string());
   return names;
 }
 
@@ -40,6 +66,37 @@ Result<std::string> findPlan(const std::string& plan) {
   return Error{fmt::format("PLAN: there is no file and no plan called \"{}\"{}; the plans are {}.", shortened(plan),
                            near.empty() ? "" : ", did you mean " + near, joinWords(names)),
                ErrorKind::File};
+}
+
+Result<std::vector<std::string>> findRecipes(const std::vector<std::string>& wanted) {
+  const auto files = filesIn("recipes");
+  std::vector<std::string> known = {"all"};
+  std::vector<std::vector<std::string>> names;  // that each file answers to
+  for (const fs::path& file : files) {
+    const auto shows = recipeShows(file.string());
+    if (!shows) return shows.error();
+    names.push_back({"all", file.stem().string()});
+    names.back().insert(names.back().end(), shows->begin(), shows->end());
+    known.insert(known.end(), names.back().begin() + 1, names.back().end());
+  }
+  std::vector<bool> chosen(files.size());
+  std::vector<std::string> paths;
+  for (const std::string& want : wanted) {
+    if (want.ends_with(".toml")) {
+      paths.push_back(want);
+      continue;
+    }
+    bool found = false;
+    for (std::size_t i = 0; i < files.size(); ++i)
+      if (std::find(names[i].begin(), names[i].end(), want) != names[i].end()) found = chosen[i] = true;
+    if (found) continue;
+    const std::string near = nearestWord(want, known);
+    return Error{fmt::format("LIST: there is no recipe for \"{}\"{}; all runs every one.", shortened(want),
+                             near.empty() ? "" : ", did you mean " + near)};
+  }
+  for (std::size_t i = 0; i < files.size(); ++i)
+    if (chosen[i]) paths.push_back(files[i].string());
+  return paths;
 }
 
 }  // namespace surefoot

@@ -12,9 +12,12 @@ namespace surefoot {
 
 /// A folder of what comes with the program, e.g. "plans"; empty if it is not there.
 std::string resourceFolder(const std::string& name);
-/// Their names, in order.
+/// The names of the plans that are there, in order.
 std::vector<std::string> shippedPlans();
 /// The file of a plan: a path, or the name of a shipped one.
 Result<std::string> findPlan(const std::string& plan);
+
+/// The files of recipes by their names, by what they show ("4.6", "table 4.2"), or "all"; each once, in order.
+Result<std::vector<std::string>> findRecipes(const std::vector<std::string>& wanted);
 
 }  // namespace surefoot

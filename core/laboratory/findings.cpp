@@ -26,17 +26,8 @@ Interval over(const std::vector<LifeMeasures>& lives, Field field) {
   return meanInterval(values).value_or(Interval{values[0], kNothing, kNothing});
 }
 
-/// What was measured of a condition, and what comparisons need besides.
-struct Measured {
-  ConditionRecord record;
-  std::vector<LifeMeasures> lives;
-  std::vector<double> falls, minutes;
-  std::string pool;  // which Q-functions its lives began with; empty: none
-  nlohmann::json configuration;
-};
-
 /// γ and the rewards of the rule of thumb, as the condition's configuration has them.
-std::optional<Interval> thresholdOf(const Measured& m, const Interval& transitions) {
+std::optional<Interval> thresholdOf(const Evidence& m, const Interval& transitions) {
   const auto& parameters = m.configuration.value("parameters", nlohmann::json::object());
   if (!parameters.contains("agent.discount") || !parameters.contains("environment.goal_reward") ||
       !std::isfinite(transitions.value))
@@ -48,13 +39,13 @@ std::optional<Interval> thresholdOf(const Measured& m, const Interval& transitio
   return Interval{rule(transitions.value), rule(transitions.high), rule(transitions.low)};
 }
 
-Finding describe(const Measured& m, std::optional<std::size_t> end, const std::vector<double>& averages) {
+Finding describe(const Evidence& m) {
   Finding f;
   f.name = m.record.condition.name, f.reference = m.record.condition.reference;
   f.lives = static_cast<int>(m.lives.size());
   f.diverged = m.record.diverged;
-  f.end = end;
-  if (end) f.largestChangeAfter = largestChangeAfter(averages, *end);
+  f.end = m.end;
+  if (m.end) f.largestChangeAfter = largestChangeAfter(m.averages, *m.end);
   f.falls = over(m.lives, [](const auto& l) { return l.falls; });
   f.minutes = over(m.lives, [](const auto& l) { return l.minutes; });
   f.allFalls = over(m.lives, [](const auto& l) { return l.allFalls; });
@@ -67,18 +58,18 @@ Finding describe(const Measured& m, std::optional<std::size_t> end, const std::v
   f.threshold = thresholdOf(m, f.successDuring);
   f.qFunctions = static_cast<int>(m.record.preLearned.size());
   for (const StoredPreLearning& p : m.record.preLearned) f.atCap += !p.reached;
-  const Groups groups = byQFunction(m.record, m.falls);
+  const Groups groups = groupsOf(m, "falls");
   if (groups.size() > 1) f.betweenQFunctions = varianceComponent({groups.begin(), groups.end()});
   return f;
 }
 
-void warn(Finding& f, const Measured& m) {
+void warn(Finding& f, const Evidence& m) {
   if (!f.end) f.warnings.push_back("learning did not end by the rule of section 4.2.1; the whole lives are measured");
   if (f.diverged > 0) f.warnings.push_back(fmt::format("{} lives diverged and are left out", f.diverged));
   if (f.atCap > 0)
     f.warnings.push_back(
         fmt::format("{} of {} Q-functions did not reach the reward of their pre-learning", f.atCap, f.qFunctions));
-  if (const auto normal = normalityTest(m.falls); normal && normal->p < 0.01)
+  if (const auto normal = normalityTest(valuesOf(m, "falls")); normal && normal->p < 0.01)
     f.warnings.push_back(
         fmt::format("falls are not normally distributed (p {:.2g}); trust the bootstrap rather than t", normal->p));
   if (f.betweenQFunctions && f.betweenQFunctions->test.p < 0.01)
@@ -88,44 +79,30 @@ void warn(Finding& f, const Measured& m) {
                     100 * f.betweenQFunctions->share));
 }
 
-Comparison compare(const Measured& reference, const Measured& other, std::optional<std::size_t> end, bool paired,
-                   std::vector<std::string>& warnings, std::uint64_t seed) {
+Comparison compare(const Evidence& reference, const Evidence& other, bool paired, std::vector<std::string>& warnings,
+                   std::uint64_t seed) {
   Comparison c;
-  const Sample a(reference.falls), b(other.falls);
-  const bool samePool = !reference.pool.empty() && reference.pool == other.pool;
-  const auto change = [](const std::vector<double>& means) { return changeInPerCent(means[0], means[1]); };
+  const auto a = valuesOf(reference, "falls"), b = valuesOf(other, "falls");
+  const bool shared = shareQFunctions(reference, other);
   const auto interval = [&](const std::vector<double>& before, const std::vector<double>& after) {
-    const std::vector<Groups> groups = {byQFunction(reference.record, before), byQFunction(other.record, after)};
     Random random(seed);
-    return bootstrap(groups, samePool && groups[0].size() == groups[1].size(), change, random);
+    return bootstrap(
+        {byQFunction(reference.record, before), byQFunction(other.record, after)}, shared,
+        [](const std::vector<double>& means) { return changeInPerCent(means[0], means[1]); }, random);
   };
-  c.change = interval(reference.falls, other.falls);
-  if (end) c.changeAtItsEnd = interval(fallsUntil(reference.record, *end), fallsUntil(other.record, *end));
+  c.change = interval(a, b);
+  if (reference.end)
+    c.changeAtItsEnd = interval(fallsUntil(reference.record, *reference.end), fallsUntil(other.record, *reference.end));
   c.anova = oneWayAnova({a, b});
   c.welch = welchTest(a, b);
-  if ((paired || samePool) && a.size() == b.size()) c.paired = pairedTest(a, b);
+  if ((paired || shared) && a.size() == b.size()) c.paired = pairedTest(a, b);
   c.effect = effectSize(a, b);
-  c.minutes = differenceInterval(reference.minutes, other.minutes);
+  c.minutes = differenceInterval(valuesOf(reference, "minutes"), valuesOf(other, "minutes"));
   if (const double sd = std::sqrt((varianceOf(a) + varianceOf(b)) / 2); sd > 0)
     c.livesNeeded = livesNeeded(sd, meanOf(b) - meanOf(a));
   if (const auto equal = brownForsytheTest({a, b}); equal && equal->p < 0.01)
     warnings.push_back(fmt::format("variances differ from the reference's (p {:.2g}); trust Welch's test", equal->p));
   return c;
-}
-
-Result<Measured> readAndMeasure(const Store& store, int condition, std::optional<std::size_t>& end,
-                                std::vector<double>& averages) {
-  auto record = readCondition(store, condition);
-  if (!record) return record.error();
-  Measured m{.record = std::move(*record), .lives = {}, .falls = {}, .minutes = {}, .pool = {}, .configuration = {}};
-  averages = meanAverageRewards(m.record);
-  end = endOfLearning(averages, m.record.condition.goalReward);
-  m.lives = measure(m.record, end);
-  for (const LifeMeasures& l : m.lives) m.falls.push_back(l.falls), m.minutes.push_back(l.minutes);
-  for (auto& life : m.record.episodes) life.shrink_to_fit();
-  m.configuration = nlohmann::json::parse(m.record.condition.configuration, nullptr, false);
-  if (m.configuration.contains("pre_learning")) m.pool = m.configuration["pre_learning"].dump();
-  return m;
 }
 
 }  // namespace
@@ -135,17 +112,15 @@ Result<Findings> findingsOf(const Store& store) {
   if (!plan) return plan.error();
   Findings findings{.plan = std::move(*plan), .complete = true, .conditions = {}};
   const auto& conditions = findings.plan.conditions;
-  std::vector<Measured> measured;
+  std::vector<Evidence> measured;
   for (int i = 0; i < static_cast<int>(conditions.size()); ++i) {
-    std::optional<std::size_t> end;
-    std::vector<double> averages;
-    auto m = readAndMeasure(store, i, end, averages);
-    if (!m) return m.error();
-    findings.conditions.push_back(describe(*m, end, averages));
-    warn(findings.conditions.back(), *m);
-    findings.complete &=
-        static_cast<int>(m->lives.size()) + m->record.diverged == conditions[static_cast<std::size_t>(i)].lives;
-    measured.push_back(std::move(*m));
+    auto evidence = readEvidence(store, i);
+    if (!evidence) return evidence.error();
+    findings.conditions.push_back(describe(*evidence));
+    warn(findings.conditions.back(), *evidence);
+    const auto lives = static_cast<int>(evidence->lives.size()) + evidence->record.diverged;
+    findings.complete &= lives == conditions[static_cast<std::size_t>(i)].lives;
+    measured.push_back(std::move(*evidence));
   }
 
   std::map<std::string, std::size_t> numbers;
@@ -155,9 +130,9 @@ Result<Findings> findingsOf(const Store& store) {
     const auto found = numbers.find(conditions[i].reference);
     if (found == numbers.end() || found->second == i) continue;
     const std::size_t r = found->second;
-    if (measured[r].falls.empty() || measured[i].falls.empty()) continue;
+    if (measured[r].lives.empty() || measured[i].lives.empty()) continue;
     Finding& f = findings.conditions[i];
-    f.comparison = compare(measured[r], measured[i], findings.conditions[r].end, findings.plan.paired, f.warnings,
+    f.comparison = compare(measured[r], measured[i], findings.plan.paired, f.warnings,
                            deriveSeed(findings.plan.seed, i, Stream::Policy));
     families[r].push_back(i);
   }

@@ -3,11 +3,10 @@
 // reference condition.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "core/laboratory/measures.h"
+#include "core/laboratory/evidence.h"
 
 namespace surefoot {
 

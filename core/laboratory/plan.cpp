@@ -89,6 +89,7 @@ Result<Plan> parsePlan(const Registry& registry, const std::string& text, const 
   plan.seed = head.seed = changes.seed.value_or(head.seed);
   plan.paired = head.paired;
   head.assignments = changes.assignments;
+  head.preset = changes.preset;
   for (const PlanBlock& block : file->blocks)
     for (const Combination& combination : combine(block)) {
       if (plan.conditions.size() >= kMostConditions)

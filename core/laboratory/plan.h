@@ -48,6 +48,7 @@ struct PlanChanges {
   std::optional<int> lives;
   std::optional<std::uint64_t> seed;
   std::vector<Assignment> assignments;  ///< for every condition
+  std::optional<std::string> preset{};  ///< of every condition and its pre-learning
 };
 
 /// Reads a plan; an error names file, line and what is allowed. Files that it names are looked for beside it.

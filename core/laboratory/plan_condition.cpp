@@ -72,6 +72,7 @@ class ConditionMaker {
       if (!status) return planError(path_, c.where.at(key)->line, status.error().message);
     }
     for (const Assignment& a : head_.assignments) assignments.push_back(a);
+    if (head_.preset) names.preset = *head_.preset;
 
     auto configuration = configure(registry_, names, assignments);
     if (!configuration) return planError(path_, line, configuration.error().message);
@@ -137,6 +138,7 @@ class ConditionMaker {
       if (!status) return planError(path_, c.where.at(fullKey)->line, "pre-learning: " + status.error().message);
     }
     if (!wanted) return Done{};
+    if (head_.preset) names.preset = *head_.preset;
     if (c.find("pre-learning.file"))
       return planError(path_, line, "pre-learning: with a file nothing is learned before; take the other keys away.");
     if (!until)

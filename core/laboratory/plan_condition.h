@@ -33,6 +33,7 @@ struct PlanHead {
   int lives = 40;
   bool paired = false;
   std::vector<Assignment> assignments;  ///< from the command line; the last word
+  std::optional<std::string> preset;    ///< likewise
 };
 
 Result<Condition> makeCondition(const Registry& registry, const std::string& path, const PlanHead& head,

@@ -47,7 +47,7 @@ class Reader {
     std::vector<PlanSetting> shared;
     for (const auto& [key, node] : root) {
       const std::string name(key.str());
-      if (name == "condition") continue;
+      if (name == "condition" || name == "figure" || name == "claim" || name == "shows") continue;
       const std::string prefix = name == "base" ? "" : name + ".";
       auto& into = name == "base" || name == "pre-learning" ? shared : file.head;
       const Status s = node.is_table() ? flatten(*node.as_table(), prefix, into, 0) : add(name, node, into);
@@ -127,6 +127,23 @@ class Reader {
   const std::string& path_;
 };
 
+nlohmann::json asJson(const toml::node& node) {
+  nlohmann::json json;
+  if (const auto* s = node.as_string()) json = s->get();
+  if (const auto* n = node.as_integer()) json = n->get();
+  if (const auto* f = node.as_floating_point()) json = f->get();
+  if (const auto* b = node.as_boolean()) json = b->get();
+  if (const auto* list = node.as_array()) {
+    json = nlohmann::json::array();
+    for (const toml::node& element : *list) json.push_back(asJson(element));
+  }
+  if (const auto* table = node.as_table()) {
+    json = nlohmann::json::object();
+    for (const auto& [key, element] : *table) json[std::string(key.str())] = asJson(element);
+  }
+  return json;
+}
+
 }  // namespace
 
 Result<PlanFile> parsePlanFile(const std::string& text, const std::string& path) {
@@ -135,6 +152,22 @@ Result<PlanFile> parsePlanFile(const std::string& text, const std::string& path)
     return planError(path, static_cast<int>(parsed.error().source().begin.line),
                      fmt::format("this is not TOML: {}.", parsed.error().description()));
   return Reader(path).read(parsed.table());
+}
+
+Result<nlohmann::json> parseRecipeBlocks(const std::string& text, const std::string& path) {
+  const toml::parse_result parsed = toml::parse(text);
+  if (!parsed) return planError(path, lineOf(parsed.table()), "this is not TOML.");
+  nlohmann::json blocks = {
+      {"shows", nlohmann::json::array()}, {"figure", nlohmann::json::array()}, {"claim", nlohmann::json::array()}};
+  for (auto& [key, value] : blocks.items()) {
+    const toml::node* node = parsed.table().get(key);
+    if (!node) continue;
+    if (!node->is_array() || (key != "shows" && !node->as_array()->is_homogeneous<toml::table>()))
+      return planError(path, lineOf(*node),
+                       fmt::format("{}: {} is expected.", key, key == "shows" ? "a list" : "[[" + key + "]]"));
+    value = asJson(*node);
+  }
+  return blocks;
 }
 
 Status unknownKey(const std::string& key, const std::vector<std::string>& known) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +31,8 @@ struct PlanFile {
 };
 
 Result<PlanFile> parsePlanFile(const std::string& text, const std::string& path);
+/// What a recipe has besides its plan: {shows: […], figure: [{…}, …], claim: [{…}, …]}.
+Result<nlohmann::json> parseRecipeBlocks(const std::string& text, const std::string& path);
 
 /// "figure.toml, line 12: …"
 Error planError(const std::string& path, int line, const std::string& sentence);

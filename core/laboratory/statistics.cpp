@@ -262,6 +262,7 @@ std::vector<double> resample(const std::vector<Groups>& conditions, bool shared,
                              const std::function<double(const std::vector<double>&)>& f, Random& random, int count) {
   std::vector<double> values, means(conditions.size());
   std::vector<std::size_t> drawn;
+  for (const Groups& groups : conditions) shared = shared && groups.size() == conditions[0].size();
   for (int i = 0; i < count; ++i) {
     for (std::size_t c = 0; c < conditions.size(); ++c) {
       if (c == 0 || !shared) {

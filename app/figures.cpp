@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/figures.h"
+
+#include <QApplication>
+
+#include "ui/figure_view.h"
+#include "ui/theme.h"
+
+namespace surefoot {
+
+struct FigureDrawer::Application {
+  int argc = 1;
+  char name[9] = "surefoot";
+  char* argv[2] = {name, nullptr};
+  QApplication qt{argc, argv};
+};
+
+FigureDrawer::FigureDrawer() {
+  qputenv("QT_QPA_PLATFORM", "offscreen");
+  qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});  // remarks on the platform
+  application_ = std::make_unique<Application>();
+  applyAppearance(application_->qt, Appearance::Light);
+}
+FigureDrawer::~FigureDrawer() = default;
+
+bool FigureDrawer::canDraw() {
+  return true;
+}
+
+Status FigureDrawer::draw(const Figure& figure, const std::string& folder) {
+  return FigureView(figure).save(folder + "/" + figure.name);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// In place of figures.cpp where the program is built without Qt.
+#include "app/figures.h"
+
+namespace surefoot {
+
+struct FigureDrawer::Application {};
+FigureDrawer::FigureDrawer() = default;
+FigureDrawer::~FigureDrawer() = default;
+
+bool FigureDrawer::canDraw() {
+  return false;
+}
+
+Status FigureDrawer::draw(const Figure&, const std::string&) {
+  return Done{};
+}
+
+}  // namespace surefoot

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/reproduction.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <filesystem>
+
+#include "core/files/whole_file.h"
+
+namespace surefoot {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+Status writeFile(const std::string& path, const std::string& content) {
+  auto file = WholeFile::createOrReplace("--out", path);
+  if (!file) return file.error();
+  return file->commit(content);
+}
+
+/// Runs what is missing of a plan into a store, and reads all of it.
+Result<std::vector<Evidence>> runAndRead(const Registry& registry, const Plan& plan, const std::string& path,
+                                         const LabOptions& lab) {
+  auto stored = planToStore(registry, plan);
+  if (!stored) return stored.error();
+  auto store = Store::missing(path) ? Store::create(path, *stored) : Store::openToWrite(path);
+  if (!store) return store.error();
+  const auto there = store->plan();
+  if (!there) return there.error();
+  if (const Status s = checkSamePlan(*there, *stored, path); !s) return s.error();
+  if (there->conditions[0].lives != plan.lives)
+    return Error{fmt::format("{}: it holds {} lives a condition and {} are asked for; name another folder.", path,
+                             there->conditions[0].lives, plan.lives),
+                 ErrorKind::File};
+  const auto result = runPlan(registry, plan, *store, lab);
+  if (!result) return result.error();
+  if (!result->complete())
+    return Error{fmt::format("interrupted; {} of {} lives are in {}, and the same command goes on.", result->livesThere,
+                             result->livesPlanned, path),
+                 ErrorKind::Interrupted};
+  std::vector<Evidence> evidence;
+  for (int i = 0; i < static_cast<int>(plan.conditions.size()); ++i) {
+    auto e = readEvidence(*store, i);
+    if (!e) return e.error();
+    evidence.push_back(std::move(*e));
+  }
+  return evidence;
+}
+
+Result<std::vector<Judgement>> judgeAll(const Recipe& recipe, const std::vector<Evidence>& evidence) {
+  std::vector<Judgement> judgements;
+  for (const Claim& claim : recipe.claims) {
+    auto judgement = judge(claim, evidence, recipe.plan.seed);
+    if (!judgement) return Error{recipe.name + ".toml: " + judgement.error().message};
+    judgements.push_back(std::move(*judgement));
+  }
+  return judgements;
+}
+
+}  // namespace
+
+Result<Reproduced> reproduce(const Registry& registry, const std::string& recipePath, const std::string& folder,
+                             const PlanChanges& changes, const LabOptions& lab,
+                             const std::function<Status(const Figure&, const std::string& folder)>& draw) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto recipe = readRecipe(registry, recipePath, changes);
+  if (!recipe) return recipe.error();
+  const std::string own = (fs::path(folder) / recipe->name).string();
+  std::error_code failed;
+  fs::create_directories(own, failed);
+  if (failed) return Error{fmt::format("--out: {} cannot be made: {}.", own, failed.message()), ErrorKind::File};
+
+  const auto evidence = runAndRead(registry, recipe->plan, own + "/results.sqlite", lab);
+  if (!evidence) return evidence.error();
+  Reproduced done{.name = recipe->name,
+                  .title = recipe->plan.title,
+                  .lives = recipe->plan.lives,
+                  .conditions = static_cast<int>(evidence->size())};
+  for (const FigureSpec& spec : recipe->figures) {
+    const auto figure = makeFigure(spec, *evidence, recipe->plan.seed);
+    if (!figure) return Error{recipe->name + ".toml: " + figure.error().message};
+    if (const Status s = writeFile(own + "/" + figure->name + ".csv", figureAsCsv(*figure)); !s) return s.error();
+    if (const Status s = draw(*figure, own); !s) return s.error();
+    done.figures.push_back(recipe->name + "/" + figure->name);
+    done.captions.push_back(figure->title);
+  }
+  auto judgements = judgeAll(*recipe, *evidence);
+  if (!judgements) return judgements.error();
+  done.judgements = std::move(*judgements);
+
+  if (recipe->calibrated()) {
+    const auto onLab = onLabPreset(registry, recipePath, changes);
+    if (!onLab) return onLab.error();
+    const auto labEvidence = runAndRead(registry, onLab->plan, own + "/results-lab.sqlite", lab);
+    if (!labEvidence) return labEvidence.error();
+    auto labJudgements = judgeAll(*onLab, *labEvidence);
+    if (!labJudgements) return labJudgements.error();
+    done.onLabPreset = std::move(*labJudgements);
+    for (const Claim& claim : onLab->claims) done.calibrated.push_back(claim.id);
+  }
+  if (const Status s = writeFile(own + "/claims.json", claimsAsJson({done})); !s) return s.error();
+  done.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return done;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A claim of the thesis, and whether our lives bear it out. Kinds, and when each agrees:
+//
+//   value         the 95 % interval of a mean overlaps the thesis's number ± tolerance (a share of it, 10 %) or ±
+//   within reduction     of the mean against the reference, in per cent: the thesis's sign, p < .01 by the analysis of
+//   variance,
+//                 and an interval that overlaps the number ± 10 points (or is at least `at_least` in size)
+//   significant   the sign and p < .01, for every condition
+//   no-difference p ≥ .01 for every condition; undecided where the interval is wider than ± 25 % of the reference
+//   order         the means rise in the order of `conditions` in at least 95 % of the resamples; differs below 5 %
+//   lowest        the first of `conditions` has the lowest mean of all, likewise
+//   pairs         the mean of every first is below that of its second: `pairs` = [[first, second], …]
+//   within-lives  of two measures of one life, `measure` is on the mean below `other`, for every condition
+//   not-longer    the interval of the difference from the reference is not wholly above 0; undecided if it reaches 25 %
+//   not-worse     no condition is significantly below the first (p < .01)
+//   ratio         the interval of mean(first)/mean(second) overlaps low … high
+//   extreme       the largest reduction of all conditions lies between low and high per cent
+//   below         the interval of the mean lies below `high`, for every condition
+//   trend         values of lives against what `along` varied: the rank correlation has the sign of `sign`, p < .01
+//   settled       the largest 250-episode change behind the end of learning lies between low and high
+//   pool          lives of one Q-function are no more alike than all (F test, p ≥ .01)
+//   spread        the means of `conditions` lie closer together than those of `others`
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "core/laboratory/evidence.h"
+
+namespace surefoot {
+
+/// As a recipe states it.
+struct Claim {
+  std::string id, kind, says;
+  nlohmann::json arguments;  ///< thesis, conditions, measure, …
+  bool calibrated = false;   ///< the default preset was fitted to it: judged on the lab preset, too
+};
+
+enum class Verdict { Agrees, Differs, Undecided };
+const char* nameOf(Verdict verdict);
+
+struct Judgement {
+  std::string id, says, note;
+  nlohmann::json thesis;                     ///< a number, a text or null
+  std::optional<double> ours, low, high, p;  ///< the worst p of several
+  Verdict verdict = Verdict::Undecided;
+};
+
+/// `conditions` may hold patterns, "TRL *". An error names the claim and what is wrong with it.
+Result<Judgement> judge(const Claim& claim, const std::vector<Evidence>& evidence, std::uint64_t seed);
+
+nlohmann::ordered_json judgementAsJson(const Judgement& judgement);
+
+/// Whether a name fits a pattern, in which * stands for anything.
+bool fits(std::string_view name, std::string_view pattern);
+
+}  // namespace surefoot

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A condition's results as comparisons need them.
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "core/laboratory/measures.h"
+
+namespace surefoot {
+
+struct Evidence {
+  ConditionRecord record;
+  std::vector<double> averages;    ///< A(k); [k − 1]
+  std::optional<std::size_t> end;  ///< of learning
+  std::vector<LifeMeasures> lives;
+  std::string pool;              ///< which Q-functions its lives began with; empty: none
+  nlohmann::json configuration;  ///< as the store has it
+
+  const std::string& name() const { return record.condition.name; }
+  bool hasPool() const { return !pool.empty(); }
+};
+
+Result<Evidence> readEvidence(const Store& store, int condition);
+
+/// The names of what is measured of a life: falls, minutes, all_falls, end_performance, average_reward, success_during,
+/// success_after, failure_during, failure_after.
+std::vector<std::string> measureNames();
+/// One value a life; NaN where a life has none. Empty for a name that is not there.
+std::vector<double> valuesOf(const Evidence& evidence, std::string_view measure);
+
+/// Values of lives as the bootstrap wants them, without those that are NaN.
+Groups groupsOf(const Evidence& evidence, std::string_view measure);
+/// Both began with the same Q-functions, so that these are drawn together.
+bool shareQFunctions(const Evidence& a, const Evidence& b);
+/// Mean with its 95 % interval: by Student's t where lives are independent, else the bootstrap's.
+Interval meanOf(const Evidence& evidence, std::string_view measure, std::uint64_t seed);
+
+}  // namespace surefoot

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/laboratory/figure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+
+#include "core/laboratory/claim.h"
+#include "core/parameters.h"
+
+namespace surefoot {
+
+namespace {
+
+constexpr std::size_t kPoints = 361;  // of a curve against time
+
+/// What an axis of a measure is called.
+std::string titleOf(const std::string& measure) {
+  static const std::map<std::string, std::string> kTitles = {
+      {"falls", "falls during learning"},
+      {"minutes", "learning time [min]"},
+      {"all_falls", "falls of a life"},
+      {"end_performance", "falls per episode, last 500"},
+      {"average_reward", "average reward at the end"},
+      {"success_during", "transitions of a success, during learning"},
+      {"success_after", "transitions of a success, after learning"},
+      {"failure_during", "transitions of a failure, during learning"},
+      {"failure_after", "transitions of a failure, after learning"}};
+  const auto found = kTitles.find(measure);
+  return found == kTitles.end() ? measure : found->second;
+}
+
+std::string policyOf(const Evidence& e) {
+  return e.configuration.value("policy", "");
+}
+
+double parameterOf(const Evidence& e, const std::string& key) {
+  const auto& parameters = e.configuration.value("parameters", nlohmann::json::object());
+  return parameters.contains(key) && parameters[key].is_number() ? parameters[key].get<double>() : std::nan("");
+}
+
+/// |A(k) − A(k − 250)| against k, from 251 on.
+Curve settlingOf(const Evidence& e) {
+  constexpr std::size_t kSpan = 250;
+  Curve curve;
+  for (std::size_t k = kSpan + 1; k <= e.averages.size(); ++k) {
+    const double change = std::abs(e.averages[k - 1] - e.averages[k - 1 - kSpan]);
+    curve.x.push_back(static_cast<double>(k));
+    curve.y.push_back({change, change, change});
+  }
+  return curve;
+}
+
+using Chosen = std::vector<const Evidence*>;
+
+void addCurves(Figure& figure, const std::string& kind, const Chosen& chosen) {
+  figure.xTitle = kind == "reward-against-falls" ? "falls" : kind == "settling" ? "episodes" : "simulated time [min]";
+  figure.yTitle = kind == "cumulative-falls" ? "falls so far"
+                  : kind == "settling"       ? "change in 250 episodes"
+                                             : "average reward";
+  for (const Evidence* e : chosen) {
+    Curve curve = kind == "learning-curve"         ? learningCurve(e->record, kPoints)
+                  : kind == "reward-against-falls" ? rewardAgainstFalls(e->record)
+                  : kind == "settling"             ? settlingOf(*e)
+                                                   : cumulativeFalls(e->record, kPoints);
+    figure.series.push_back({e->name(), policyOf(*e), std::move(curve.x), std::move(curve.y), {}});
+  }
+}
+
+bool differs(const Evidence& e, const std::vector<Evidence>& all, const std::string& measure) {
+  for (const Evidence& reference : all) {
+    if (reference.name() != e.record.condition.reference || &reference == &e) continue;
+    const auto a = valuesOf(reference, measure), b = valuesOf(e, measure);
+    const auto test = oneWayAnova({a, b});
+    return test && test->p < 0.01;
+  }
+  return false;
+}
+
+void addBars(Figure& figure, const FigureSpec& spec, const Chosen& chosen, const std::vector<Evidence>& all,
+             std::uint64_t seed) {
+  figure.bars = true;
+  figure.yTitle = titleOf(spec.measure);
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    const Evidence& e = *chosen[i];
+    figure.labels.push_back(e.name());
+    figure.series.push_back({e.name(),
+                             policyOf(e),
+                             {static_cast<double>(i)},
+                             {meanOf(e, spec.measure, seed)},
+                             {differs(e, all, spec.measure)}});
+  }
+}
+
+Status addAgainst(Figure& figure, const FigureSpec& spec, const Chosen& chosen, std::uint64_t seed) {
+  figure.xTitle = spec.along;
+  figure.yTitle = titleOf(spec.measure);
+  FigureSeries series{.name = titleOf(spec.measure), .policy = policyOf(*chosen[0]), .x = {}, .y = {}, .marked = {}};
+  std::map<double, const Evidence*> inOrder;
+  for (const Evidence* e : chosen) {
+    const double x = parameterOf(*e, spec.along);
+    if (!std::isfinite(x))
+      return Error{fmt::format("figure {}: along: \"{}\" is no number of {}.", spec.name, spec.along, e->name())};
+    inOrder[x] = e;
+  }
+  for (const auto& [x, e] : inOrder) series.x.push_back(x), series.y.push_back(meanOf(*e, spec.measure, seed));
+  figure.series.push_back(std::move(series));
+  return Done{};
+}
+
+}  // namespace
+
+Result<Figure> makeFigure(const FigureSpec& spec, const std::vector<Evidence>& evidence, std::uint64_t seed) {
+  Chosen chosen;
+  for (const Evidence& e : evidence) {
+    const bool wanted =
+        spec.conditions.empty() || std::any_of(spec.conditions.begin(), spec.conditions.end(),
+                                               [&](const std::string& pattern) { return fits(e.name(), pattern); });
+    if (wanted && !e.lives.empty()) chosen.push_back(&e);
+  }
+  if (chosen.empty()) return Error{fmt::format("figure {}: no condition fits.", spec.name)};
+  const auto measures = measureNames();
+  if (std::find(measures.begin(), measures.end(), spec.measure) == measures.end())
+    return Error{fmt::format("figure {}: measure: there is no \"{}\"; it takes {}.", spec.name, spec.measure,
+                             joinWords(measures, "or"))};
+
+  Figure figure{.name = spec.name, .title = spec.title, .xTitle = {}, .yTitle = {}, .labels = {}, .series = {}};
+  const std::vector<std::string> curves = {"learning-curve", "reward-against-falls", "cumulative-falls", "settling"};
+  if (std::find(curves.begin(), curves.end(), spec.kind) != curves.end())
+    addCurves(figure, spec.kind, chosen);
+  else if (spec.kind == "bars")
+    addBars(figure, spec, chosen, evidence, seed);
+  else if (spec.kind != "against")
+    return Error{fmt::format("figure {}: there is no kind \"{}\".", spec.name, spec.kind)};
+  else if (const Status s = addAgainst(figure, spec, chosen, seed); !s)
+    return s.error();
+  return figure;
+}
+
+std::string figureAsCsv(const Figure& figure) {
+  fmt::memory_buffer out;
+  const auto to = std::back_inserter(out);
+  fmt::format_to(to, "series,{},value,low,high\n", figure.bars ? "bar" : "x");
+  for (const FigureSeries& s : figure.series) {
+    std::string name = s.name;
+    for (std::size_t i = name.find('"'); i != std::string::npos; i = name.find('"', i + 2)) name.insert(i, 1, '"');
+    for (std::size_t i = 0; i < s.x.size(); ++i)
+      fmt::format_to(to, "\"{}\",{:.9g},{:.9g},{:.9g},{:.9g}\n", name, s.x[i], s.y[i].value, s.y[i].low, s.y[i].high);
+  }
+  return fmt::to_string(out);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a figure shows, as numbers: for its CSV and for whoever draws it. Kinds: learning-curve, reward-against-falls,
+// cumulative-falls (curves with 95 % bands), settling (|A(k) − A(k − 250)| against episodes), bars (the mean of a
+// measure, an X where it differs from the reference with p < .01), against (the mean of a measure against a varied
+// parameter).
+#pragma once
+
+#include "core/laboratory/evidence.h"
+
+namespace surefoot {
+
+/// As a recipe states it.
+struct FigureSpec {
+  std::string name;  ///< "4.5a"
+  std::string title, kind;
+  std::vector<std::string> conditions;  ///< names or patterns; empty: all
+  std::string measure = "falls";        ///< of bars and against
+  std::string along;                    ///< of against: the key of the parameter
+};
+
+struct FigureSeries {
+  std::string name, policy;
+  std::vector<double> x;
+  std::vector<Interval> y;
+  std::vector<bool> marked;  ///< bars: differs from the reference
+};
+
+struct Figure {
+  std::string name, title, xTitle, yTitle;
+  bool bars = false;
+  std::vector<std::string> labels;  ///< of bars, one each
+  std::vector<FigureSeries> series;
+};
+
+/// An error names the figure and what is wrong with it.
+Result<Figure> makeFigure(const FigureSpec& spec, const std::vector<Evidence>& evidence, std::uint64_t seed);
+
+/// A row a point: series, x, value, low, high.
+std::string figureAsCsv(const Figure& figure);
+
+}  // namespace surefoot

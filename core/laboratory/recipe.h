@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A recipe: a plan, what to draw of its results, and which claims of the thesis they are held against. One TOML file:
+// a plan with [[figure]] and [[claim]] blocks and, at the top, the list `shows` of the thesis's figures and tables.
+#pragma once
+
+#include "core/laboratory/claim.h"
+#include "core/laboratory/figure.h"
+#include "core/laboratory/plan.h"
+
+namespace surefoot {
+
+struct Recipe {
+  std::string name;                ///< of its file
+  std::vector<std::string> shows;  ///< "4.4", "table 4.2"
+  Plan plan;
+  std::vector<FigureSpec> figures;
+  std::vector<Claim> claims;
+
+  bool calibrated() const;  ///< some claim is judged on the lab preset, too
+};
+
+/// What the thesis calls that which a recipe shows: figures and tables.
+Result<std::vector<std::string>> recipeShows(const std::string& path);
+
+Result<Recipe> readRecipe(const Registry& registry, const std::string& path, const PlanChanges& changes);
+
+/// The part of the plan that the calibrated claims need, on the lab preset.
+Result<Recipe> onLabPreset(const Registry& registry, const std::string& path, const PlanChanges& changes);
+
+}  // namespace surefoot

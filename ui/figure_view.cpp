@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/figure_view.h"
+
+#include <QBuffer>
+#include <QPaintEvent>
+#include <QPainterPath>
+#include <QPdfWriter>
+#include <algorithm>
+#include <cmath>
+
+#include "core/files/whole_file.h"
+#include "core/text.h"
+#include "ui/learning_charts.h"
+#include "ui/symbol_text.h"
+#include "ui/theme.h"
+
+namespace surefoot {
+
+namespace {
+
+constexpr double kLeft = 64, kTop = 40, kBottom = 48, kLegend = 190;  // gutters [px]
+constexpr double kRow = 22, kBarLabels = 210;                         // of bars [px]
+
+/// A value on an axis whose ticks are so far apart.
+QString tickText(double value, double step) {
+  return toText(step < 0.1 ? fixedText(value, 2) : step < 1 ? fixedText(value, 1) : countText(value));
+}
+
+}  // namespace
+
+FigureView::FigureView(Figure figure, QWidget* parent) : QWidget(parent), figure_(std::move(figure)) {
+  chooseRanges();
+  setAccessibleName(toText(figure_.title));
+}
+
+QSize FigureView::sizeHint() const {
+  if (!figure_.bars) return {760, 420};
+  return {760, static_cast<int>(kTop + kBottom + kRow * static_cast<double>(figure_.series.size()))};
+}
+
+void FigureView::chooseRanges() {
+  double low = 0, high = 0, right = 0;
+  xLeast_ = figure_.series.empty() || figure_.series[0].x.empty() ? 0 : std::min(0.0, figure_.series[0].x[0]);
+  for (const FigureSeries& s : figure_.series)
+    for (std::size_t i = 0; i < s.x.size(); ++i) {
+      right = std::max(right, s.x[i]);
+      // Bands of two or three lives would squeeze everything else.
+      if (std::isfinite(s.y[i].value)) low = std::min(low, s.y[i].value), high = std::max(high, s.y[i].value);
+      if (figure_.bars && std::isfinite(s.y[i].high)) high = std::max(high, s.y[i].high);
+      if (figure_.bars && std::isfinite(s.y[i].low)) low = std::min(low, s.y[i].low);
+    }
+  const double step = niceAbove(std::max(high - low, 1e-9) / 6);
+  yLeast_ = std::floor(low / step) * step;
+  yMost_ = std::ceil(high / step * 1.0001) * step;
+  xMost_ = right > xLeast_ ? right : xLeast_ + 1;
+}
+
+QPointF FigureView::at(double x, double y, const QRectF& plot) const {
+  return {plot.left() + (x - xLeast_) / (xMost_ - xLeast_) * plot.width(),
+          plot.bottom() - (y - yLeast_) / (yMost_ - yLeast_) * plot.height()};
+}
+
+// Curves of one policy are told apart by lightness and dashes.
+QPen FigureView::penOf(std::size_t series, const Theme& t) const {
+  const FigureSeries& s = figure_.series[series];
+  int before = 0, all = 0;
+  for (std::size_t i = 0; i < figure_.series.size(); ++i) {
+    if (figure_.series[i].policy != s.policy) continue;
+    before += i < series;
+    ++all;
+  }
+  QColor colour = policyLook(s.policy, t).colour;
+  if (all > 1) {
+    const double part = static_cast<double>(before) / (all - 1);  // 0: dark … 1: light
+    colour = QColor::fromHslF(colour.hslHueF(), colour.hslSaturationF(), static_cast<float>(0.2 + 0.4 * part));
+  }
+  QPen pen(colour, 1.6);
+  static const QList<qreal> kDashes[] = {{}, {6, 3}, {2, 2}, {8, 3, 2, 3}};
+  if (!kDashes[before % 4].isEmpty()) pen.setDashPattern(kDashes[before % 4]);
+  pen.setJoinStyle(Qt::RoundJoin);
+  return pen;
+}
+
+void FigureView::paintEvent(QPaintEvent*) {
+  QPainter p(this);
+  paint(p, themeOf(*this));
+}
+
+void FigureView::paint(QPainter& p, const Theme& t) const {
+  p.setRenderHint(QPainter::Antialiasing);
+  p.fillRect(rect(), t.panel);
+  p.setFont(textFont(13, 500));
+  p.setPen(t.ink);
+  drawSymbol(p, QRectF(16, 8, width() - 32, 20), Qt::AlignLeft, toText(figure_.title));
+  if (figure_.bars) return paintBars(p, t);
+  const QRectF plot(kLeft, kTop, width() - kLeft - kLegend, height() - kTop - kBottom);
+  paintAxes(p, t, plot);
+  paintCurves(p, t, plot);
+  paintLegend(p, t, plot);
+}
+
+void FigureView::paintAxes(QPainter& p, const Theme& t, const QRectF& plot) const {
+  p.setFont(textFont(11));
+  const double yStep = niceAbove((yMost_ - yLeast_) / 6.0001);
+  for (double y = std::ceil(yLeast_ / yStep - 1e-9) * yStep; y <= yMost_ + 1e-9; y += yStep) {
+    const double line = std::round(at(0, y, plot).y()) + 0.5;
+    p.setPen(QPen(t.hairline, 1));
+    p.drawLine(QPointF(plot.left(), line), QPointF(plot.right(), line));
+    p.setPen(t.quiet);
+    drawSymbol(p, QRectF(plot.left() - 56, line - 8, 48, 16), Qt::AlignRight, tickText(y, yStep));
+  }
+  const double base = std::round(plot.bottom()) + 0.5;
+  p.setPen(QPen(t.outline, 1));
+  p.drawLine(QPointF(plot.left(), base), QPointF(plot.right(), base));
+  const double xStep = niceAbove((xMost_ - xLeast_) / 8.0001);
+  for (double x = std::ceil(xLeast_ / xStep - 1e-9) * xStep; x <= xMost_ + 1e-9; x += xStep) {
+    const double tick = at(x, 0, plot).x();
+    p.setPen(QPen(t.outline, 1));
+    p.drawLine(QPointF(tick, base), QPointF(tick, base + 4));
+    p.setPen(t.quiet);
+    drawSymbol(p, QRectF(tick - 30, base + 5, 60, 16), Qt::AlignHCenter, tickText(x, xStep));
+  }
+  p.drawText(QRectF(plot.left(), base + 22, plot.width(), 16), Qt::AlignHCenter | Qt::AlignVCenter,
+             toText(figure_.xTitle));
+  p.save();
+  p.translate(14, plot.center().y());
+  p.rotate(-90);
+  p.drawText(QRectF(-plot.height() / 2, -8, plot.height(), 16), Qt::AlignCenter, toText(figure_.yTitle));
+  p.restore();
+}
+
+void FigureView::paintCurves(QPainter& p, const Theme& t, const QRectF& plot) const {
+  p.save();
+  p.setClipRect(plot.adjusted(-4, -4, 4, 4));
+  const bool points = figure_.series.size() == 1 && figure_.series[0].x.size() < 30;
+  for (std::size_t i = 0; i < figure_.series.size(); ++i) {
+    const FigureSeries& s = figure_.series[i];
+    if (s.x.empty()) continue;
+    const QPen pen = penOf(i, t);
+    QPainterPath line(at(s.x[0], s.y[0].value, plot));
+    QPolygonF band;
+    for (std::size_t k = 0; k < s.x.size(); ++k) {
+      line.lineTo(at(s.x[k], s.y[k].value, plot));
+      band << at(s.x[k], s.y[k].high, plot);
+    }
+    for (std::size_t k = s.x.size(); k-- > 0;) band << at(s.x[k], s.y[k].low, plot);
+    QColor wash = pen.color();
+    wash.setAlphaF(0.10f);
+    p.setPen(Qt::NoPen);
+    p.setBrush(wash);
+    if (!points) p.drawPolygon(band);
+    p.setBrush(Qt::NoBrush);
+    p.setPen(pen);
+    p.drawPath(line);
+    if (!points) continue;
+    for (std::size_t k = 0; k < s.x.size(); ++k) {
+      p.setPen(QPen(pen.color(), 1.2));
+      p.drawLine(at(s.x[k], s.y[k].low, plot), at(s.x[k], s.y[k].high, plot));
+      p.setBrush(pen.color());
+      p.drawEllipse(at(s.x[k], s.y[k].value, plot), 3, 3);
+      p.setBrush(Qt::NoBrush);
+    }
+  }
+  p.restore();
+}
+
+void FigureView::paintLegend(QPainter& p, const Theme& t, const QRectF& plot) const {
+  if (figure_.series.size() == 1 && !figure_.series[0].x.empty() && figure_.series[0].x.size() < 30) return;
+  p.setFont(textFont(11));
+  double y = plot.top();
+  for (std::size_t i = 0; i < figure_.series.size(); ++i, y += 18) {
+    p.setPen(penOf(i, t));
+    p.drawLine(QPointF(plot.right() + 14, y + 8), QPointF(plot.right() + 40, y + 8));
+    p.setPen(t.ink);
+    const QString name =
+        p.fontMetrics().elidedText(toText(figure_.series[i].name), Qt::ElideMiddle, static_cast<int>(kLegend) - 56);
+    drawSymbol(p, QRectF(plot.right() + 46, y, kLegend - 50, 16), Qt::AlignLeft, name);
+  }
+}
+
+void FigureView::paintBars(QPainter& p, const Theme& t) const {
+  const QRectF plot(kBarLabels, kTop, width() - kBarLabels - 90, kRow * static_cast<double>(figure_.series.size()));
+  const auto xOf = [&](double value) { return plot.left() + (value - yLeast_) / (yMost_ - yLeast_) * plot.width(); };
+  p.setFont(textFont(11));
+  const double step = niceAbove((yMost_ - yLeast_) / 6.0001);
+  for (double v = std::ceil(yLeast_ / step - 1e-9) * step; v <= yMost_ + 1e-9; v += step) {
+    const double x = std::round(xOf(v)) + 0.5;
+    p.setPen(QPen(t.hairline, 1));
+    p.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
+    p.setPen(t.quiet);
+    drawSymbol(p, QRectF(x - 30, plot.bottom() + 4, 60, 16), Qt::AlignHCenter, tickText(v, step));
+  }
+  p.drawText(QRectF(plot.left(), plot.bottom() + 22, plot.width(), 16), Qt::AlignCenter, toText(figure_.yTitle));
+  for (std::size_t i = 0; i < figure_.series.size(); ++i) {
+    const FigureSeries& s = figure_.series[i];
+    const double y = plot.top() + kRow * static_cast<double>(i), middle = y + kRow / 2;
+    const Interval& v = s.y[0];
+    p.setPen(t.ink);
+    drawSymbol(p, QRectF(16, y, kBarLabels - 26, kRow), Qt::AlignRight,
+               p.fontMetrics().elidedText(toText(s.name), Qt::ElideMiddle, static_cast<int>(kBarLabels) - 26));
+    if (!std::isfinite(v.value)) continue;
+    p.setPen(Qt::NoPen);
+    p.setBrush(policyLook(s.policy, t).colour);
+    p.drawRect(QRectF(QPointF(xOf(std::min(0.0, v.value)), y + 5), QPointF(xOf(std::max(0.0, v.value)), y + kRow - 5)));
+    p.setPen(QPen(t.ink, 1.2));
+    p.drawLine(QPointF(xOf(v.low), middle), QPointF(xOf(v.high), middle));
+    for (const double end : {v.low, v.high}) p.drawLine(QPointF(xOf(end), middle - 3), QPointF(xOf(end), middle + 3));
+    QString text = toText(std::abs(v.value) < 10 ? fixedText(v.value, 2) : fixedText(v.value, 1));
+    if (!s.marked.empty() && s.marked[0]) text += QStringLiteral("  X");
+    drawSymbol(p, QRectF(xOf(v.high) + 8, y, 90, kRow), Qt::AlignLeft, text);
+  }
+}
+
+Status FigureView::save(const std::string& path) {
+  resize(sizeHint());
+  const Theme& t = themeOf(*this);
+  QByteArray png, pdf;
+  {
+    QImage image(size() * 2, QImage::Format_RGB32);
+    image.setDevicePixelRatio(2);
+    QPainter p(&image);
+    paint(p, t);
+    p.end();
+    QBuffer buffer(&png);
+    image.save(&buffer, "PNG");
+  }
+  {
+    QBuffer buffer(&pdf);
+    buffer.open(QIODevice::WriteOnly);
+    QPdfWriter writer(&buffer);
+    constexpr int kPointsPerInch = 72, kPixelsPerInch = 96;
+    writer.setResolution(kPixelsPerInch);
+    writer.setPageSize(QPageSize(QSizeF(size()) * kPointsPerInch / kPixelsPerInch, QPageSize::Point));
+    writer.setPageMargins({});
+    writer.setTitle(toText(figure_.title));
+    QPainter p(&writer);
+    paint(p, t);
+  }
+  for (const auto& [ending, bytes] : {std::pair<const char*, const QByteArray&>{".png", png}, {".pdf", pdf}}) {
+    auto file = WholeFile::createOrReplace("figure", path + ending);
+    if (!file) return file.error();
+    if (const Status s = file->commit({bytes.constData(), static_cast<std::size_t>(bytes.size())}); !s) return s;
+  }
+  return Done{};
+}
+
+}  // namespace surefoot

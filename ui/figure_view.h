@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A figure of the laboratory: curves with their 95 % bands, or bars with intervals.
+#pragma once
+
+#include <QPainter>
+#include <QWidget>
+
+#include "core/laboratory/figure.h"
+
+namespace surefoot {
+
+struct Theme;
+
+class FigureView final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit FigureView(Figure figure, QWidget* parent = nullptr);
+  QSize sizeHint() const override;
+
+  /// Writes NAME.png (twice the size on the screen) and NAME.pdf; a path without its ending.
+  Status save(const std::string& path);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void paint(QPainter& p, const Theme& t) const;
+  void paintCurves(QPainter& p, const Theme& t, const QRectF& plot) const;
+  void paintBars(QPainter& p, const Theme& t) const;
+  void paintLegend(QPainter& p, const Theme& t, const QRectF& plot) const;
+  void paintAxes(QPainter& p, const Theme& t, const QRectF& plot) const;
+  QPen penOf(std::size_t series, const Theme& t) const;
+  QPointF at(double x, double y, const QRectF& plot) const;
+  void chooseRanges();
+
+  Figure figure_;
+  double xLeast_ = 0, xMost_ = 1, yLeast_ = 0, yMost_ = 1;
+};
+
+}  // namespace surefoot
