@@ -7,6 +7,7 @@
 #include <QPdfWriter>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/files/whole_file.h"
 #include "core/text.h"
@@ -39,7 +40,8 @@ QSize FigureView::sizeHint() const {
 }
 
 void FigureView::chooseRanges() {
-  double low = 0, high = 0, right = 0;
+  const double huge = std::numeric_limits<double>::max();
+  double low = figure_.bars ? 0 : huge, high = figure_.bars ? 0 : -huge, right = 0;
   xLeast_ = figure_.series.empty() || figure_.series[0].x.empty() ? 0 : std::min(0.0, figure_.series[0].x[0]);
   for (const FigureSeries& s : figure_.series)
     for (std::size_t i = 0; i < s.x.size(); ++i) {
@@ -49,6 +51,8 @@ void FigureView::chooseRanges() {
       if (figure_.bars && std::isfinite(s.y[i].high)) high = std::max(high, s.y[i].high);
       if (figure_.bars && std::isfinite(s.y[i].low)) low = std::min(low, s.y[i].low);
     }
+  if (low > high) low = 0, high = 1;  // nothing to show
+  if (low > 0 && low < 0.5 * high) low = 0;
   const double step = niceAbove(std::max(high - low, 1e-9) / 6);
   yLeast_ = std::floor(low / step) * step;
   yMost_ = std::ceil(high / step * 1.0001) * step;
@@ -71,8 +75,11 @@ QPen FigureView::penOf(std::size_t series, const Theme& t) const {
   }
   QColor colour = policyLook(s.policy, t).colour;
   if (all > 1) {
-    const double part = static_cast<double>(before) / (all - 1);  // 0: dark … 1: light
-    colour = QColor::fromHslF(colour.hslHueF(), colour.hslSaturationF(), static_cast<float>(0.2 + 0.4 * part));
+    const double part = 1.4 * before / (all - 1) - 0.7;  // −0.7: towards black … 0.7: towards the paper
+    const QColor& other = part < 0 ? QColor(Qt::black) : t.panel;
+    const auto mix = [&](int a, int b) { return static_cast<int>(a + std::abs(part) * (b - a)); };
+    colour =
+        QColor(mix(colour.red(), other.red()), mix(colour.green(), other.green()), mix(colour.blue(), other.blue()));
   }
   QPen pen(colour, 1.6);
   static const QList<qreal> kDashes[] = {{}, {6, 3}, {2, 2}, {8, 3, 2, 3}};

@@ -54,16 +54,22 @@ Curve overLives(std::vector<double> x, const std::vector<std::vector<double>>& l
   return curve;
 }
 
-/// What `value` gives after every episode, at moments spread evenly up to the end of the shortest life; 0 before the
-/// first episode is over.
+/// What `value` gives after every episode, at moments spread evenly up to the end of the shortest life, from that on at
+/// which all have finished an episode.
 Curve againstMinutes(const ConditionRecord& record, std::size_t points,
                      const std::function<std::vector<double>(const std::vector<StoredEpisode>&)>& value) {
-  double length = std::numeric_limits<double>::infinity();
-  for (const auto& episodes : record.episodes)
+  double first = 0, length = std::numeric_limits<double>::infinity();
+  for (const auto& episodes : record.episodes) {
+    if (episodes.empty()) return {};
+    first = std::max(first, minutesOf({episodes.data(), 1}, record.condition.stepTime));
     length = std::min(length, minutesOf(episodes, record.condition.stepTime));
+  }
   if (!std::isfinite(length) || points < 2) return {};
-  std::vector<double> x(points);
-  for (std::size_t i = 0; i < points; ++i) x[i] = length * static_cast<double>(i) / static_cast<double>(points - 1);
+  std::vector<double> x;
+  for (std::size_t i = 0; i < points; ++i) {
+    const double moment = length * static_cast<double>(i) / static_cast<double>(points - 1);
+    if (moment >= first) x.push_back(moment);
+  }
   std::vector<std::vector<double>> lives;
   for (const auto& episodes : record.episodes) {
     const auto values = value(episodes);
@@ -76,7 +82,7 @@ Curve againstMinutes(const ConditionRecord& record, std::size_t points,
         if (next > moment * (1 + 1e-12)) break;
         minutes = next, ++over;
       }
-      y.push_back(over == 0 ? 0.0 : values[over - 1]);
+      y.push_back(values[over - 1]);
     }
   }
   return overLives(std::move(x), lives);

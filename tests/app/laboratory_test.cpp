@@ -141,6 +141,61 @@ TEST_F(LaboratoryCommands, ShippedPlansAreFoundByNameAndAreSound) {
   }
 }
 
+TEST_F(LaboratoryCommands, EveryRecipeIsASoundPlan) {
+  int recipes = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(SUREFOOT_SOURCE) + "/resources/recipes")) {
+    const Finished plan = surefoot("experiment " + entry.path().string() + " --dry-run");
+    EXPECT_EQ(plan.code, 0) << plan.err;
+    ++recipes;
+  }
+  EXPECT_GT(recipes, 15);
+}
+
+TEST_F(LaboratoryCommands, ReproduceRunsDrawsJudgesAndReports) {
+  const std::string out = file("rep");
+  const Finished first = surefoot("reproduce 4.3 --lives 3 --out " + out);
+  ASSERT_EQ(first.code, 0) << first.err;
+  const auto claims = nlohmann::json::parse(contentOf(out + "/claims.json"));
+  ASSERT_GT(claims.size(), 5u);
+  EXPECT_EQ(claims[0]["id"], "B1");
+  EXPECT_EQ(claims[0]["thesis"], 290);
+  EXPECT_TRUE(claims[0]["low"].is_number());
+  for (const auto& claim : claims) {
+    const std::string verdict = claim["verdict"];
+    EXPECT_TRUE(verdict == "agrees" || verdict == "differs" || verdict == "undecided") << verdict;
+  }
+  EXPECT_TRUE(std::any_of(claims.begin(), claims.end(), [](const auto& c) { return c["preset"] == "lab"; }));
+  EXPECT_GT(contentOf(out + "/4.3/4.3a.csv").size(), 1000u);
+  const std::string html = contentOf(out + "/report.html");
+  EXPECT_NE(html.find("B11"), std::string::npos);
+  if (first.err.empty()) {  // built with its window
+    EXPECT_EQ(contentOf(out + "/4.3/4.3a.png").substr(1, 3), "PNG");
+    EXPECT_EQ(contentOf(out + "/4.3/4.3a.pdf").substr(0, 4), "%PDF");
+    EXPECT_NE(html.find("data:image/png;base64,iVBOR"), std::string::npos);
+  }
+  const Finished again = surefoot("reproduce 4.3 --lives 3 --out " + out);
+  EXPECT_EQ(again.code, 0) << again.err;
+  EXPECT_EQ(nlohmann::json::parse(contentOf(out + "/claims.json")), claims) << "from what is there already";
+  expectRefusal("reproduce 4.3 --lives 4 --out " + out, 3, {"3 lives", "4"});
+  expectRefusal("reproduce", 2, {"LIST"});
+  expectRefusal("reproduce 9.9", 2, {"9.9"});
+  expectRefusal("reproduce 4.3 --lives none", 2, {"--lives"});
+}
+
+TEST_F(LaboratoryCommands, AWrongRecipeIsRefusedInASentence) {
+  const auto refuse = [&](const std::string& more, const std::vector<std::string>& words) {
+    std::ofstream(file("r.toml")) << "lives = 2\n[[condition]]\nname = \"a\"\nminutes = 0.1\n" << more;
+    expectRefusal("reproduce " + file("r.toml") + " --out " + file("out"), 2, words);
+  };
+  refuse("[[figure]]\nname = \"f\"\nkind = \"pie\"\n", {"figure f", "pie"});
+  refuse("[[figure]]\nname = \"../f\"\nkind = \"bars\"\n", {"slash"});
+  refuse("[[figure]]\nname = \"f\"\nkind = \"bars\"\ncolour = 3\n", {"colour"});
+  refuse("[[figure]]\nname = \"f\"\nkind = \"bars\"\nconditions = [\"b\"]\n", {"no condition fits"});
+  refuse("[[claim]]\nid = \"X\"\nkind = \"value\"\nthesis = 3\nconditions = [\"b\"]\n", {"claim X", "b"});
+  refuse("[[claim]]\nkind = \"value\"\n", {"id"});
+  refuse("[claim]\nid = \"X\"\n", {"claim", "[[claim]]"});
+}
+
 TEST_F(LaboratoryCommands, WhatCannotBeIsRefusedInASentence) {
   const std::string plan = file("plan.toml"), store = file("r.sqlite");
   experiment("--lives 2 --out " + store);

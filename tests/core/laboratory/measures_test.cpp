@@ -88,12 +88,11 @@ TEST(Measures, RewardAgainstFallsKeepsTheLastValueOfALifeWithFewer) {
 TEST(Measures, LearningCurveEndsWithTheShortestLife) {
   const auto record = recordOf({{fall(100), success(100)}, {success(100), success(100), success(100)}});
   const Curve curve = learningCurve(record, 3);
-  ASSERT_EQ(curve.x, (std::vector<double>{0, 1, 2}));
-  EXPECT_EQ(curve.y[0].value, 0) << "nothing is over yet";
-  EXPECT_EQ(curve.y[1].value, (-100 + 200) / 2.0);
-  EXPECT_EQ(curve.y[2].value, (50 + 200) / 2.0);
+  ASSERT_EQ(curve.x, (std::vector<double>{1, 2})) << "nothing is over at 0";
+  EXPECT_EQ(curve.y[0].value, (-100 + 200) / 2.0);
+  EXPECT_EQ(curve.y[1].value, (50 + 200) / 2.0);
   const Curve falls = cumulativeFalls(record, 3);
-  EXPECT_EQ(falls.y[2].value, 0.5);
+  EXPECT_EQ(falls.y[1].value, 0.5);
 }
 
 TEST(Measures, LivesOfOneQFunctionStandTogether) {

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Verdicts on lives made by hand, whose means are known.
+#include "core/laboratory/claim.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace surefoot {
+
+namespace {
+
+/// A condition whose 20 lives fall about `mean` times, a little more or less (± 10 %), in one long quiet life.
+Evidence condition(const std::string& name, double mean, const std::string& reference = "", double scatter = 0.1) {
+  Evidence e;
+  e.record.condition.name = name;
+  e.record.condition.reference = reference;
+  e.configuration = {{"parameters", {{"agent.step_size", mean / 100}}}};
+  for (int i = 0; i < 20; ++i) {
+    e.record.lives.push_back({});
+    e.record.lives.back().life = i;
+    LifeMeasures life;
+    life.falls = mean * (1 + scatter * ((i % 5) - 2) / 1.5);
+    life.minutes = mean / 50;
+    life.during = {mean, mean + 10};
+    e.lives.push_back(life);
+  }
+  return e;
+}
+
+const std::vector<Evidence> kEvidence = {
+    condition("reference", 100),           condition("half", 50, "reference"),
+    condition("same", 100.5, "reference"), condition("TRL 0", 80, "reference"),
+    condition("TRL 50", 60, "reference"),  condition("wild", 100, "reference", 1.4)};
+
+Judgement judged(const std::string& kind, nlohmann::json arguments) {
+  const auto j = judge({.id = "X1", .kind = kind, .says = "", .arguments = std::move(arguments)}, kEvidence, 1);
+  EXPECT_TRUE(j) << j.error().message;
+  return j ? *j : Judgement{};
+}
+Verdict verdict(const std::string& kind, nlohmann::json arguments) {
+  return judged(kind, std::move(arguments)).verdict;
+}
+using Json = nlohmann::json;
+const Json kHalf = Json::array({"half"}), kSame = Json::array({"same"}), kWild = Json::array({"wild"});
+
+/// A list of lists, which nlohmann/json would take for an object.
+Json pairs(const std::vector<std::vector<std::string>>& list) {
+  return list;
+}
+
+}  // namespace
+
+TEST(Claim, AValueAgreesIfTheIntervalReachesTheThesissNumberByATenth) {
+  EXPECT_EQ(verdict("value", {{"thesis", 52}, {"conditions", kHalf}}), Verdict::Agrees);
+  EXPECT_EQ(verdict("value", {{"thesis", 70}, {"conditions", kHalf}}), Verdict::Differs);
+  EXPECT_EQ(verdict("value", {{"thesis", 70}, {"tolerance", 0.3}, {"conditions", kHalf}}), Verdict::Agrees);
+  EXPECT_EQ(verdict("value", {{"thesis", 60}, {"within", 2}, {"conditions", kHalf}}), Verdict::Differs);
+  const Judgement j = judged("value", {{"thesis", 52}, {"conditions", kHalf}});
+  EXPECT_NEAR(*j.ours, 50, 1e-9);
+  EXPECT_LT(*j.low, 50);
+  EXPECT_GT(*j.high, 50);
+}
+
+TEST(Claim, AReductionNeedsSignSignificanceAndSize) {
+  EXPECT_EQ(verdict("reduction", {{"thesis", -45}, {"conditions", kHalf}}), Verdict::Agrees);
+  EXPECT_EQ(verdict("reduction", {{"thesis", 45}, {"conditions", kHalf}}), Verdict::Differs);
+  EXPECT_EQ(verdict("reduction", {{"thesis", -5}, {"conditions", kSame}}), Verdict::Differs) << "not significant";
+  const Judgement size = judged("reduction", {{"thesis", -80}, {"conditions", kHalf}});
+  EXPECT_EQ(size.verdict, Verdict::Differs);
+  EXPECT_EQ(size.note, "direction and significance agree, size differs");
+  EXPECT_NEAR(*size.ours, -50, 1e-9);
+  EXPECT_EQ(verdict("reduction", {{"thesis", -80}, {"at_least", 45}, {"conditions", kHalf}}), Verdict::Agrees);
+}
+
+TEST(Claim, SignificantAndNoDifferenceAreOppositesExceptWhereLivesAreTooFew) {
+  EXPECT_EQ(verdict("significant", {{"conditions", kHalf}}), Verdict::Agrees);
+  EXPECT_EQ(verdict("significant", {{"conditions", {"half", "same"}}}), Verdict::Differs);
+  EXPECT_EQ(verdict("significant", {{"sign", 1}, {"conditions", kHalf}}), Verdict::Differs);
+  EXPECT_EQ(verdict("no-difference", {{"conditions", kSame}}), Verdict::Agrees);
+  EXPECT_EQ(verdict("no-difference", {{"conditions", {"half", "same"}}}), Verdict::Differs);
+  EXPECT_EQ(verdict("no-difference", {{"conditions", kWild}}), Verdict::Undecided);
+}
+
+TEST(Claim, AnOrderHoldsInNearlyAllResamples) {
+  EXPECT_EQ(verdict("order", {{"conditions", {"half", "TRL 0", "reference"}}}), Verdict::Agrees);
+  EXPECT_EQ(verdict("order", {{"conditions", {"reference", "TRL 0", "half"}}}), Verdict::Differs);
+  EXPECT_EQ(verdict("order", {{"conditions", {"reference", "same"}}}), Verdict::Undecided);
+  EXPECT_EQ(verdict("lowest", {{"conditions", {"half", "TRL *", "reference"}}}), Verdict::Agrees);
+  EXPECT_EQ(verdict("lowest", {{"conditions", {"TRL 0", "TRL 50"}}}), Verdict::Differs);
+  EXPECT_EQ(verdict("pairs", {{"pairs", pairs({{"half", "reference"}, {"TRL 50", "TRL 0"}})}}), Verdict::Agrees);
+  EXPECT_EQ(verdict("pairs", {{"pairs", pairs({{"half", "reference"}, {"TRL 0", "TRL 50"}})}}), Verdict::Differs);
+  EXPECT_EQ(verdict("pairs", {{"pairs", pairs({{"half", "reference"}, {"same", "reference"}})}}), Verdict::Undecided);
+}
+
+TEST(Claim, OtherKinds) {
+  EXPECT_EQ(verdict("ratio", {{"low", 1.8}, {"high", 2.2}, {"conditions", {"reference", "half"}}}), Verdict::Agrees);
+  EXPECT_EQ(verdict("ratio", {{"low", 2.5}, {"high", 3}, {"conditions", {"reference", "half"}}}), Verdict::Differs);
+  EXPECT_EQ(verdict("extreme", {{"low", -45}, {"high", -35}, {"conditions", {"TRL *"}}}), Verdict::Agrees);
+  EXPECT_EQ(verdict("extreme", {{"low", -35}, {"high", -15}, {"conditions", {"TRL *"}}}), Verdict::Differs);
+  EXPECT_EQ(verdict("not-worse", {{"conditions", {"half", "TRL *"}}}), Verdict::Agrees);
+  EXPECT_EQ(verdict("not-worse", {{"conditions", {"TRL 0", "TRL 50"}}}), Verdict::Differs);
+  EXPECT_EQ(verdict("not-worse", {{"conditions", {"same", "reference"}}}), Verdict::Agrees);
+  EXPECT_EQ(verdict("below", {{"high", 60}, {"conditions", kHalf}}), Verdict::Agrees);
+  EXPECT_EQ(verdict("below", {{"high", 40}, {"conditions", kHalf}}), Verdict::Differs);
+  EXPECT_EQ(verdict("below", {{"high", 50}, {"conditions", kHalf}}), Verdict::Undecided);
+  EXPECT_EQ(verdict("not-longer", {{"conditions", kHalf}}), Verdict::Agrees);
+  EXPECT_EQ(verdict("not-longer", {{"reference", "half"}, {"conditions", {"TRL 0"}}}), Verdict::Differs);
+  EXPECT_EQ(
+      verdict("trend", {{"sign", 1}, {"along", "agent.step_size"}, {"conditions", {"half", "TRL *", "reference"}}}),
+      Verdict::Agrees);
+  EXPECT_EQ(verdict("trend", {{"sign", -1}, {"along", "agent.step_size"}, {"conditions", {"half", "TRL *"}}}),
+            Verdict::Differs);
+  EXPECT_EQ(
+      verdict("within-lives", {{"measure", "success_during"}, {"other", "failure_during"}, {"conditions", {"*"}}}),
+      Verdict::Agrees);
+  EXPECT_EQ(
+      verdict("within-lives", {{"measure", "failure_during"}, {"other", "success_during"}, {"conditions", {"*"}}}),
+      Verdict::Differs);
+  EXPECT_EQ(verdict("spread", {{"conditions", {"same", "reference"}}, {"others", {"TRL *"}}}), Verdict::Agrees);
+  EXPECT_EQ(verdict("spread", {{"conditions", {"TRL *"}}, {"others", {"same", "reference"}}}), Verdict::Differs);
+  EXPECT_EQ(verdict("settled", {{"high", 4}, {"conditions", kHalf}}), Verdict::Differs) << "never settled";
+}
+
+TEST(Claim, AWrongClaimIsNamed) {
+  const auto refused = [](const std::string& kind, Json arguments, const std::string& word) {
+    const auto j = judge({.id = "X1", .kind = kind, .says = "", .arguments = std::move(arguments)}, kEvidence, 1);
+    ASSERT_FALSE(j) << kind;
+    EXPECT_NE(j.error().message.find("X1"), std::string::npos) << j.error().message;
+    EXPECT_NE(j.error().message.find(word), std::string::npos) << j.error().message;
+  };
+  refused("nonsense", {{"conditions", kHalf}}, "nonsense");
+  refused("value", {{"conditions", kHalf}}, "thesis");
+  refused("value", {{"thesis", "fifty"}, {"conditions", kHalf}}, "thesis");
+  refused("value", {{"thesis", 50}, {"conditions", {"quarter"}}}, "quarter");
+  refused("value", {{"thesis", 50}}, "conditions");
+  refused("reduction", {{"thesis", 50}, {"conditions", {"reference"}}}, "reference");
+  refused("pairs", {{"pairs", pairs({{"half", "nobody"}})}}, "pairs");
+  refused("within-lives", {{"measure", "falls"}, {"other", "nothing"}, {"conditions", kHalf}}, "other");
+  refused("trend", {{"sign", 1}, {"along", "policy.none"}, {"conditions", kHalf}}, "along");
+  refused("ratio", {{"low", 1}, {"high", 2}, {"conditions", kHalf}}, "two");
+}
+
+TEST(Claim, PatternsHaveStars) {
+  EXPECT_TRUE(fits("pre(2): TRL 50", "pre(2): TRL *"));
+  EXPECT_TRUE(fits("pre(2): TRL 50", "*TRL*0"));
+  EXPECT_TRUE(fits("", "*"));
+  EXPECT_FALSE(fits("pre(2): TRL 50", "pre(3): *"));
+  EXPECT_FALSE(fits("TRL 50", "TRL 5"));
+}
+
+}  // namespace surefoot
