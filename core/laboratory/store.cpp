@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/laboratory/store.h"
 
-#include <SQLiteCpp/SQLiteCpp.h>
-#include <SQLiteCpp/VariadicBind.h>
 #include <fmt/format.h>
 #include <sqlite3.h>
 
 #include <filesystem>
-#include <map>
 
 #include "core/files/read_file.h"
+#include "core/laboratory/store_database.h"
 #include "core/version.h"
 
 namespace surefoot {
@@ -36,8 +34,12 @@ CREATE TABLE endings (ending INTEGER PRIMARY KEY, name TEXT NOT NULL);
 INSERT INTO endings VALUES (0, 'end'), (1, 'success'), (2, 'fall'), (3, 'truncated');
 )";
 
-/// What SQLite says, in words that help.
-Error plain(const std::string& path, const SQLite::Exception& e) {
+std::string hex(std::uint64_t value) {
+  return fmt::format("{:016x}", value);
+}
+}  // namespace
+
+Error plainError(const std::string& path, const SQLite::Exception& e) {
   const auto say = [&](const char* sentence) { return fileError(path, sentence); };
   switch (e.getErrorCode()) {
     case SQLITE_BUSY:
@@ -60,38 +62,6 @@ Error plain(const std::string& path, const SQLite::Exception& e) {
       return fileError(path, fmt::format("{}.", e.what()));
   }
 }
-
-/// Calls f, and turns what SQLite throws into an error.
-template <class T, class F>
-Result<T> guarded(const std::string& path, F f) {
-  try {
-    return f();
-  } catch (const SQLite::Exception& e) {
-    return plain(path, e);
-  }
-}
-
-std::string hex(std::uint64_t value) {
-  return fmt::format("{:016x}", value);
-}
-std::uint64_t fromHex(const std::string& text) {
-  return std::strtoull(text.c_str(), nullptr, 16);
-}
-
-}  // namespace
-
-struct Store::Database {
-  Database(const std::string& path, int flags) : db(path, flags, 0), writes((flags & SQLite::OPEN_READWRITE) != 0) {}
-  ~Database() {
-    addLife.reset(), addEpisode.reset();
-    // A file that can be read where nothing can be written. If it fails, the next who opens it will try again.
-    if (writes) static_cast<void>(db.tryExec("PRAGMA journal_mode = DELETE"));
-  }
-  SQLite::Database db;
-  bool writes;
-  // Prepared once, because a life has a thousand episodes.
-  std::unique_ptr<SQLite::Statement> addLife, addEpisode;
-};
 
 EndingCode endingCode(const EpisodeRow& row) {
   if (row.ending == Ending::Truncated) return EndingCode::Truncated;
@@ -237,103 +207,6 @@ Status Store::add(const Store& part) {
     db.exec("DETACH part");
     return Done{};
   });
-}
-
-Result<StoredPlan> Store::plan() const {
-  return guarded<StoredPlan>(path_, [&]() -> Result<StoredPlan> {
-    StoredPlan plan;
-    std::map<std::string, std::string> pairs;
-    SQLite::Statement pair(database_->db, "SELECT key, value FROM experiment");
-    while (pair.executeStep()) pairs[pair.getColumn(0).getString()] = pair.getColumn(1).getString();
-    plan.version = pairs["version"], plan.title = pairs["title"];
-    plan.seed = std::strtoull(pairs["seed"].c_str(), nullptr, 10);
-    plan.paired = pairs["paired"] == "1";
-    plan.shard = std::max(1, std::atoi(pairs["shard"].c_str()));
-    plan.shards = std::max(1, std::atoi(pairs["shards"].c_str()));
-    SQLite::Statement row(database_->db,
-                          "SELECT name, reference, text, configuration, lives, goal_reward, step_time FROM conditions "
-                          "ORDER BY condition");
-    while (row.executeStep())
-      plan.conditions.push_back({row.getColumn(0), row.getColumn(1), row.getColumn(2), row.getColumn(3),
-                                 row.getColumn(4).getInt(), row.getColumn(5).getDouble(),
-                                 row.getColumn(6).getDouble()});
-    if (plan.conditions.empty()) return fileError(path_, "it holds no condition; the file is damaged.");
-    return plan;
-  });
-}
-
-Result<std::vector<StoredLife>> Store::lives() const {
-  return guarded<std::vector<StoredLife>>(path_, [&] {
-    std::vector<StoredLife> lives;
-    SQLite::Statement row(database_->db,
-                          "SELECT condition, life, ifnull(q_function, -1), episodes, steps, falls, states_outside, "
-                          "ifnull(diverged, ''), hash FROM lives ORDER BY condition, life");
-    while (row.executeStep())
-      lives.push_back({row.getColumn(0), row.getColumn(1), row.getColumn(2), row.getColumn(3).getInt64(),
-                       row.getColumn(4).getInt64(), row.getColumn(5).getInt64(), row.getColumn(6).getInt64(),
-                       row.getColumn(7), fromHex(row.getColumn(8))});
-    return lives;
-  });
-}
-
-Result<std::vector<StoredPreLearning>> Store::preLearned() const {
-  return guarded<std::vector<StoredPreLearning>>(path_, [&] {
-    std::vector<StoredPreLearning> all;
-    SQLite::Statement row(database_->db,
-                          "SELECT condition, q_function, episodes, falls, steps, average_reward, reached, hash FROM "
-                          "pre_learned ORDER BY condition, q_function");
-    while (row.executeStep())
-      all.push_back({row.getColumn(0), row.getColumn(1), row.getColumn(2).getInt64(), row.getColumn(3).getInt64(),
-                     row.getColumn(4).getInt64(), row.getColumn(5).getDouble(), row.getColumn(6).getInt() != 0,
-                     fromHex(row.getColumn(7))});
-    return all;
-  });
-}
-
-Result<std::vector<StoredEpisode>> Store::episodes(int condition, int life) const {
-  return guarded<std::vector<StoredEpisode>>(path_, [&] {
-    std::vector<StoredEpisode> episodes;
-    SQLite::Statement row(database_->db,
-                          "SELECT transitions, reward, falls, ending FROM episodes WHERE condition = ? AND life = ? "
-                          "ORDER BY episode");
-    SQLite::bind(row, condition, life);
-    while (row.executeStep())
-      episodes.push_back({row.getColumn(0).getInt64(), row.getColumn(1).getDouble(), row.getColumn(2).getInt(),
-                          static_cast<EndingCode>(row.getColumn(3).getInt())});
-    return episodes;
-  });
-}
-
-Result<std::uint64_t> Store::contentHash() const {
-  Hash64 hash;
-  const auto addText = [&](const std::string& text) {
-    hash.add(static_cast<std::uint64_t>(text.size()));
-    for (const char c : text) hash.add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
-  };
-  const auto addAll = [&](auto... numbers) { (hash.add(static_cast<std::uint64_t>(numbers)), ...); };
-  const auto stored = plan();
-  if (!stored) return stored.error();
-  addText(stored->title), addAll(stored->seed, stored->paired);
-  for (const StoredCondition& c : stored->conditions) {
-    addText(c.name), addText(c.reference), addText(c.text), addText(c.configuration), addAll(c.lives);
-    hash.add(c.goalReward), hash.add(c.stepTime);
-  }
-  const auto pre = preLearned();
-  if (!pre) return pre.error();
-  for (const StoredPreLearning& p : *pre) {
-    addAll(p.condition, p.qFunction, p.episodes, p.falls, p.steps, p.reached, p.hash);
-    hash.add(p.averageReward);
-  }
-  const auto all = lives();
-  if (!all) return all.error();
-  for (const StoredLife& l : *all) {
-    addAll(l.condition, l.life, l.qFunction, l.episodes, l.steps, l.falls, l.statesOutside, l.hash);
-    addText(l.diverged);
-    const auto rows = episodes(l.condition, l.life);
-    if (!rows) return rows.error();
-    for (const StoredEpisode& e : *rows) addAll(e.transitions, e.falls, e.ending), hash.add(e.reward);
-  }
-  return hash.value();
 }
 
 }  // namespace surefoot

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Judges one claim; a function a kind (see claim.h).
+#pragma once
+
+#include <functional>
+
+#include "core/laboratory/claim.h"
+#include "core/laboratory/statistics.h"
+
+namespace surefoot {
+
+class Judge {
+ public:
+  Judge(const Claim& claim, const std::vector<Evidence>& evidence, std::uint64_t seed)
+      : claim_(claim),
+        arguments_(claim.arguments),
+        evidence_(evidence),
+        seed_(seed),
+        random_(seed) {
+    j_.id = claim.id, j_.says = claim.says;
+    j_.thesis = arguments_.value("thesis", nlohmann::json());
+  }
+
+  Result<Judgement> judge();
+
+ private:
+  using Group = std::vector<const Evidence*>;
+
+  // What the recipe says. A misfit is noted, and reported by judge().
+
+  void complain(const std::string& key, const std::string& what);
+  std::string text(const char* key, const char* otherwise);
+  double number(const char* key, std::optional<double> otherwise = {});
+  Group fitting(const std::string& pattern) const;
+  /// All conditions that fit the patterns of a list, in the order of these.
+  Group find(const char* key);
+  /// What a condition is compared with: the claim's reference, or its own.
+  const Evidence* referenceOf(const Evidence& e);
+
+  // What the lives say.
+
+  std::vector<double> values(const Evidence& e) const;
+  double mean(const Evidence& e) const { return surefoot::meanOf(values(e)); }
+  Interval interval(const Evidence& e) const { return meanOf(e, measure_, seed_); }
+  double p(const Evidence& a, const Evidence& b);
+  Interval change(const Evidence& reference, const Evidence& e);
+  /// In what share of the resamples of all these means something holds.
+  double share(const Group& group, const std::function<bool(const std::vector<double>&)>& holds);
+  void report(const Interval& i) { j_.ours = i.value, j_.low = i.low, j_.high = i.high; }
+  void note(const std::string& words) { j_.note += (j_.note.empty() ? "" : "; ") + words; }
+
+  // The kinds.
+
+  Verdict value();
+  Verdict reduction();
+  Verdict significant();
+  Verdict noDifference();
+  Verdict order();
+  Verdict lowest();
+  Verdict pairs();
+  Verdict withinLives();
+  Verdict notLonger();
+  Verdict notWorse();
+  Verdict ratio();
+  Verdict extreme();
+  Verdict below();
+  Verdict trend();
+  Verdict settled();
+  Verdict pool();
+  Verdict spread();
+  void noteMeans();
+
+  const Claim& claim_;
+  const nlohmann::json& arguments_;
+  const std::vector<Evidence>& evidence_;
+  std::uint64_t seed_;
+  Random random_;
+  std::string measure_ = "falls", problem_;
+  Group conditions_;
+  Judgement j_;
+};
+
+}  // namespace surefoot
