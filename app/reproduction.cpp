@@ -79,7 +79,7 @@ Result<Reproduced> reproduce(const Registry& registry, const std::string& recipe
                   .lives = recipe->plan.lives,
                   .conditions = static_cast<int>(evidence->size())};
   for (const FigureSpec& spec : recipe->figures) {
-    const auto figure = makeFigure(spec, *evidence, recipe->plan.seed);
+    const auto figure = makeFigure(registry, spec, *evidence, recipe->plan.seed);
     if (!figure) return Error{recipe->name + ".toml: " + figure.error().message};
     if (const Status s = writeFile(own + "/" + figure->name + ".csv", figureAsCsv(*figure)); !s) return s.error();
     if (const Status s = draw(*figure, own); !s) return s.error();

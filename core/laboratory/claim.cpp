@@ -29,7 +29,8 @@ Result<Judgement> Judge::judge() {
                                                                      {"trend", &Judge::trend},
                                                                      {"settled", &Judge::settled},
                                                                      {"pool", &Judge::pool},
-                                                                     {"spread", &Judge::spread}};
+                                                                     {"spread", &Judge::spread},
+                                                                     {"rule", &Judge::rule}};
   const auto kind = kKinds.find(claim_.kind);
   if (kind == kKinds.end()) {
     std::vector<std::string> names;
@@ -39,7 +40,8 @@ Result<Judgement> Judge::judge() {
   }
   measure_ = text("measure", "falls");
   conditions_ = find("conditions");
-  if (conditions_.empty() && claim_.kind != "pairs") complain("conditions", "no condition fits");
+  if (conditions_.empty() && claim_.kind != "pairs" && claim_.kind != "rule")
+    complain("conditions", "no condition fits");
   if (!problem_.empty()) return Error{problem_};
   j_.verdict = (this->*kind->second)();
   if (!problem_.empty()) return Error{problem_};

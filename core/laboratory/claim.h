@@ -19,6 +19,9 @@
 //   trend         values of lives against what `along` varied: the rank correlation has the sign of `sign`, p < .01
 //   settled       the largest 250-episode change behind the end of learning lies between low and high
 //   pool          lives of one Q-function are no more alike than all (F test, p ≥ .01)
+//   rule          the rule of thumb (eq. 4.3) gives what the thesis prints: `rows` of {discount, transitions, goal,
+//   time,
+//                 expected, digits}; needs no lives
 //   spread        the means of `conditions` lie closer together than those of `others`
 #pragma once
 

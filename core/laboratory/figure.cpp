@@ -8,6 +8,7 @@
 #include <iterator>
 #include <map>
 
+#include "core/experiment/configuration_json.h"
 #include "core/laboratory/claim.h"
 #include "core/parameters.h"
 
@@ -57,7 +58,10 @@ Curve settlingOf(const Evidence& e) {
 using Chosen = std::vector<const Evidence*>;
 
 void addCurves(Figure& figure, const std::string& kind, const Chosen& chosen) {
-  figure.xTitle = kind == "reward-against-falls" ? "falls" : kind == "settling" ? "episodes" : "simulated time [min]";
+  const bool clock = chosen[0]->record.condition.stepTime > 0;
+  figure.xTitle = kind == "reward-against-falls" ? "falls"
+                  : kind == "settling" || !clock ? "episodes"
+                                                 : "simulated time [min]";
   figure.yTitle = kind == "cumulative-falls" ? "falls so far"
                   : kind == "settling"       ? "change in 250 episodes"
                                              : "average reward";
@@ -95,8 +99,18 @@ void addBars(Figure& figure, const FigureSpec& spec, const Chosen& chosen, const
   }
 }
 
-Status addAgainst(Figure& figure, const FigureSpec& spec, const Chosen& chosen, std::uint64_t seed) {
-  figure.xTitle = spec.along;
+/// "Q⁻ step size α": what a person calls a parameter.
+std::string titleOf(const Registry& registry, const Evidence& e, const std::string& key) {
+  const auto c = configurationFromJson(registry, e.configuration, e.name());
+  const Parameters::Entry* entry = c ? c->parameters.find(key) : nullptr;
+  if (!entry) return key;
+  const Parameter& p = entry->parameter;
+  return p.title + (p.symbol.empty() ? "" : " " + p.symbol) + (p.unit.empty() ? "" : " [" + p.unit + "]");
+}
+
+Status addAgainst(const Registry& registry, Figure& figure, const FigureSpec& spec, const Chosen& chosen,
+                  std::uint64_t seed) {
+  figure.xTitle = titleOf(registry, *chosen[0], spec.along);
   figure.yTitle = titleOf(spec.measure);
   FigureSeries series{.name = titleOf(spec.measure), .policy = policyOf(*chosen[0]), .x = {}, .y = {}, .marked = {}};
   std::map<double, const Evidence*> inOrder;
@@ -113,7 +127,8 @@ Status addAgainst(Figure& figure, const FigureSpec& spec, const Chosen& chosen, 
 
 }  // namespace
 
-Result<Figure> makeFigure(const FigureSpec& spec, const std::vector<Evidence>& evidence, std::uint64_t seed) {
+Result<Figure> makeFigure(const Registry& registry, const FigureSpec& spec, const std::vector<Evidence>& evidence,
+                          std::uint64_t seed) {
   Chosen chosen;
   for (const Evidence& e : evidence) {
     const bool wanted =
@@ -122,6 +137,7 @@ Result<Figure> makeFigure(const FigureSpec& spec, const std::vector<Evidence>& e
     if (wanted && !e.lives.empty()) chosen.push_back(&e);
   }
   if (chosen.empty()) return Error{fmt::format("figure {}: no condition fits.", spec.name)};
+  if (spec.kind == "probabilities" || spec.kind == "generalisation") return makeLiveFigure(registry, spec, chosen);
   const auto measures = measureNames();
   if (std::find(measures.begin(), measures.end(), spec.measure) == measures.end())
     return Error{fmt::format("figure {}: measure: there is no \"{}\"; it takes {}.", spec.name, spec.measure,
@@ -135,7 +151,7 @@ Result<Figure> makeFigure(const FigureSpec& spec, const std::vector<Evidence>& e
     addBars(figure, spec, chosen, evidence, seed);
   else if (spec.kind != "against")
     return Error{fmt::format("figure {}: there is no kind \"{}\".", spec.name, spec.kind)};
-  else if (const Status s = addAgainst(figure, spec, chosen, seed); !s)
+  else if (const Status s = addAgainst(registry, figure, spec, chosen, seed); !s)
     return s.error();
   return figure;
 }

@@ -3,6 +3,9 @@
 // cumulative-falls (curves with 95 % bands), settling (|A(k) − A(k − 250)| against episodes), bars (the mean of a
 // measure, an X where it differs from the reference with p < .01), against (the mean of a measure against a varied
 // parameter).
+//
+// Of policies and representations themselves: probabilities (of actions whose values are `q`), generalisation (how the
+// value changes along the first state variable when it is moved by 1 in `state`).
 #pragma once
 
 #include "core/laboratory/evidence.h"
@@ -16,6 +19,7 @@ struct FigureSpec {
   std::vector<std::string> conditions;  ///< names or patterns; empty: all
   std::string measure = "falls";        ///< of bars and against
   std::string along;                    ///< of against: the key of the parameter
+  std::vector<double> q, state;         ///< of probabilities; of generalisation
 };
 
 struct FigureSeries {
@@ -33,7 +37,12 @@ struct Figure {
 };
 
 /// An error names the figure and what is wrong with it.
-Result<Figure> makeFigure(const FigureSpec& spec, const std::vector<Evidence>& evidence, std::uint64_t seed);
+Result<Figure> makeFigure(const Registry& registry, const FigureSpec& spec, const std::vector<Evidence>& evidence,
+                          std::uint64_t seed);
+
+/// Of the kinds that need no lives.
+Result<Figure> makeLiveFigure(const Registry& registry, const FigureSpec& spec,
+                              const std::vector<const Evidence*>& chosen);
 
 /// A row a point: series, x, value, low, high.
 std::string figureAsCsv(const Figure& figure);

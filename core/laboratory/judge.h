@@ -68,6 +68,7 @@ class Judge {
   Verdict settled();
   Verdict pool();
   Verdict spread();
+  Verdict rule();
   void noteMeans();
 
   const Claim& claim_;

@@ -54,10 +54,21 @@ Curve overLives(std::vector<double> x, const std::vector<std::vector<double>>& l
   return curve;
 }
 
-/// What `value` gives after every episode, at moments spread evenly up to the end of the shortest life, from that on at
-/// which all have finished an episode.
-Curve againstMinutes(const ConditionRecord& record, std::size_t points,
-                     const std::function<std::vector<double>(const std::vector<StoredEpisode>&)>& value) {
+using ValuesOfLife = std::function<std::vector<double>(const std::vector<StoredEpisode>&)>;
+
+/// What `value` gives after every episode, up to the end of the shortest life.
+Curve againstEpisodes(const ConditionRecord& record, const ValuesOfLife& value) {
+  std::vector<double> x(record.shortest());
+  for (std::size_t k = 0; k < x.size(); ++k) x[k] = static_cast<double>(k + 1);
+  std::vector<std::vector<double>> lives;
+  for (const auto& episodes : record.episodes) lives.push_back(value(episodes));
+  return overLives(std::move(x), lives);
+}
+
+/// The same at moments spread evenly in simulated time, from that on at which all lives have finished an episode;
+/// against episodes where the task has no clock.
+Curve againstMinutes(const ConditionRecord& record, std::size_t points, const ValuesOfLife& value) {
+  if (!(record.condition.stepTime > 0)) return againstEpisodes(record, value);
   double first = 0, length = std::numeric_limits<double>::infinity();
   for (const auto& episodes : record.episodes) {
     if (episodes.empty()) return {};

@@ -66,7 +66,7 @@ struct Curve {
   std::vector<Interval> y;
 };
 /// Average reward against simulated minutes, at so many moments up to the end of the shortest life, without those at
-/// which some life has not finished an episode yet.
+/// which some life has not finished an episode yet; against episodes where the task has no clock.
 Curve learningCurve(const ConditionRecord& record, std::size_t points);
 /// Average reward after the f-th fall; a life with fewer falls keeps its last value.
 Curve rewardAgainstFalls(const ConditionRecord& record);

@@ -28,11 +28,19 @@ Status readFigures(const Json& blocks, Recipe& recipe) {
                       .title = take(block, "title"),
                       .kind = take(block, "kind"),
                       .conditions = {},
-                      .along = take(block, "along")};
+                      .along = take(block, "along"),
+                      .q = {},
+                      .state = {}};
     if (const std::string measure = take(block, "measure"); !measure.empty()) figure.measure = measure;
     for (const Json& pattern : block.value("conditions", Json::array()))
       if (pattern.is_string()) figure.conditions.push_back(pattern);
     block.erase("conditions");
+    for (auto& [key, numbers] :
+         {std::pair<const char*, std::vector<double>&>{"q", figure.q}, {"state", figure.state}}) {
+      for (const Json& number : block.value(key, Json::array()))
+        if (number.is_number()) numbers.push_back(number);
+      block.erase(key);
+    }
     const bool nameFits = !figure.name.empty() && figure.name.find_first_of("/\\") == std::string::npos;
     if (!nameFits || !block.empty())
       return Error{fmt::format(
