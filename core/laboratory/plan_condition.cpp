@@ -45,113 +45,131 @@ class ConditionMaker {
         head_(head) {}
 
   Result<Condition> make(const Combination& c, int line) {
+    const auto refuse = [&](const std::string& sentence) { return planError(path_, line, sentence); };
+    Draft draft;
+    if (const Status s = read(c, draft); !s) return s.error();
+    auto configuration = configure(registry_, draft.names, draft.assignments);
+    if (!configuration) return refuse(configuration.error().message);
+    if (const Status s = checkPolicy(draft); !s) return refuse(s.error().message);
+
     Condition condition;
+    Configuration& now = condition.configuration = std::move(*configuration);
+    now.lives = head_.lives;
+    now.minutes = draft.minutes;
+    if (draft.episodes) now.episodes = static_cast<std::int64_t>(*draft.episodes);
+    if (!now.minutes && !now.episodes)
+      return refuse("minutes or episodes: how long a life is must be given, e.g. minutes = 9.");
+    condition.varied = c.varied;
+    condition.text = describe(registry_, now);
+    if (const Status s = addPreLearning(c, draft, condition, line); !s) return s.error();
+    if (!draft.file.empty())
+      if (const Status s = readStart(draft.file, condition); !s) return refuse(s.error().message);
+    now.seed = head_.paired ? head_.seed : hashText(condition.text, head_.seed);
+    if (now.minutes) condition.text += fmt::format(" minutes={}", *now.minutes);
+    if (now.episodes) condition.text += fmt::format(" episodes={}", *now.episodes);
+    condition.name = nameOf(c, draft.name, true);
+    if (condition.name.empty()) condition.name = draft.names.policy;
+    condition.reference = nameOf(c, draft.reference, false);
+    if (const auto life = makeLife(registry_, now, 0, false); !life)  // what no single check can see
+      return refuse(life.error().message);
+    return condition;
+  }
+
+ private:
+  /// What a condition, or its pre-learning, is to be configured with.
+  struct Draft {
     Names names;
     std::vector<Assignment> assignments;
-    std::optional<double> minutes, episodes;
-    std::string name, reference = head_.reference, file;
+    std::string name, reference, file;
+    std::optional<double> minutes, episodes, until, cap;
+    int pool = 5;
+  };
+
+  Status read(const Combination& c, Draft& draft) const {
+    draft.reference = head_.reference;
     for (const auto& [key, value] : c.all) {
       Status status = Done{};
       if (key == "name")
-        name = value;
+        draft.name = value;
       else if (key == "reference")
-        reference = value;
+        draft.reference = value;
       else if (key.starts_with("set."))
-        assignments.push_back({key.substr(4), value});
+        draft.assignments.push_back({key.substr(4), value});
       else if (key == "minutes")
-        status = readNumber(key, value, 1e-6, 1e6, minutes);
+        status = readNumber(key, value, 1e-6, 1e6, draft.minutes);
       else if (key == "episodes")
-        status = readNumber(key, value, 1, 1e9, episodes);
+        status = readNumber(key, value, 1, 1e9, draft.episodes);
       else if (key == "pre-learning.file")
-        file = value;
-      else if (std::string* part = nameField(names, key))
+        draft.file = value;
+      else if (std::string* part = nameField(draft.names, key))
         *part = value;
       else if (!key.starts_with("pre-learning"))
         status = unknownKey(key, {"name", "reference", "environment", "preset", "scenario", "agent", "features",
                                   "policy", "set", "minutes", "episodes", "pre-learning"});
       if (!status) return planError(path_, c.where.at(key)->line, status.error().message);
     }
-    for (const Assignment& a : head_.assignments) assignments.push_back(a);
-    if (head_.preset) names.preset = *head_.preset;
-
-    auto configuration = configure(registry_, names, assignments);
-    if (!configuration) return planError(path_, line, configuration.error().message);
-    condition.configuration = std::move(*configuration);
-    Configuration& now = condition.configuration;
-    now.lives = head_.lives;
-    now.minutes = minutes;
-    if (episodes) now.episodes = static_cast<std::int64_t>(*episodes);
-    if (!now.minutes && !now.episodes)
-      return planError(path_, line, "minutes or episodes: how long a life is must be given, e.g. minutes = 9.");
-    if (const Status s = checkPolicy(names.policy, assignments); !s) return planError(path_, line, s.error().message);
-
-    condition.varied = c.varied;
-    condition.text = describe(registry_, now);
-    if (const Status s = readPreLearning(c, names, assignments, condition, line); !s) return s.error();
-    if (!file.empty())
-      if (const Status s = readStart(file, condition); !s) return planError(path_, line, s.error().message);
-    now.seed = head_.paired ? head_.seed : hashText(condition.text, head_.seed);
-    if (now.minutes) condition.text += fmt::format(" minutes={}", *now.minutes);
-    if (now.episodes) condition.text += fmt::format(" episodes={}", *now.episodes);
-    condition.name = nameOf(c, name, true);
-    if (condition.name.empty()) condition.name = names.policy;
-    condition.reference = nameOf(c, reference, false);
-    if (const auto life = makeLife(registry_, now, 0, false); !life)  // what no single check can see
-      return planError(path_, line, life.error().message);
-    return condition;
+    draft.assignments.insert(draft.assignments.end(), head_.assignments.begin(), head_.assignments.end());
+    if (head_.preset) draft.names.preset = *head_.preset;
+    return Done{};
   }
 
-  /// Everything of the condition but policy and step sizes, on its own scenario, until the reward is reached.
-  Status readPreLearning(const Combination& c, Names names, std::vector<Assignment> assignments, Condition& condition,
-                         int line) {
-    constexpr double kCap = 20'000;
-    std::optional<double> until, cap = kCap;
-    PreLearning pre;
+  /// The settings under pre-learning; false: there are none.
+  Result<bool> readPreLearning(const Combination& c, Draft& draft) const {
+    const std::string prefix = "pre-learning.";
     bool wanted = false;
-    names.policy = "epsilon-greedy";
-    std::erase_if(assignments,
-                  [](const Assignment& a) { return a.key.starts_with("policy.") || a.key.ends_with("step_size"); });
     for (const auto& [fullKey, value] : c.all) {
-      if (fullKey == "pre-learning" && value == "false") return Done{};
+      if (fullKey == "pre-learning" && value == "false") return false;
       if (!fullKey.starts_with("pre-learning") || fullKey == "pre-learning.file") continue;
       wanted = true;
-      const std::string key = fullKey.substr(std::min(fullKey.size(), std::string("pre-learning.").size()));
+      const std::string key = fullKey.substr(std::min(fullKey.size(), prefix.size()));
       Status status = Done{};
       if (key == "scenario")
-        names.scenario = value;
+        draft.names.scenario = value;
       else if (key == "preset")
-        names.preset = value;
+        draft.names.preset = value;
       else if (key == "policy")
-        names.policy = value;
+        draft.names.policy = value;
       else if (key.starts_with("set."))
-        assignments.push_back({key.substr(4), value});
+        draft.assignments.push_back({key.substr(4), value});
       else if (key == "until")
-        status = readNumber(key, value, -1e6, 1e6, until);
+        status = readNumber(key, value, -1e6, 1e6, draft.until);
       else if (key == "cap")
-        status = readNumber(key, value, 1, 1e9, cap);
+        status = readNumber(key, value, 1, 1e9, draft.cap);
       else if (key == "pool" && value == "each")
-        pre.pool = 0;
+        draft.pool = 0;
       else if (key == "pool")
-        status = readCount(key, value, kMostPool, pre.pool);
+        status = readCount(key, value, kMostPool, draft.pool);
       else
         status = unknownKey(key, {"scenario", "preset", "policy", "set", "until", "cap", "pool", "file"});
       if (!status) return planError(path_, c.where.at(fullKey)->line, "pre-learning: " + status.error().message);
     }
-    if (!wanted) return Done{};
-    if (head_.preset) names.preset = *head_.preset;
-    if (c.find("pre-learning.file"))
-      return planError(path_, line, "pre-learning: with a file nothing is learned before; take the other keys away.");
-    if (!until)
-      return planError(path_, line,
-                       "pre-learning: until is missing: the average reward at which it ends, e.g. until = 198.");
-    auto configuration = configure(registry_, names, assignments);
-    if (!configuration) return planError(path_, line, "pre-learning: " + configuration.error().message);
-    if (const Status s = checkPolicy(names.policy, assignments); !s)
-      return planError(path_, line, "pre-learning: " + s.error().message);
-    pre.configuration = std::move(*configuration);
-    pre.configuration.until = until;
-    pre.configuration.episodes = static_cast<std::int64_t>(*cap);
-    pre.text = fmt::format("{} until={} cap={}", describe(registry_, pre.configuration), *until, *cap);
+    if (head_.preset) draft.names.preset = *head_.preset;
+    return wanted;
+  }
+
+  /// Everything of the condition but policy and step sizes, on its own scenario, until the reward is reached.
+  Status addPreLearning(const Combination& c, Draft draft, Condition& condition, int line) const {
+    constexpr double kCap = 20'000;
+    const auto refuse = [&](const std::string& sentence) {
+      return planError(path_, line, "pre-learning: " + sentence);
+    };
+    draft.names.policy = "epsilon-greedy";
+    std::erase_if(draft.assignments,
+                  [](const Assignment& a) { return a.key.starts_with("policy.") || a.key.ends_with("step_size"); });
+    const auto wanted = readPreLearning(c, draft);
+    if (!wanted) return wanted.error();
+    if (!*wanted) return Done{};
+    if (!draft.file.empty()) return refuse("with a file nothing is learned before; take the other keys away.");
+    if (!draft.until) return refuse("until is missing: the average reward at which it ends, e.g. until = 198.");
+    auto configuration = configure(registry_, draft.names, draft.assignments);
+    if (!configuration) return refuse(configuration.error().message);
+    if (const Status s = checkPolicy(draft); !s) return refuse(s.error().message);
+
+    PreLearning pre{.configuration = std::move(*configuration), .pool = draft.pool, .text = {}};
+    const double cap = draft.cap.value_or(kCap);
+    pre.configuration.until = draft.until;
+    pre.configuration.episodes = static_cast<std::int64_t>(cap);
+    pre.text = fmt::format("{} until={} cap={}", describe(registry_, pre.configuration), *draft.until, cap);
     pre.configuration.seed = hashText(pre.text, head_.seed);
     condition.text += fmt::format(" pre-learning=({}) pool={}", pre.text,
                                   pre.pool == 0 ? std::string("each") : std::to_string(pre.pool));
@@ -169,12 +187,11 @@ class ConditionMaker {
   }
 
   /// A parameter of a policy that is not chosen would have no effect.
-  Status checkPolicy(const std::string& policy, const std::vector<Assignment>& assignments) const {
-    const auto entry = findEntry(registry_.policies, "policy", policy);
-    const auto keys = policyKeys(**entry);
-    for (const Assignment& a : assignments)
+  Status checkPolicy(const Draft& draft) const {
+    const auto keys = policyKeys(**findEntry(registry_.policies, "policy", draft.names.policy));
+    for (const Assignment& a : draft.assignments)
       if (a.key.starts_with("policy.") && std::find(keys.begin(), keys.end(), a.key) == keys.end())
-        return Error{fmt::format("{}: it has no effect under the policy {}.", a.key, policy)};
+        return Error{fmt::format("{}: it has no effect under the policy {}.", a.key, draft.names.policy)};
     return Done{};
   }
 
