@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 #include <sqlite3.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
 
 #include <filesystem>
 
@@ -83,37 +87,55 @@ bool Store::missing(const std::string& path) {
   return std::filesystem::is_regular_file(path, error) && std::filesystem::file_size(path, error) == 0;
 }
 
+namespace {
+
+/// The tables of an empty store, with what is known of the plan.
+void fill(SQLite::Database& db, const StoredPlan& plan) {
+  SQLite::Transaction whole(db);
+  db.exec(kSchema);
+  db.exec(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", kApplicationId, kFormat));
+  SQLite::Statement pair(db, "INSERT INTO experiment VALUES (?, ?)");
+  for (const auto& [key, value] : {std::pair<const char*, std::string>{"version", kVersion},
+                                   {"title", plan.title},
+                                   {"seed", std::to_string(plan.seed)},
+                                   {"paired", plan.paired ? "1" : "0"},
+                                   {"shard", std::to_string(plan.shard)},
+                                   {"shards", std::to_string(plan.shards)}}) {
+    SQLite::bind(pair, key, value);
+    pair.exec();
+    pair.reset();
+  }
+  SQLite::Statement row(db, "INSERT INTO conditions VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+  for (std::size_t i = 0; i < plan.conditions.size(); ++i) {
+    const StoredCondition& c = plan.conditions[i];
+    SQLite::bind(row, static_cast<int>(i), c.name, c.reference, c.text, c.configuration, c.lives, c.goalReward,
+                 c.stepTime);
+    row.exec();
+    row.reset();
+  }
+  whole.commit();
+}
+
+}  // namespace
+
+// Made under another name and then given its own, so that whoever finds it finds all of it.
 Result<Store> Store::create(const std::string& path, const StoredPlan& plan) {
-  if (!missing(path)) return fileError(path, "it exists already; name another file, or go on with --resume.");
-  return guarded<Store>(path, [&]() -> Result<Store> {
-    auto data = std::make_unique<Database>(path, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
-    SQLite::Database& db = data->db;
-    db.exec("PRAGMA locking_mode = EXCLUSIVE; PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
-    SQLite::Transaction whole(db, SQLite::TransactionBehavior::EXCLUSIVE);
-    db.exec(kSchema);
-    db.exec(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", kApplicationId, kFormat));
-    SQLite::Statement pair(db, "INSERT INTO experiment VALUES (?, ?)");
-    for (const auto& [key, value] : {std::pair<const char*, std::string>{"version", kVersion},
-                                     {"title", plan.title},
-                                     {"seed", std::to_string(plan.seed)},
-                                     {"paired", plan.paired ? "1" : "0"},
-                                     {"shard", std::to_string(plan.shard)},
-                                     {"shards", std::to_string(plan.shards)}}) {
-      SQLite::bind(pair, key, value);
-      pair.exec();
-      pair.reset();
-    }
-    SQLite::Statement row(db, "INSERT INTO conditions VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
-    for (std::size_t i = 0; i < plan.conditions.size(); ++i) {
-      const StoredCondition& c = plan.conditions[i];
-      SQLite::bind(row, static_cast<int>(i), c.name, c.reference, c.text, c.configuration, c.lives, c.goalReward,
-                   c.stepTime);
-      row.exec();
-      row.reset();
-    }
-    whole.commit();
-    return Store(path, std::move(data));
+  const auto exists = fileError(path, "it exists already; name another file, or go on with --resume.");
+  if (!missing(path)) return exists;
+  const std::string meanwhile = fmt::format("{}.new-{}", path, getpid());
+  const auto made = guarded<Done>(path, [&]() -> Status {
+    SQLite::Database db(meanwhile, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    fill(db, plan);
+    return Done{};
   });
+  if (missing(path)) unlink(path.c_str());  // an empty file
+  const bool named = made && link(meanwhile.c_str(), path.c_str()) == 0;
+  const int why = errno;
+  unlink(meanwhile.c_str());
+  if (!made) return made.error();
+  if (!named)
+    return why == EEXIST ? exists : fileError(path, fmt::format("it cannot be made: {}.", std::strerror(why)));
+  return openToWrite(path);
 }
 
 Result<Store> Store::openAs(const std::string& path, bool write) {
