@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
@@ -63,10 +62,6 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-double wallSeconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
 /// Steps per CPU-second of one case; 0 if it was interrupted.
 Result<double> measure(const Registry& registry, const Case& which, const std::atomic<bool>& interrupted) {
   auto c = configure(registry, which.names, which.assignments);
@@ -84,8 +79,9 @@ Result<double> measure(const Registry& registry, const Case& which, const std::a
   return speeds.empty() || interrupted ? 0.0 : median(speeds);
 }
 
-/// How much more two threads do in the same wall-clock time: two lives one after the other, at once, and one after the
-/// other again, so that a machine that becomes faster or slower meanwhile does not count.
+/// How much more two threads do than one: two lives one after the other, at once, and one after the other again, so
+/// that a machine that becomes faster or slower meanwhile does not count. In CPU time, which other work on the machine
+/// leaves alone: what two threads lose to each other (memory, locks) shows in the CPU time of their lives.
 Result<double> gainOfTwoThreads(const Registry& registry, const std::atomic<bool>& interrupted) {
   auto c = configure(registry, {}, {});
   if (!c) return c.error();
@@ -98,11 +94,11 @@ Result<double> gainOfTwoThreads(const Registry& registry, const std::atomic<bool
       RunOptions options{};
       options.jobs = jobs;
       options.interrupted = &interrupted;
-      const double start = wallSeconds();
-      if (const auto lives = runLives(registry, *c, options); !lives) return lives.error();
-      (jobs == 1 ? oneByOne : atOnce) += wallSeconds() - start;
+      const auto lives = runLives(registry, *c, options);
+      if (!lives) return lives.error();
+      for (const LifeResult& life : *lives) (jobs == 1 ? oneByOne : atOnce) += life.cpuSeconds;
     }
-    gains.push_back(oneByOne / 2 / atOnce);
+    gains.push_back(oneByOne / atOnce);  // 2 · (half of the lives that were lived one by one) / those at once
   }
   return gains.empty() || interrupted ? 0.0 : median(gains);
 }
