@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "core/experiment/configuration_json.h"
+#include "core/laboratory/statistics.h"
 #include "core/version.h"
 
 namespace surefoot {
@@ -59,14 +59,9 @@ const char* endingName(const EpisodeRow& row) {
 
 /// "213.5 ± 8.9": mean and 95 % half-width (Student t over the lives); just the value for one life.
 std::string meanText(const std::vector<double>& values, int decimals) {
-  const auto n = static_cast<double>(values.size());
-  double sum = 0.0, squares = 0.0;
-  for (const double v : values) sum += v;
-  const double average = sum / n;
-  for (const double v : values) squares += (v - average) * (v - average);
-  if (values.size() < 2) return fmt::format("{:.{}f}", average, decimals);
-  const double t = boost::math::quantile(boost::math::students_t(n - 1), 0.975);
-  return fmt::format("{:.{}f} ± {:.{}f}", average, decimals, t * std::sqrt(squares / (n - 1) / n), decimals);
+  const auto interval = meanInterval(values);
+  if (!interval) return fmt::format("{:.{}f}", values[0], decimals);
+  return fmt::format("{:.{}f} ± {:.{}f}", interval->value, decimals, interval->high - interval->value, decimals);
 }
 
 }  // namespace
