@@ -8,22 +8,14 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "core/files/read_file.h"
 #include "core/files/whole_file.h"
 #include "core/laboratory/store.h"
+#include "core/text.h"
 
 namespace surefoot {
 
 namespace {
-
-/// Text as CSV wants it (RFC 4180).
-std::string quoted(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return out + "\"";
-}
-
-constexpr const char* kEndings[] = {"end", "success", "fall", "truncated"};
 
 /// All files of an export; they get their names together at the end.
 class Export {
@@ -57,8 +49,8 @@ class Export {
     if (!file) return file.error();
     for (std::size_t i = 0; i < conditions_.size(); ++i) {
       const StoredCondition& c = conditions_[i];
-      if (const Status s = (*file)->append(
-              fmt::format("{},{},{},{},{},{}\n", i, quoted(c.name), c.lives, c.goalReward, c.stepTime, quoted(c.text)));
+      if (const Status s = (*file)->append(fmt::format("{},{},{},{},{},{}\n", i, csvCell(c.name), c.lives, c.goalReward,
+                                                       c.stepTime, csvCell(c.text)));
           !s)
         return s;
     }
@@ -76,7 +68,7 @@ class Export {
       const std::string q = l.qFunction < 0 ? "" : std::to_string(l.qFunction);
       if (const Status s =
               (*file)->append(fmt::format("{},{},{},{},{},{},{},{},{:016x}\n", l.condition, l.life, q, l.episodes,
-                                          l.steps, l.falls, l.statesOutside, quoted(l.diverged), l.hash));
+                                          l.steps, l.falls, l.statesOutside, csvCell(l.diverged), l.hash));
           !s)
         return s;
     }
@@ -87,6 +79,8 @@ class Export {
     auto file = begin("episodes.csv", "condition,life,episode,transitions,reward,falls,ending,minutes\n");
     if (!file) return file.error();
     for (const StoredLife& l : lives_) {
+      if (l.condition < 0 || l.condition >= static_cast<int>(conditions_.size()))
+        return fileError(store_.path(), "it holds lives of a condition that it does not hold; the file is damaged.");
       const auto episodes = store_.episodes(l.condition, l.life);
       if (!episodes) return episodes.error();
       const double stepTime = conditions_[static_cast<std::size_t>(l.condition)].stepTime;
@@ -95,7 +89,7 @@ class Export {
       for (const StoredEpisode& e : *episodes) {
         steps += e.transitions;
         fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{},", l.condition, l.life, ++number, e.transitions,
-                       e.reward, e.falls, kEndings[static_cast<int>(e.ending)]);
+                       e.reward, e.falls, endingName(e.ending));
         if (stepTime > 0) fmt::format_to(std::back_inserter(out), "{:.9g}", static_cast<double>(steps) * stepTime / 60);
         out.push_back('\n');
       }

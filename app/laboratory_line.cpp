@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <thread>
 
-#include "app/plan_files.h"
 #include "app/requests.h"
+#include "app/resources.h"
 #include "core/text.h"
 
 namespace surefoot {
@@ -89,7 +89,8 @@ Status readJobs(const std::optional<std::string>& text, LabOptions& lab) {
 }
 
 Result<Request> makeReproduceRequest(const ReproduceOptions& o) {
-  if (o.list.empty()) return Error{"LIST: figures or tables of the thesis are needed, such as 4.6, or all."};
+  if (o.list.empty())
+    return Error{fmt::format("LIST: what to reproduce is needed: {}, or all.", fmt::join(shippedRecipes(), ", "))};
   ReproduceRequest request{.recipes = {}, .out = o.out};
   auto recipes = findRecipes(o.list);
   if (!recipes) return recipes.error();

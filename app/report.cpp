@@ -9,6 +9,7 @@
 
 #include "core/experiment/configuration_json.h"
 #include "core/laboratory/statistics.h"
+#include "core/laboratory/store.h"
 #include "core/version.h"
 
 namespace surefoot {
@@ -49,12 +50,6 @@ OrderedJson ruleAsJson(const std::optional<RuleOfThumb>& rule) {
           {"lower_limit", orNull(rule->lower)},
           {"upper_limit", orNull(rule->upper)},
           {"pre_learned", rule->preLearned}};
-}
-
-const char* endingName(const EpisodeRow& row) {
-  if (row.ending == Ending::Truncated) return "truncated";
-  if (row.success) return "success";
-  return row.falls > 0 ? "fall" : "end";
 }
 
 /// "213.5 ± 8.9": mean and 95 % half-width (Student t over the lives); just the value for one life.
@@ -105,7 +100,7 @@ std::string logAsCsv(const std::vector<LifeResult>& lives, std::optional<double>
   for (const LifeResult& r : lives)
     for (const EpisodeRow& row : r.rows) {
       fmt::format_to(to, "{},{},{},{},{},{},{},{},", r.life, row.episode, row.steps, row.reward, row.falls,
-                     endingName(row), row.averageReward, row.lifeSteps);
+                     endingName(endingCode(row)), row.averageReward, row.lifeSteps);
       if (stepTime) fmt::format_to(to, "{:.9g}", static_cast<double>(row.lifeSteps) * *stepTime / 60.0);
       fmt::format_to(to, "\n");
     }

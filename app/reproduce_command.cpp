@@ -7,9 +7,9 @@
 #include "app/exit_code.h"
 #include "app/figures.h"
 #include "app/interrupt.h"
-#include "app/plan_files.h"
 #include "app/progress_line.h"
 #include "app/reproduction.h"
+#include "app/resources.h"
 
 namespace surefoot {
 

@@ -14,12 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Status writeFile(const std::string& path, const std::string& content) {
-  auto file = WholeFile::createOrReplace("--out", path);
-  if (!file) return file.error();
-  return file->commit(content);
-}
-
 /// Runs what is missing of a plan into a store, and reads all of it.
 Result<std::vector<Evidence>> runAndRead(const Registry& registry, const Plan& plan, const std::string& path,
                                          const LabOptions& lab) {
@@ -40,13 +34,7 @@ Result<std::vector<Evidence>> runAndRead(const Registry& registry, const Plan& p
     return Error{fmt::format("interrupted; {} of {} lives are in {}, and the same command goes on.", result->livesThere,
                              result->livesPlanned, path),
                  ErrorKind::Interrupted};
-  std::vector<Evidence> evidence;
-  for (int i = 0; i < static_cast<int>(plan.conditions.size()); ++i) {
-    auto e = readEvidence(*store, i);
-    if (!e) return e.error();
-    evidence.push_back(std::move(*e));
-  }
-  return evidence;
+  return readEvidence(*store);
 }
 
 Result<std::vector<Judgement>> judgeAll(const Recipe& recipe, const std::vector<Evidence>& evidence) {
@@ -81,7 +69,8 @@ Result<Reproduced> reproduce(const Registry& registry, const std::string& recipe
   for (const FigureSpec& spec : recipe->figures) {
     const auto figure = makeFigure(registry, spec, *evidence, recipe->plan.seed);
     if (!figure) return Error{recipe->name + ".toml: " + figure.error().message};
-    if (const Status s = writeFile(own + "/" + figure->name + ".csv", figureAsCsv(*figure)); !s) return s.error();
+    if (const Status s = writeWhole("--out", own + "/" + figure->name + ".csv", figureAsCsv(*figure)); !s)
+      return s.error();
     if (const Status s = draw(*figure, own); !s) return s.error();
     done.figures.push_back(recipe->name + "/" + figure->name);
     done.captions.push_back(figure->title);
@@ -100,7 +89,7 @@ Result<Reproduced> reproduce(const Registry& registry, const std::string& recipe
     done.onLabPreset = std::move(*labJudgements);
     for (const Claim& claim : onLab->claims) done.calibrated.push_back(claim.id);
   }
-  if (const Status s = writeFile(own + "/claims.json", claimsAsJson({done})); !s) return s.error();
+  if (const Status s = writeWhole("--out", own + "/claims.json", claimsAsJson({done})); !s) return s.error();
   done.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return done;
 }

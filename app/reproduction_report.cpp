@@ -17,12 +17,6 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-Status writeFile(const std::string& path, const std::string& content) {
-  auto file = WholeFile::createOrReplace("--out", path);
-  if (!file) return file.error();
-  return file->commit(content);
-}
-
 /// A claim as a row of the table.
 struct Row {
   const Judgement* judgement;
@@ -66,6 +60,12 @@ std::string summary(const std::vector<Row>& rows) {
   for (const Row& r : rows) ++counts[static_cast<std::size_t>(r.judgement->verdict)];
   return fmt::format("{} judgements: {} agree with the thesis, {} differ, {} are undecided.", rows.size(), counts[0],
                      counts[1], counts[2]);
+}
+
+/// "36 conditions, 40 lives each"
+std::string extentOf(const Reproduced& r) {
+  return fmt::format("{} condition{}, {} {}{}", r.conditions, r.conditions == 1 ? "" : "s", r.lives,
+                     r.lives == 1 ? "life" : "lives", r.conditions == 1 ? "" : " each");
 }
 
 std::string escaped(const std::string& text) {
@@ -128,8 +128,8 @@ Result<std::string> asHtml(const std::vector<Reproduced>& recipes, const std::st
   if (!pictures)
     out += "<p>There are no pictures: this program was built without Qt. The numbers are in the CSV files.</p>\n";
   for (const Reproduced& r : recipes) {
-    out += fmt::format("<h2 id=\"{0}\">{0}: {1}</h2>\n<p><small>{2} conditions, {3} lives each, {4}</small></p>\n",
-                       escaped(r.name), escaped(r.title), r.conditions, r.lives, durationText(r.seconds));
+    out += fmt::format("<h2 id=\"{0}\">{0}: {1}</h2>\n<p><small>{2}, {3}</small></p>\n", escaped(r.name),
+                       escaped(r.title), extentOf(r), durationText(r.seconds));
     for (std::size_t i = 0; pictures && i < r.figures.size(); ++i) {
       const auto png = readFile(folder + "/" + r.figures[i] + ".png");
       if (!png) return png.error();
@@ -162,8 +162,7 @@ std::string asMarkdown(const std::vector<Reproduced>& recipes, bool pictures) {
       fmt::format("# Avoiding failure states during reinforcement learning: a reproduction\n\n{} Surefoot {}.\n",
                   summary(all), kVersion);
   for (const Reproduced& r : recipes) {
-    out += fmt::format("\n## {}: {}\n\n{} conditions, {} lives each, {}.\n\n", r.name, r.title, r.conditions, r.lives,
-                       durationText(r.seconds));
+    out += fmt::format("\n## {}: {}\n\n{}, {}.\n\n", r.name, r.title, extentOf(r), durationText(r.seconds));
     for (std::size_t i = 0; pictures && i < r.figures.size(); ++i)
       out += fmt::format("![{}]({}.png)\n", r.captions[i], r.figures[i]);
     if (const auto rows = rowsOf({&r, 1}); !rows.empty()) out += "\n" + asMarkdownTable(rows);
@@ -187,9 +186,9 @@ std::string claimsAsJson(const std::vector<Reproduced>& recipes) {
 Status writeReport(const std::vector<Reproduced>& recipes, const std::string& folder, bool pictures) {
   const auto html = asHtml(recipes, folder, pictures);
   if (!html) return html.error();
-  if (const Status s = writeFile(folder + "/report.html", *html); !s) return s;
-  if (const Status s = writeFile(folder + "/report.md", asMarkdown(recipes, pictures)); !s) return s;
-  return writeFile(folder + "/claims.json", claimsAsJson(recipes));
+  if (const Status s = writeWhole("--out", folder + "/report.html", *html); !s) return s;
+  if (const Status s = writeWhole("--out", folder + "/report.md", asMarkdown(recipes, pictures)); !s) return s;
+  return writeWhole("--out", folder + "/claims.json", claimsAsJson(recipes));
 }
 
 }  // namespace surefoot

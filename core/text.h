@@ -13,6 +13,9 @@ std::string fixedText(double value, int decimals);
 /// 1234567.0 → "1,234,567".
 std::string countText(double value);
 
+/// A text as a cell of a CSV table, in quotes where it needs them (RFC 4180).
+std::string csvCell(std::string_view text);
+
 /// The beginning of something that a person typed, for a message: at most 60 bytes, never half a character.
 std::string_view shortened(std::string_view text);
 

@@ -244,9 +244,10 @@ Status FigureView::save(const std::string& path) {
     paint(p, t);
   }
   for (const auto& [ending, bytes] : {std::pair<const char*, const QByteArray&>{".png", png}, {".pdf", pdf}}) {
-    auto file = WholeFile::createOrReplace("figure", path + ending);
-    if (!file) return file.error();
-    if (const Status s = file->commit({bytes.constData(), static_cast<std::size_t>(bytes.size())}); !s) return s;
+    if (const Status s =
+            writeWhole("figure", path + ending, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+        !s)
+      return s;
   }
   return Done{};
 }

@@ -14,6 +14,9 @@ void Hash64::add(std::uint64_t word) {
 void Hash64::add(double value) {
   add(std::bit_cast<std::uint64_t>(value));
 }
+void Hash64::add(std::string_view text) {
+  for (const char c : text) add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
+}
 
 const EpisodeRow& EpisodeLog::finish(Ending ending, std::int64_t lifeSteps, double bestReturn) {
   recent_[static_cast<std::size_t>(totals_.episodes % kAverageOver)] = current_.reward;

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "core/experiment/end_of_learning.h"
@@ -29,6 +30,7 @@ class Hash64 {
  public:
   void add(std::uint64_t word);
   void add(double value);
+  void add(std::string_view text);
   std::uint64_t value() const { return state_; }
   void setValue(std::uint64_t value) { state_ = value; }
 

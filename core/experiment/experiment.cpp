@@ -30,8 +30,6 @@ LifeResult summarise(const Life& life, int index, double cpuSeconds) {
 
 namespace {
 
-constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
-
 /// The first multiple of `every` behind `steps`.
 std::int64_t after(std::int64_t steps, std::int64_t every) {
   return every == kNever ? kNever : (steps / every + 1) * every;

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "core/experiment/life.h"
@@ -28,6 +29,9 @@ struct alignas(64) Meter {
 };
 
 Progress sum(const std::vector<Meter>& meters);
+
+/// A number of steps that no life takes.
+inline constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
 
 /// Steps a life until it has taken `steps`, is finished, or the pool stops.
 void live(Life& life, std::int64_t steps, const WorkPool& pool, Meter& meter);

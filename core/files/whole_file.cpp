@@ -134,4 +134,10 @@ Status WholeFile::commit(std::string_view content) {
   return Done{};
 }
 
+Status writeWhole(const std::string& what, const std::string& path, std::string_view content) {
+  auto file = WholeFile::createOrReplace(what, path);
+  if (!file) return file.error();
+  return file->commit(content);
+}
+
 }  // namespace surefoot

@@ -46,4 +46,7 @@ class WholeFile {
   bool replaces_ = false;
 };
 
+/// Writes a file that may exist, whole.
+Status writeWhole(const std::string& what, const std::string& path, std::string_view content);
+
 }  // namespace surefoot

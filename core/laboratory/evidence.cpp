@@ -25,16 +25,20 @@ constexpr NamedMeasure kMeasures[] = {{"falls", [](const LifeMeasures& l) { retu
 
 }  // namespace
 
-Result<Evidence> readEvidence(const Store& store, int condition) {
-  auto record = readCondition(store, condition);
-  if (!record) return record.error();
-  Evidence e{.record = std::move(*record), .averages = {}, .end = {}, .lives = {}, .pool = {}, .configuration = {}};
-  e.averages = meanAverageRewards(e.record);
-  e.end = endOfLearning(e.averages, e.record.condition.goalReward);
-  e.lives = measure(e.record, e.end);
-  e.configuration = nlohmann::json::parse(e.record.condition.configuration, nullptr, false);
-  if (e.configuration.contains("pre_learning")) e.pool = e.configuration["pre_learning"].dump();
-  return e;
+Result<std::vector<Evidence>> readEvidence(const Store& store) {
+  auto records = readConditions(store);
+  if (!records) return records.error();
+  std::vector<Evidence> all;
+  for (ConditionRecord& record : *records) {
+    Evidence e{.record = std::move(record), .averages = {}, .end = {}, .lives = {}, .pool = {}, .configuration = {}};
+    e.averages = meanAverageRewards(e.record);
+    e.end = endOfLearning(e.averages, e.record.condition.goalReward);
+    e.lives = measure(e.record, e.end);
+    e.configuration = nlohmann::json::parse(e.record.condition.configuration, nullptr, false);
+    if (e.configuration.contains("pre_learning")) e.pool = e.configuration["pre_learning"].dump();
+    all.push_back(std::move(e));
+  }
+  return all;
 }
 
 std::vector<std::string> measureNames() {

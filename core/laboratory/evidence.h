@@ -21,7 +21,8 @@ struct Evidence {
   bool hasPool() const { return !pool.empty(); }
 };
 
-Result<Evidence> readEvidence(const Store& store, int condition);
+/// Of all conditions of a store, in order.
+Result<std::vector<Evidence>> readEvidence(const Store& store);
 
 /// The names of what is measured of a life: falls, minutes, all_falls, end_performance, average_reward, success_during,
 /// success_after, failure_during, failure_after.

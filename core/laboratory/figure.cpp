@@ -11,6 +11,7 @@
 #include "core/experiment/configuration_json.h"
 #include "core/laboratory/claim.h"
 #include "core/parameters.h"
+#include "core/text.h"
 
 namespace surefoot {
 
@@ -161,10 +162,9 @@ std::string figureAsCsv(const Figure& figure) {
   const auto to = std::back_inserter(out);
   fmt::format_to(to, "series,{},value,low,high\n", figure.bars ? "bar" : "x");
   for (const FigureSeries& s : figure.series) {
-    std::string name = s.name;
-    for (std::size_t i = name.find('"'); i != std::string::npos; i = name.find('"', i + 2)) name.insert(i, 1, '"');
+    const std::string name = csvCell(s.name);
     for (std::size_t i = 0; i < s.x.size(); ++i)
-      fmt::format_to(to, "\"{}\",{:.9g},{:.9g},{:.9g},{:.9g}\n", name, s.x[i], s.y[i].value, s.y[i].low, s.y[i].high);
+      fmt::format_to(to, "{},{:.9g},{:.9g},{:.9g},{:.9g}\n", name, s.x[i], s.y[i].value, s.y[i].low, s.y[i].high);
   }
   return fmt::to_string(out);
 }

@@ -112,15 +112,13 @@ Result<Findings> findingsOf(const Store& store) {
   if (!plan) return plan.error();
   Findings findings{.plan = std::move(*plan), .complete = true, .conditions = {}};
   const auto& conditions = findings.plan.conditions;
-  std::vector<Evidence> measured;
-  for (int i = 0; i < static_cast<int>(conditions.size()); ++i) {
-    auto evidence = readEvidence(store, i);
-    if (!evidence) return evidence.error();
-    findings.conditions.push_back(describe(*evidence));
-    warn(findings.conditions.back(), *evidence);
-    const auto lives = static_cast<int>(evidence->lives.size()) + evidence->record.diverged;
-    findings.complete &= lives == conditions[static_cast<std::size_t>(i)].lives;
-    measured.push_back(std::move(*evidence));
+  const auto read = readEvidence(store);
+  if (!read) return read.error();
+  const std::vector<Evidence>& measured = *read;
+  for (const Evidence& e : measured) {
+    findings.conditions.push_back(describe(e));
+    warn(findings.conditions.back(), e);
+    findings.complete &= static_cast<int>(e.lives.size()) + e.record.diverged == e.record.condition.lives;
   }
 
   std::map<std::string, std::size_t> numbers;

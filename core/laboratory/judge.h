@@ -9,6 +9,31 @@
 
 namespace surefoot {
 
+inline constexpr double kSignificant = 0.01;  // the thesis's
+
+/// Several verdicts as one: all must agree, and one that differs is enough.
+inline Verdict all(const std::vector<Verdict>& verdicts) {
+  Verdict whole = Verdict::Agrees;
+  for (const Verdict v : verdicts) {
+    if (v == Verdict::Differs) return v;
+    if (v == Verdict::Undecided) whole = v;
+  }
+  return whole;
+}
+
+inline Verdict agreesIf(bool condition) {
+  return condition ? Verdict::Agrees : Verdict::Differs;
+}
+
+inline bool overlaps(const Interval& i, double low, double high) {
+  return i.low <= high && i.high >= low;
+}
+
+/// Of a share of resamples in which something holds.
+inline Verdict ofShare(double share) {
+  return share >= 0.95 ? Verdict::Agrees : share < 0.05 ? Verdict::Differs : Verdict::Undecided;
+}
+
 class Judge {
  public:
   Judge(const Claim& claim, const std::vector<Evidence>& evidence, std::uint64_t seed)

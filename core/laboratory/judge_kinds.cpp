@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Kinds of claims that look at one condition after the other, each against its reference if there is one.
 #include "core/laboratory/judge.h"
 
 #include <fmt/format.h>
@@ -11,35 +12,6 @@
 #include "core/parameters.h"
 
 namespace surefoot {
-
-namespace {
-
-constexpr double kSignificant = 0.01;  // the thesis's
-
-/// Several verdicts as one: all must agree, and one that differs is enough.
-Verdict all(const std::vector<Verdict>& verdicts) {
-  Verdict whole = Verdict::Agrees;
-  for (const Verdict v : verdicts) {
-    if (v == Verdict::Differs) return v;
-    if (v == Verdict::Undecided) whole = v;
-  }
-  return whole;
-}
-
-Verdict agreesIf(bool condition) {
-  return condition ? Verdict::Agrees : Verdict::Differs;
-}
-
-bool overlaps(const Interval& i, double low, double high) {
-  return i.low <= high && i.high >= low;
-}
-
-/// Of a share of resamples in which something holds (claims.md: 95 % and 5 %).
-Verdict ofShare(double share) {
-  return share >= 0.95 ? Verdict::Agrees : share < 0.05 ? Verdict::Differs : Verdict::Undecided;
-}
-
-}  // namespace
 
 Verdict Judge::value() {
   const double thesis = number("thesis");
@@ -97,41 +69,6 @@ Verdict Judge::noDifference() {
   return all(verdicts);
 }
 
-Verdict Judge::order() {
-  const double held = share(conditions_, [](const auto& m) { return std::is_sorted(m.begin(), m.end()); });
-  j_.ours = held;
-  noteMeans();
-  return ofShare(held);
-}
-
-Verdict Judge::lowest() {
-  const double held = share(conditions_, [](const auto& m) { return *std::min_element(m.begin(), m.end()) == m[0]; });
-  j_.ours = held;
-  noteMeans();
-  return ofShare(held);
-}
-
-Verdict Judge::pairs() {
-  std::vector<Verdict> verdicts;
-  double least = 1;
-  for (const auto& pair : arguments_.value("pairs", nlohmann::json::array())) {
-    const bool two = pair.is_array() && pair.size() == 2 && pair[0].is_string() && pair[1].is_string();
-    const Group first = two ? fitting(pair[0]) : Group{}, second = two ? fitting(pair[1]) : Group{};
-    if (first.size() != 1 || second.size() != 1) {
-      complain("pairs", fmt::format("{} are not two conditions", pair.dump()));
-      return Verdict::Undecided;
-    }
-    const double held = share({first[0], second[0]}, [](const auto& m) { return m[0] < m[1]; });
-    if (held < 0.95)
-      note(fmt::format("{} {:.4g}, {} {:.4g}", first[0]->name(), mean(*first[0]), second[0]->name(), mean(*second[0])));
-    least = std::min(least, held);
-    verdicts.push_back(ofShare(held));
-  }
-  j_.ours = least;
-  if (verdicts.empty()) complain("pairs", "a list of pairs of conditions is expected");
-  return all(verdicts);
-}
-
 Verdict Judge::withinLives() {
   const std::string other = text("other", "");
   std::vector<Verdict> verdicts;
@@ -166,50 +103,6 @@ Verdict Judge::notLonger() {
     verdicts.push_back(i.low > 0 ? Verdict::Differs : i.high >= 25 ? Verdict::Undecided : Verdict::Agrees);
   }
   return all(verdicts);
-}
-
-Verdict Judge::notWorse() {
-  const Evidence& first = *conditions_[0];
-  bool better = false;
-  for (const Evidence* e : conditions_) {
-    if (e == &first) continue;
-    const double pValue = p(first, *e);
-    if (pValue >= kSignificant || mean(*e) >= mean(first)) continue;
-    better = true;
-    note(fmt::format("{} is better (p {:.2g})", e->name(), pValue));
-    j_.p = std::min(pValue, j_.p.value_or(1));
-  }
-  report(interval(first));
-  noteMeans();
-  return agreesIf(!better);
-}
-
-Verdict Judge::ratio() {
-  if (conditions_.size() != 2) complain("conditions", "two are expected");
-  if (!problem_.empty()) return Verdict::Undecided;
-  const Interval i = bootstrap(
-      {groupsOf(*conditions_[0], measure_), groupsOf(*conditions_[1], measure_)},
-      shareQFunctions(*conditions_[0], *conditions_[1]), [](const std::vector<double>& m) { return m[0] / m[1]; },
-      random_);
-  report(i);
-  return agreesIf(overlaps(i, number("low"), number("high")));
-}
-
-Verdict Judge::extreme() {
-  std::optional<Interval> most;
-  std::string where;
-  for (const Evidence* e : conditions_) {
-    const Evidence& reference = *referenceOf(*e);
-    if (e == &reference) continue;
-    const Interval i = change(reference, *e);
-    if (most && i.value >= most->value) continue;
-    most = i, where = e->name();
-  }
-  if (!most) complain("conditions", "none has a reference");
-  if (!problem_.empty()) return Verdict::Undecided;
-  report(*most);
-  note(where);
-  return agreesIf(most->value >= number("low") && most->value <= number("high"));
 }
 
 Verdict Judge::below() {
@@ -276,21 +169,6 @@ Verdict Judge::pool() {
   return all(verdicts);
 }
 
-Verdict Judge::spread() {
-  const Group others = find("others");
-  if (others.empty()) complain("others", "no condition fits");
-  if (!problem_.empty()) return Verdict::Undecided;
-  Group both = conditions_;
-  both.insert(both.end(), others.begin(), others.end());
-  const auto range = [](auto begin, auto end) { return *std::max_element(begin, end) - *std::min_element(begin, end); };
-  const auto split = static_cast<std::ptrdiff_t>(conditions_.size());
-  const double held = share(
-      both, [&](const auto& m) { return range(m.begin(), m.begin() + split) < range(m.begin() + split, m.end()); });
-  j_.ours = held;
-  noteMeans();
-  return ofShare(held);
-}
-
 Verdict Judge::rule() {
   std::vector<Verdict> verdicts;
   for (const auto& row : arguments_.value("rows", nlohmann::json::array())) {
@@ -312,12 +190,6 @@ Verdict Judge::rule() {
   }
   if (verdicts.empty()) complain("rows", "a list is expected");
   return all(verdicts);
-}
-
-void Judge::noteMeans() {
-  std::vector<std::string> means;
-  for (const Evidence* e : conditions_) means.push_back(fmt::format("{} {:.4g}", e->name(), mean(*e)));
-  note(fmt::format("{}", fmt::join(means, ", ")));
 }
 
 }  // namespace surefoot

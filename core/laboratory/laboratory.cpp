@@ -180,8 +180,6 @@ class Laboratory {
     return store_.save(row, episodes, before);
   }
 
-  static constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
-
   const Registry& registry_;
   const Plan& plan_;
   Store& store_;

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "core/experiment/episode_log.h"
+#include "core/files/read_file.h"
 
 namespace surefoot {
 
@@ -107,29 +108,35 @@ std::size_t ConditionRecord::shortest() const {
   return shortest;
 }
 
-Result<ConditionRecord> readCondition(const Store& store, int condition) {
-  ConditionRecord record;
-  const auto plan = store.plan();
+Result<std::vector<ConditionRecord>> readConditions(const Store& store) {
+  auto plan = store.plan();
   if (!plan) return plan.error();
-  record.condition = plan->conditions.at(static_cast<std::size_t>(condition));
   const auto lives = store.lives();
   if (!lives) return lives.error();
+  const auto before = store.preLearned();
+  if (!before) return before.error();
+  std::vector<ConditionRecord> records(plan->conditions.size());
+  const auto known = [&](int condition) { return condition >= 0 && condition < static_cast<int>(records.size()); };
+  const Error damaged =
+      fileError(store.path(), "it holds lives of a condition that it does not hold; the file is damaged.");
+  for (std::size_t i = 0; i < records.size(); ++i) records[i].condition = std::move(plan->conditions[i]);
   for (const StoredLife& life : *lives) {
-    if (life.condition != condition) continue;
+    if (!known(life.condition)) return damaged;
+    ConditionRecord& record = records[static_cast<std::size_t>(life.condition)];
     if (!life.diverged.empty()) {
       ++record.diverged;
       continue;
     }
-    auto episodes = store.episodes(condition, life.life);
+    auto episodes = store.episodes(life.condition, life.life);
     if (!episodes) return episodes.error();
     record.lives.push_back(life);
     record.episodes.push_back(std::move(*episodes));
   }
-  const auto before = store.preLearned();
-  if (!before) return before.error();
-  for (const StoredPreLearning& p : *before)
-    if (p.condition == condition) record.preLearned.push_back(p);
-  return record;
+  for (const StoredPreLearning& p : *before) {
+    if (!known(p.condition)) return damaged;
+    records[static_cast<std::size_t>(p.condition)].preLearned.push_back(p);
+  }
+  return records;
 }
 
 std::vector<double> averageRewards(const std::vector<StoredEpisode>& episodes) {

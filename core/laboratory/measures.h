@@ -23,7 +23,8 @@ struct ConditionRecord {
   std::size_t shortest() const;
 };
 
-Result<ConditionRecord> readCondition(const Store& store, int condition);
+/// All conditions of a store, in order.
+Result<std::vector<ConditionRecord>> readConditions(const Store& store);
 
 /// The average reward after every episode of a life.
 std::vector<double> averageRewards(const std::vector<StoredEpisode>& episodes);

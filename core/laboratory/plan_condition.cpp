@@ -17,7 +17,7 @@ constexpr int kMostPool = 1'000'000;
 std::uint64_t hashText(std::string_view text, std::uint64_t seed) {
   Hash64 hash;
   hash.add(seed);
-  for (const char c : text) hash.add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
+  hash.add(text);
   return hash.value();
 }
 

@@ -73,6 +73,11 @@ EndingCode endingCode(const EpisodeRow& row) {
   return row.falls > 0 ? EndingCode::Fall : EndingCode::End;
 }
 
+const char* endingName(EndingCode code) {
+  constexpr const char* kNames[] = {"end", "success", "fall", "truncated"};
+  return kNames[static_cast<int>(code) & 3];
+}
+
 Store::Store(std::string path, std::unique_ptr<Database> database)
     : path_(std::move(path)),
       database_(std::move(database)) {}

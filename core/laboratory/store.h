@@ -27,6 +27,8 @@ namespace surefoot {
 
 enum class EndingCode : int { End, Success, Fall, Truncated };
 EndingCode endingCode(const EpisodeRow& row);
+/// "success", "fall", …
+const char* endingName(EndingCode code);
 
 /// One condition as the store holds it.
 struct StoredCondition {

@@ -84,7 +84,7 @@ Result<std::uint64_t> Store::contentHash() const {
   Hash64 hash;
   const auto addText = [&](const std::string& text) {
     hash.add(static_cast<std::uint64_t>(text.size()));
-    for (const char c : text) hash.add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
+    hash.add(std::string_view(text));
   };
   const auto addAll = [&](auto... numbers) { (hash.add(static_cast<std::uint64_t>(numbers)), ...); };
   const auto stored = plan();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/plan_files.h"
+#include "app/resources.h"
 
 #include <fmt/format.h>
 
@@ -66,6 +66,12 @@ Result<std::string> findPlan(const std::string& plan) {
   return Error{fmt::format("PLAN: there is no file and no plan called \"{}\"{}; the plans are {}.", shortened(plan),
                            near.empty() ? "" : ", did you mean " + near, joinWords(names)),
                ErrorKind::File};
+}
+
+std::vector<std::string> shippedRecipes() {
+  std::vector<std::string> names;
+  for (const fs::path& file : filesIn("recipes")) names.push_back(file.stem().string());
+  return names;
 }
 
 Result<std::vector<std::string>> findRecipes(const std::vector<std::string>& wanted) {

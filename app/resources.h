@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the plans are that come with the program: in resources/plans beside the program in a build tree, in
-// share/surefoot/plans when it is installed.
+// Plans and recipes that come with the program: in resources/ beside the program in a build tree, in share/surefoot/
+// when it is installed.
 #pragma once
 
 #include <string>
@@ -17,6 +17,8 @@ std::vector<std::string> shippedPlans();
 /// The file of a plan: a path, or the name of a shipped one.
 Result<std::string> findPlan(const std::string& plan);
 
+/// What `reproduce` can be asked for, in order.
+std::vector<std::string> shippedRecipes();
 /// The files of recipes by their names, by what they show ("4.6", "table 4.2"), or "all"; each once, in order.
 Result<std::vector<std::string>> findRecipes(const std::vector<std::string>& wanted);
 
