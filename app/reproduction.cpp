@@ -37,10 +37,11 @@ Result<std::vector<Evidence>> runAndRead(const Registry& registry, const Plan& p
   return readEvidence(*store);
 }
 
-Result<std::vector<Judgement>> judgeAll(const Recipe& recipe, const std::vector<Evidence>& evidence) {
+Result<std::vector<Judgement>> judgeAll(const Registry& registry, const Recipe& recipe,
+                                        const std::vector<Evidence>& evidence) {
   std::vector<Judgement> judgements;
   for (const Claim& claim : recipe.claims) {
-    auto judgement = judge(claim, evidence, recipe.plan.seed);
+    auto judgement = judge(registry, claim, evidence, recipe.plan.seed);
     if (!judgement) return Error{recipe.name + ".toml: " + judgement.error().message};
     judgements.push_back(std::move(*judgement));
   }
@@ -75,7 +76,7 @@ Result<Reproduced> reproduce(const Registry& registry, const std::string& recipe
     done.figures.push_back(recipe->name + "/" + figure->name);
     done.captions.push_back(figure->title);
   }
-  auto judgements = judgeAll(*recipe, *evidence);
+  auto judgements = judgeAll(registry, *recipe, *evidence);
   if (!judgements) return judgements.error();
   done.judgements = std::move(*judgements);
 
@@ -84,7 +85,7 @@ Result<Reproduced> reproduce(const Registry& registry, const std::string& recipe
     if (!onLab) return onLab.error();
     const auto labEvidence = runAndRead(registry, onLab->plan, own + "/results-lab.sqlite", lab);
     if (!labEvidence) return labEvidence.error();
-    auto labJudgements = judgeAll(*onLab, *labEvidence);
+    auto labJudgements = judgeAll(registry, *onLab, *labEvidence);
     if (!labJudgements) return labJudgements.error();
     done.onLabPreset = std::move(*labJudgements);
     for (const Claim& claim : onLab->claims) done.calibrated.push_back(claim.id);

@@ -12,6 +12,7 @@
 #include "core/files/whole_file.h"
 #include "core/text.h"
 #include "ui/learning_charts.h"
+#include "ui/scene_painter.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
 
@@ -99,6 +100,7 @@ void FigureView::paint(QPainter& p, const Theme& t) const {
   p.setFont(textFont(13, 500));
   p.setPen(t.ink);
   drawSymbol(p, QRectF(16, 8, width() - 32, 20), Qt::AlignLeft, toText(figure_.title));
+  if (figure_.scene) return paintScene(p, t);
   if (figure_.bars) return paintBars(p, t);
   const QRectF plot(kLeft, kTop, width() - kLeft - kLegend, height() - kTop - kBottom);
   paintAxes(p, t, plot);
@@ -127,8 +129,13 @@ void FigureView::paintAxes(QPainter& p, const Theme& t, const QRectF& plot) cons
     p.setPen(t.quiet);
     drawSymbol(p, QRectF(tick - 30, base + 5, 60, 16), Qt::AlignHCenter, tickText(x, xStep));
   }
-  p.drawText(QRectF(plot.left(), base + 22, plot.width(), 16), Qt::AlignHCenter | Qt::AlignVCenter,
-             toText(figure_.xTitle));
+  paintTitles(p, t, plot);
+}
+
+void FigureView::paintTitles(QPainter& p, const Theme& t, const QRectF& plot) const {
+  p.setFont(textFont(11));
+  p.setPen(t.quiet);
+  drawSymbol(p, QRectF(plot.left(), plot.bottom() + 22, plot.width(), 16), Qt::AlignHCenter, toText(figure_.xTitle));
   p.save();
   p.translate(14, plot.center().y());
   p.rotate(-90);
@@ -183,6 +190,34 @@ void FigureView::paintLegend(QPainter& p, const Theme& t, const QRectF& plot) co
         p.fontMetrics().elidedText(toText(figure_.series[i].name), Qt::ElideMiddle, static_cast<int>(kLegend) - 56);
     drawSymbol(p, QRectF(plot.right() + 46, y, kLegend - 50, 16), Qt::AlignLeft, name);
   }
+}
+
+// As large as fits, with both axes to one scale.
+void FigureView::paintScene(QPainter& p, const Theme& t) const {
+  QRectF bounds;
+  const auto include = [&](const Point& point) {
+    const QRectF dot(point.x, point.y, 1e-6, 1e-6);
+    bounds = bounds.isNull() ? dot : bounds.united(dot);
+  };
+  for (const Shape& shape : figure_.scene->shapes) {
+    if (const auto* line = std::get_if<Polyline>(&shape))
+      std::for_each(line->points.begin(), line->points.end(), include);
+    if (const auto* polygon = std::get_if<Polygon>(&shape))
+      std::for_each(polygon->points.begin(), polygon->points.end(), include);
+    if (const auto* disc = std::get_if<Disc>(&shape))
+      for (const double sign : {-1.0, 1.0})
+        include({disc->centre.x + sign * disc->radius, disc->centre.y + sign * disc->radius});
+  }
+  const QRectF plot(kLeft, kTop + 20, width() - 2 * kLeft, height() - kTop - kBottom - 20);
+  const double scale = std::min(plot.width() / bounds.width(), plot.height() / bounds.height());
+  const QPointF middle = bounds.center();
+  const ScenePainter painter(
+      p, t, false,
+      [&](Point at) { return plot.center() + QPointF((at.x - middle.x()) * scale, -(at.y - middle.y()) * scale); },
+      scale);
+  p.setFont(textFont(11));
+  for (const Shape& shape : figure_.scene->shapes) std::visit(painter, shape);
+  paintTitles(p, t, plot);
 }
 
 void FigureView::paintBars(QPainter& p, const Theme& t) const {

@@ -29,6 +29,8 @@ class FigureView final : public QWidget {
   void paintCurves(QPainter& p, const Theme& t, const QRectF& plot) const;
   void paintBars(QPainter& p, const Theme& t) const;
   void paintLegend(QPainter& p, const Theme& t, const QRectF& plot) const;
+  void paintTitles(QPainter& p, const Theme& t, const QRectF& plot) const;
+  void paintScene(QPainter& p, const Theme& t) const;
   void paintAxes(QPainter& p, const Theme& t, const QRectF& plot) const;
   QPen penOf(std::size_t series, const Theme& t) const;
   QPointF at(double x, double y, const QRectF& plot) const;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 #include "core/laboratory/judge.h"
 #include "core/parameters.h"
@@ -30,7 +31,15 @@ Result<Judgement> Judge::judge() {
                                                                      {"settled", &Judge::settled},
                                                                      {"pool", &Judge::pool},
                                                                      {"spread", &Judge::spread},
-                                                                     {"rule", &Judge::rule}};
+                                                                     {"rule", &Judge::rule},
+                                                                     {"parameters", &Judge::parameters},
+                                                                     {"drawn", &Judge::drawn},
+                                                                     {"same-values", &Judge::sameValues},
+                                                                     {"best", &Judge::best},
+                                                                     {"compromise", &Judge::compromise},
+                                                                     {"effect-order", &Judge::effectOrder},
+                                                                     {"bands-overlap", &Judge::bandsOverlap},
+                                                                     {"dips", &Judge::dips}};
   const auto kind = kKinds.find(claim_.kind);
   if (kind == kKinds.end()) {
     std::vector<std::string> names;
@@ -40,8 +49,8 @@ Result<Judgement> Judge::judge() {
   }
   measure_ = text("measure", "falls");
   conditions_ = find("conditions");
-  if (conditions_.empty() && claim_.kind != "pairs" && claim_.kind != "rule")
-    complain("conditions", "no condition fits");
+  static const std::set<std::string> kNamedElsewhere = {"pairs", "rule", "parameters", "drawn", "best"};
+  if (conditions_.empty() && !kNamedElsewhere.contains(claim_.kind)) complain("conditions", "no condition fits");
   if (!problem_.empty()) return Error{problem_};
   j_.verdict = (this->*kind->second)();
   if (!problem_.empty()) return Error{problem_};
@@ -111,13 +120,26 @@ Interval Judge::change(const Evidence& reference, const Evidence& e) {
       [](const std::vector<double>& m) { return changeInPerCent(m[0], m[1]); }, random_);
 }
 
-double Judge::share(const Group& group, const std::function<bool(const std::vector<double>&)>& holds) {
-  std::vector<Groups> groups;
-  bool shared = true;
-  for (const Evidence* e : group) {
-    groups.push_back(groupsOf(*e, measure_));
-    shared = shared && shareQFunctions(*group[0], *e);
+namespace {
+/// The values of several conditions, and whether they began with the same Q-functions.
+std::pair<std::vector<Groups>, bool> together(const std::vector<const Evidence*>& conditions,
+                                              const std::string& measure) {
+  std::pair<std::vector<Groups>, bool> all{{}, true};
+  for (const Evidence* e : conditions) {
+    all.first.push_back(groupsOf(*e, measure));
+    all.second = all.second && shareQFunctions(*conditions[0], *e);
   }
+  return all;
+}
+}  // namespace
+
+Interval Judge::statistic(const Group& group, const std::function<double(const std::vector<double>&)>& f) {
+  const auto [groups, shared] = together(group, measure_);
+  return bootstrap(groups, shared, f, random_);
+}
+
+double Judge::share(const Group& group, const std::function<bool(const std::vector<double>&)>& holds) {
+  const auto [groups, shared] = together(group, measure_);
   const auto results = resample(
       groups, shared, [&](const auto& means) { return holds(means) ? 1.0 : 0.0; }, random_);
   return surefoot::meanOf(results);
@@ -128,8 +150,9 @@ const char* nameOf(Verdict verdict) {
   return kNames[static_cast<int>(verdict)];
 }
 
-Result<Judgement> judge(const Claim& claim, const std::vector<Evidence>& evidence, std::uint64_t seed) {
-  return Judge(claim, evidence, seed).judge();
+Result<Judgement> judge(const Registry& registry, const Claim& claim, const std::vector<Evidence>& evidence,
+                        std::uint64_t seed) {
+  return Judge(registry, claim, evidence, seed).judge();
 }
 
 nlohmann::ordered_json judgementAsJson(const Judgement& j) {

@@ -19,9 +19,24 @@
 //   trend         values of lives against what `along` varied: the rank correlation has the sign of `sign`, p < .01
 //   settled       the largest 250-episode change behind the end of learning lies between low and high
 //   pool          lives of one Q-function are no more alike than all (F test, p ≥ .01)
-//   rule          the rule of thumb (eq. 4.3) gives what the thesis prints: `rows` of {discount, transitions, goal,
-//   time,
-//                 expected, digits}; needs no lives
+//   compromise    no condition is significantly below the first in both `measure` and `other`
+//   effect-order  `conditions` in pairs: the first of a pair gains less on its reference than the second on its own, in
+//                 standard deviations
+//   best          of each of `groups` (lists of conditions) the one with the lowest mean: its value of the parameter
+//                 `along` is the same in all (the intervals overlap), or that of the first is `relation` = lower or
+//                 not-lower than those of the others
+//   bands-overlap the 95 % bands of the learning curve and of the reference's overlap at 95 % of all moments
+//   dips          the average reward falls below that of the `first` episodes (10)
+//
+// Exact, from the configurations of conditions and not from their lives; `rows`, all of which must hold:
+//
+//   same-values   taught by one stream of `steps` transitions (10⁵), two conditions' values differ by less than
+//   `within`
+//                 (1e-9); it has no rows
+//   rule          the rule of thumb (eq. 4.3): {discount, transitions, goal, time, expected, digits}
+//   parameters    key·times/over, the last of condition `of`: {condition, key, times, over, of, expected, digits}
+//   drawn         a point of the figure `draws` (a kind of live figure, with its `q` or `state`): {condition, x,
+//                 expected, within} or {condition, x, low, high}
 //   spread        the means of `conditions` lie closer together than those of `others`
 #pragma once
 
@@ -30,6 +45,7 @@
 #include <vector>
 
 #include "core/laboratory/evidence.h"
+#include "core/registry.h"
 
 namespace surefoot {
 
@@ -51,7 +67,8 @@ struct Judgement {
 };
 
 /// `conditions` may hold patterns, "TRL *". An error names the claim and what is wrong with it.
-Result<Judgement> judge(const Claim& claim, const std::vector<Evidence>& evidence, std::uint64_t seed);
+Result<Judgement> judge(const Registry& registry, const Claim& claim, const std::vector<Evidence>& evidence,
+                        std::uint64_t seed);
 
 nlohmann::ordered_json judgementAsJson(const Judgement& judgement);
 

@@ -21,7 +21,8 @@ constexpr NamedMeasure kMeasures[] = {{"falls", [](const LifeMeasures& l) { retu
                                       {"success_during", [](const LifeMeasures& l) { return l.during.success; }},
                                       {"success_after", [](const LifeMeasures& l) { return l.after.success; }},
                                       {"failure_during", [](const LifeMeasures& l) { return l.during.failure; }},
-                                      {"failure_after", [](const LifeMeasures& l) { return l.after.failure; }}};
+                                      {"failure_after", [](const LifeMeasures& l) { return l.after.failure; }},
+                                      {"first_transitions", [](const LifeMeasures& l) { return l.firstTransitions; }}};
 
 }  // namespace
 
@@ -66,8 +67,7 @@ bool shareQFunctions(const Evidence& a, const Evidence& b) {
   return a.hasPool() && a.pool == b.pool;
 }
 
-Interval meanOf(const Evidence& evidence, std::string_view measure, std::uint64_t seed) {
-  const Groups groups = groupsOf(evidence, measure);
+Interval meanOf(const Groups& groups, std::uint64_t seed) {
   if (groups.empty()) {
     const double nothing = std::numeric_limits<double>::quiet_NaN();
     return {nothing, nothing, nothing};
@@ -76,6 +76,10 @@ Interval meanOf(const Evidence& evidence, std::string_view measure, std::uint64_
   Random random(seed);
   return bootstrap(
       {groups}, false, [](const std::vector<double>& means) { return means[0]; }, random);
+}
+
+Interval meanOf(const Evidence& evidence, std::string_view measure, std::uint64_t seed) {
+  return meanOf(groupsOf(evidence, measure), seed);
 }
 
 }  // namespace surefoot

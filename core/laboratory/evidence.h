@@ -25,7 +25,7 @@ struct Evidence {
 Result<std::vector<Evidence>> readEvidence(const Store& store);
 
 /// The names of what is measured of a life: falls, minutes, all_falls, end_performance, average_reward, success_during,
-/// success_after, failure_during, failure_after.
+/// success_after, failure_during, failure_after, first_transitions.
 std::vector<std::string> measureNames();
 /// One value a life; NaN where a life has none. Empty for a name that is not there.
 std::vector<double> valuesOf(const Evidence& evidence, std::string_view measure);
@@ -34,7 +34,8 @@ std::vector<double> valuesOf(const Evidence& evidence, std::string_view measure)
 Groups groupsOf(const Evidence& evidence, std::string_view measure);
 /// Both began with the same Q-functions, so that these are drawn together.
 bool shareQFunctions(const Evidence& a, const Evidence& b);
-/// Mean with its 95 % interval: by Student's t where lives are independent, else the bootstrap's.
+/// Mean of one value a life with its 95 % interval: by Student's t where lives are independent, else the bootstrap's.
+Interval meanOf(const Groups& groups, std::uint64_t seed);
 Interval meanOf(const Evidence& evidence, std::string_view measure, std::uint64_t seed);
 
 }  // namespace surefoot

@@ -10,6 +10,7 @@
 
 #include "core/experiment/configuration_json.h"
 #include "core/laboratory/claim.h"
+#include "core/laboratory/live_scene.h"
 #include "core/parameters.h"
 #include "core/text.h"
 
@@ -30,7 +31,8 @@ std::string titleOf(const std::string& measure) {
       {"success_during", "transitions of a success, during learning"},
       {"success_after", "transitions of a success, after learning"},
       {"failure_during", "transitions of a failure, during learning"},
-      {"failure_after", "transitions of a failure, after learning"}};
+      {"failure_after", "transitions of a failure, after learning"},
+      {"first_transitions", "transitions of an episode, first 80"}};
   const auto found = kTitles.find(measure);
   return found == kTitles.end() ? measure : found->second;
 }
@@ -138,7 +140,7 @@ Result<Figure> makeFigure(const Registry& registry, const FigureSpec& spec, cons
     if (wanted && !e.lives.empty()) chosen.push_back(&e);
   }
   if (chosen.empty()) return Error{fmt::format("figure {}: no condition fits.", spec.name)};
-  if (spec.kind == "probabilities" || spec.kind == "generalisation") return makeLiveFigure(registry, spec, chosen);
+  if (isLiveFigure(spec.kind)) return makeLiveFigure(registry, spec, chosen);
   const auto measures = measureNames();
   if (std::find(measures.begin(), measures.end(), spec.measure) == measures.end())
     return Error{fmt::format("figure {}: measure: there is no \"{}\"; it takes {}.", spec.name, spec.measure,
@@ -158,6 +160,7 @@ Result<Figure> makeFigure(const Registry& registry, const FigureSpec& spec, cons
 }
 
 std::string figureAsCsv(const Figure& figure) {
+  if (figure.scene) return sceneAsCsv(*figure.scene);
   fmt::memory_buffer out;
   const auto to = std::back_inserter(out);
   fmt::format_to(to, "series,{},value,low,high\n", figure.bars ? "bar" : "x");

@@ -5,10 +5,12 @@
 // parameter).
 //
 // Of policies and representations themselves: probabilities (of actions whose values are `q`), generalisation (how the
-// value changes along the first state variable when it is moved by 1 in `state`).
+// value changes along the first state variable when it is moved by 1 in `state`), values (along the first state
+// variable, before anything is learned), world (a picture of it), tilings (and which tiles hold `state`).
 #pragma once
 
 #include "core/laboratory/evidence.h"
+#include "core/scene.h"
 
 namespace surefoot {
 
@@ -19,7 +21,7 @@ struct FigureSpec {
   std::vector<std::string> conditions;  ///< names or patterns; empty: all
   std::string measure = "falls";        ///< of bars and against
   std::string along;                    ///< of against: the key of the parameter
-  std::vector<double> q, state;         ///< of probabilities; of generalisation
+  std::vector<double> q, state;         ///< of probabilities; of generalisation, values and tilings
 };
 
 struct FigureSeries {
@@ -34,6 +36,7 @@ struct Figure {
   bool bars = false;
   std::vector<std::string> labels;  ///< of bars, one each
   std::vector<FigureSeries> series;
+  std::optional<Scene> scene{};  ///< in place of series: a picture
 };
 
 /// An error names the figure and what is wrong with it.
@@ -44,7 +47,9 @@ Result<Figure> makeFigure(const Registry& registry, const FigureSpec& spec, cons
 Result<Figure> makeLiveFigure(const Registry& registry, const FigureSpec& spec,
                               const std::vector<const Evidence*>& chosen);
 
-/// A row a point: series, x, value, low, high.
+bool isLiveFigure(const std::string& kind);
+
+/// A row a point: series, x, value, low, high; of a picture shape, x, y.
 std::string figureAsCsv(const Figure& figure);
 
 }  // namespace surefoot

@@ -36,8 +36,9 @@ inline Verdict ofShare(double share) {
 
 class Judge {
  public:
-  Judge(const Claim& claim, const std::vector<Evidence>& evidence, std::uint64_t seed)
-      : claim_(claim),
+  Judge(const Registry& registry, const Claim& claim, const std::vector<Evidence>& evidence, std::uint64_t seed)
+      : registry_(registry),
+        claim_(claim),
         arguments_(claim.arguments),
         evidence_(evidence),
         seed_(seed),
@@ -59,8 +60,12 @@ class Judge {
   Group fitting(const std::string& pattern) const;
   /// All conditions that fit the patterns of a list, in the order of these.
   Group find(const char* key);
+  /// The one condition that a row names.
+  const Evidence* conditionOf(const nlohmann::json& row, const char* key);
   /// What a condition is compared with: the claim's reference, or its own.
   const Evidence* referenceOf(const Evidence& e);
+  double parameterOf(const Evidence& e, const std::string& key);
+  Verdict eachRow(const std::function<Verdict(const nlohmann::json& row)>& judgeRow);
 
   // What the lives say.
 
@@ -69,6 +74,8 @@ class Judge {
   Interval interval(const Evidence& e) const { return meanOf(e, measure_, seed_); }
   double p(const Evidence& a, const Evidence& b);
   Interval change(const Evidence& reference, const Evidence& e);
+  /// Of all these means, with the interval of its resamples.
+  Interval statistic(const Group& group, const std::function<double(const std::vector<double>&)>& f);
   /// In what share of the resamples of all these means something holds.
   double share(const Group& group, const std::function<bool(const std::vector<double>&)>& holds);
   void report(const Interval& i) { j_.ours = i.value, j_.low = i.low, j_.high = i.high; }
@@ -94,8 +101,17 @@ class Judge {
   Verdict pool();
   Verdict spread();
   Verdict rule();
+  Verdict parameters();
+  Verdict drawn();
+  Verdict sameValues();
+  Verdict best();
+  Verdict compromise();
+  Verdict effectOrder();
+  Verdict bandsOverlap();
+  Verdict dips();
   void noteMeans();
 
+  const Registry& registry_;
   const Claim& claim_;
   const nlohmann::json& arguments_;
   const std::vector<Evidence>& evidence_;

@@ -8,7 +8,6 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
-#include "core/experiment/rule_of_thumb.h"
 #include "core/parameters.h"
 
 namespace surefoot {
@@ -166,29 +165,6 @@ Verdict Judge::pool() {
       note(fmt::format("{}: {:.0f} % of the variance", e->name(), 100 * component->share));
     verdicts.push_back(agreesIf(component->test.p >= kSignificant));
   }
-  return all(verdicts);
-}
-
-Verdict Judge::rule() {
-  std::vector<Verdict> verdicts;
-  for (const auto& row : arguments_.value("rows", nlohmann::json::array())) {
-    const auto get = [&](const char* key, double otherwise) {
-      const bool there = row.is_object() && row.contains(key) && row[key].is_number();
-      return there ? row[key].get<double>() : otherwise;
-    };
-    const double expected = get("expected", std::nan("")), digits = get("digits", 0);
-    const double ours =
-        ruleOfThumb(get("discount", 0.98), get("transitions", std::nan("")), get("goal", 200), get("time", 0));
-    if (!std::isfinite(ours) || !std::isfinite(expected)) {
-      complain("rows", "transitions and expected are needed in each");
-      return Verdict::Undecided;
-    }
-    note(fmt::format("{:.6g} for {:g}", ours, expected));
-    if (!j_.ours) j_.ours = ours;
-    // To the digits printed; a last digit may be cut instead of rounded.
-    verdicts.push_back(agreesIf(std::abs(ours - expected) < std::pow(10.0, -digits)));
-  }
-  if (verdicts.empty()) complain("rows", "a list is expected");
   return all(verdicts);
 }
 

@@ -31,6 +31,13 @@ Lengths lengthsOf(std::span<const StoredEpisode> episodes) {
   return {ratio(successSteps, successes), ratio(failureSteps, failures)};
 }
 
+/// Mean transitions of an episode, whatever its ending.
+double transitionsOf(std::span<const StoredEpisode> episodes) {
+  double transitions = 0;
+  for (const StoredEpisode& e : episodes) transitions += static_cast<double>(e.transitions);
+  return ratio(transitions, static_cast<double>(episodes.size()));
+}
+
 double fallsOf(std::span<const StoredEpisode> episodes) {
   double falls = 0;
   for (const StoredEpisode& e : episodes) falls += e.falls;
@@ -180,13 +187,15 @@ std::vector<LifeMeasures> measure(const ConditionRecord& record, std::optional<s
     const auto during = whole.first(std::min(end.value_or(whole.size()), whole.size()));
     const auto after = whole.subspan(during.size());
     const auto last = whole.last(std::min(kLast, whole.size()));
-    all.push_back({.falls = fallsOf(during),
-                   .minutes = minutesOf(during, record.condition.stepTime),
-                   .allFalls = fallsOf(whole),
-                   .endPerformance = ratio(fallsOf(last), static_cast<double>(last.size())),
-                   .averageReward = episodes.empty() ? std::nan("") : averageRewards(episodes).back(),
-                   .during = lengthsOf(during),
-                   .after = lengthsOf(after)});
+    all.push_back(
+        {.falls = fallsOf(during),
+         .minutes = minutesOf(during, record.condition.stepTime),
+         .allFalls = fallsOf(whole),
+         .endPerformance = ratio(fallsOf(last), static_cast<double>(last.size())),
+         .averageReward = episodes.empty() ? std::nan("") : averageRewards(episodes).back(),
+         .firstTransitions = transitionsOf(whole.first(std::min<std::size_t>(EpisodeLog::kAverageOver, whole.size()))),
+         .during = lengthsOf(during),
+         .after = lengthsOf(after)});
   }
   return all;
 }

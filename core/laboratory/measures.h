@@ -44,11 +44,12 @@ struct Lengths {
 
 /// One life, measured up to the end of its condition's learning.
 struct LifeMeasures {
-  double falls = 0.0;           ///< during learning
-  double minutes = 0.0;         ///< simulated, of learning; NaN without a clock
-  double allFalls = 0.0;        ///< of the whole life
-  double endPerformance = 0.0;  ///< falls per episode over the last 500
-  double averageReward = 0.0;   ///< at the end of the life
+  double falls = 0.0;             ///< during learning
+  double minutes = 0.0;           ///< simulated, of learning; NaN without a clock
+  double allFalls = 0.0;          ///< of the whole life
+  double endPerformance = 0.0;    ///< falls per episode over the last 500
+  double averageReward = 0.0;     ///< at the end of the life
+  double firstTransitions = 0.0;  ///< per episode, over the first 80
   Lengths during, after;
 };
 

@@ -73,8 +73,11 @@ std::vector<std::string> patternsOf(const Claim& claim) {
     if (value.is_array())
       for (const Json& element : value) self(self, element);
   };
-  for (const char* key : {"conditions", "others", "pairs", "reference"})
+  for (const char* key : {"conditions", "others", "pairs", "groups", "reference"})
     if (claim.arguments.contains(key)) add(add, claim.arguments[key]);
+  for (const Json& row : claim.arguments.value("rows", Json::array()))
+    for (const char* key : {"condition", "of"})
+      if (row.is_object() && row.contains(key)) add(add, row[key]);
   return patterns;
 }
 

@@ -6,6 +6,8 @@
 
 #include <cmath>
 
+#include "core/agents/register.h"
+
 namespace surefoot {
 
 namespace {
@@ -33,8 +35,15 @@ const std::vector<Evidence> kEvidence = {
     condition("same", 100.5, "reference"), condition("TRL 0", 80, "reference"),
     condition("TRL 50", 60, "reference"),  condition("wild", 100, "reference", 1.4)};
 
+const Registry kRegistry = [] {
+  Registry registry;
+  registerCore(registry);
+  return registry;
+}();
+
 Judgement judged(const std::string& kind, nlohmann::json arguments) {
-  const auto j = judge({.id = "X1", .kind = kind, .says = "", .arguments = std::move(arguments)}, kEvidence, 1);
+  const auto j =
+      judge(kRegistry, {.id = "X1", .kind = kind, .says = "", .arguments = std::move(arguments)}, kEvidence, 1);
   EXPECT_TRUE(j) << j.error().message;
   return j ? *j : Judgement{};
 }
@@ -122,9 +131,81 @@ TEST(Claim, OtherKinds) {
   EXPECT_EQ(verdict("settled", {{"high", 4}, {"conditions", kHalf}}), Verdict::Differs) << "never settled";
 }
 
+TEST(Claim, BestChoices) {
+  const Json along = "agent.step_size";
+  // The lowest of "TRL 0" (80) and "TRL 50" (60) is where the parameter is .6; of "half" and "reference" .5.
+  const auto groups = [](const Json& a, const Json& b) { return Json::array({a, b}); };
+  const Json low = {"half", "reference"}, high = {"TRL 0", "TRL 50"};
+  const auto best = [&](const char* relation, const Json& a, const Json& b) {
+    return verdict("best", {{"along", along}, {"relation", relation}, {"groups", groups(a, b)}});
+  };
+  EXPECT_EQ(best("lower", low, high), Verdict::Agrees);
+  EXPECT_EQ(best("lower", high, low), Verdict::Differs);
+  EXPECT_EQ(best("not-lower", high, low), Verdict::Agrees);
+  EXPECT_EQ(best("not-lower", low, high), Verdict::Differs);
+  EXPECT_EQ(best("same", low, high), Verdict::Differs);
+  EXPECT_EQ(best("same", low, {"half", "same"}), Verdict::Agrees);
+  EXPECT_NEAR(*judged("best", {{"along", along}, {"groups", groups(low, high)}}).ours, 0.5, 1e-12);
+
+  const auto compromise = [&](const Json& conditions) {
+    return verdict("compromise", {{"other", "minutes"}, {"conditions", conditions}});
+  };
+  EXPECT_EQ(compromise({"half", "TRL *"}), Verdict::Agrees);
+  EXPECT_EQ(compromise({"TRL 0", "half"}), Verdict::Differs) << "half has fewer falls and is shorter";
+
+  // Half falls by 50 with a spread of about 7 and 10, TRL 0 by 20.
+  EXPECT_EQ(verdict("effect-order", {{"conditions", {"TRL 0", "half"}}}), Verdict::Agrees);
+  EXPECT_EQ(verdict("effect-order", {{"conditions", {"half", "TRL 0"}}}), Verdict::Differs);
+}
+
+TEST(Claim, CoursesOfLearning) {
+  // Lives whose rewards go from 50 to `lowest` and up again.
+  const auto course = [](const std::string& name, double lowest) {
+    Evidence e = condition(name, 10, "still");
+    e.record.condition.stepTime = 0;
+    for (int life = 0; life < 20; ++life) {
+      auto& episodes = e.record.episodes.emplace_back();
+      for (int k = 0; k < 400; ++k) {
+        StoredEpisode episode;
+        episode.transitions = 10;
+        episode.reward = (k > 100 && k < 300 ? lowest : 50) + life % 5;
+        episodes.push_back(episode);
+      }
+    }
+    e.averages = meanAverageRewards(e.record);
+    return e;
+  };
+  const std::vector<Evidence> evidence = {course("still", 50), course("dip", -20), course("rise", 90)};
+  const auto verdictOf = [&](const std::string& kind, const char* name) {
+    const auto j =
+        judge(kRegistry, {.id = "X1", .kind = kind, .says = "", .arguments = {{"conditions", {name}}}}, evidence, 1);
+    EXPECT_TRUE(j) << j.error().message;
+    return j->verdict;
+  };
+  EXPECT_EQ(verdictOf("dips", "dip"), Verdict::Agrees);
+  EXPECT_EQ(verdictOf("dips", "rise"), Verdict::Differs);
+  EXPECT_EQ(verdictOf("bands-overlap", "dip"), Verdict::Differs);
+  const auto same = judge(
+      kRegistry,
+      {.id = "X1", .kind = "bands-overlap", .says = "", .arguments = {{"reference", "dip"}, {"conditions", {"still"}}}},
+      {course("dip", 50), course("still", 50)}, 1);
+  EXPECT_EQ(same->verdict, Verdict::Agrees);
+}
+
+TEST(Claim, ExactOnes) {
+  const auto row = [](Json r) { return Json::array({std::move(r)}); };
+  const Json threeTimes = {{"condition", "TRL 0"}, {"key", "agent.step_size"}, {"over", "agent.step_size"},
+                           {"of", "reference"},    {"expected", 0.8},          {"digits", 9}};
+  EXPECT_EQ(verdict("parameters", {{"rows", row(threeTimes)}}), Verdict::Agrees);
+  Json wrong = threeTimes;
+  wrong["expected"] = 0.9;
+  EXPECT_EQ(verdict("parameters", {{"rows", row(wrong)}}), Verdict::Differs);
+}
+
 TEST(Claim, AWrongClaimIsNamed) {
   const auto refused = [](const std::string& kind, Json arguments, const std::string& word) {
-    const auto j = judge({.id = "X1", .kind = kind, .says = "", .arguments = std::move(arguments)}, kEvidence, 1);
+    const auto j =
+        judge(kRegistry, {.id = "X1", .kind = kind, .says = "", .arguments = std::move(arguments)}, kEvidence, 1);
     ASSERT_FALSE(j) << kind;
     EXPECT_NE(j.error().message.find("X1"), std::string::npos) << j.error().message;
     EXPECT_NE(j.error().message.find(word), std::string::npos) << j.error().message;
@@ -138,6 +219,17 @@ TEST(Claim, AWrongClaimIsNamed) {
   refused("pairs", {{"pairs", pairs({{"half", "nobody"}})}}, "pairs");
   refused("within-lives", {{"measure", "falls"}, {"other", "nothing"}, {"conditions", kHalf}}, "other");
   refused("trend", {{"sign", 1}, {"along", "policy.none"}, {"conditions", kHalf}}, "along");
+  refused("best", {{"along", "agent.step_size"}, {"groups", pairs({{"half", "same"}})}}, "groups");
+  refused("best", {{"along", "none"}, {"groups", pairs({{"half", "same"}, {"TRL 0", "TRL 50"}})}}, "along");
+  refused("best", {{"along", "agent.step_size"}, {"relation", "odd"}, {"groups", pairs({{"TRL *"}, {"TRL *"}})}},
+          "relation");
+  refused("compromise", {{"conditions", kHalf}}, "other");
+  refused("effect-order", {{"conditions", kHalf}}, "pairs");
+  refused("parameters", {{"rows", Json::array({{{"condition", "nobody"}}})}}, "nobody");
+  refused("parameters", {{"rows", Json::array()}}, "rows");
+  refused("drawn", {{"draws", "bars"}, {"rows", Json::array({{{"condition", "half"}}})}}, "bars");
+  refused("dips", {{"conditions", kHalf}}, "first");
+  refused("same-values", {{"conditions", kHalf}}, "two");
   refused("ratio", {{"low", 1}, {"high", 2}, {"conditions", kHalf}}, "two");
 }
 

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/laboratory/figure.h"
 
+#include <set>
+
+#include "core/experiment/configuration_json.h"
 #include "core/laboratory/plan.h"
+#include "core/laboratory/same_stream.h"
 #include "tests/core/experiment/test_setup.h"
 
 namespace surefoot {
@@ -72,6 +76,66 @@ TEST_F(FigureTest, PoliciesFollowTheirFormulasOnABell) {  // thesis, eq. 2.2, 2.
     for (std::size_t a = 0; a < 5; ++a) EXPECT_NEAR(f.series[i].y[a].value, expected[i][a], 1e-12) << i << a;
   s.q.clear();
   EXPECT_FALSE(makeFigure(registry, s, evidence, 1));
+}
+
+TEST_F(FigureTest, ThreeTilingsTellThreeTimesAsManyValuesApart) {  // thesis, Figure 6.3, eq. 6.7
+  const auto valuesWith = [&](int tilings) {
+    const auto evidence = evidenceOf(
+        "[[condition]]\nenvironment = \"mountain-car\"\nepisodes = 1\n"
+        "set.features.position = 5\nset.features.velocity = 1\nset.features.tilings = " +
+        std::to_string(tilings) + "\n");
+    FigureSpec s = spec("values");
+    s.state = {0, 0};
+    std::set<double> values;
+    const Figure f = figure(s, evidence);
+    for (const Interval& y : f.series[0].y) values.insert(y.value);
+    return values.size();
+  };
+  EXPECT_NEAR(static_cast<double>(valuesWith(1)), 5, 1) << "an edge of a tile may lie within the range";
+  EXPECT_NEAR(static_cast<double>(valuesWith(3)), 15, 1);
+}
+
+TEST_F(FigureTest, ATilingHasOneTileForAState) {  // thesis, Figure 2.2
+  const auto evidence = evidenceOf(
+      "[[condition]]\nenvironment = \"mountain-car\"\nepisodes = 1\n"
+      "set.features.tilings = 4\nset.features.position = 3\nset.features.velocity = 2\n");
+  FigureSpec s = spec("tilings");
+  s.state = {-0.3, 0.01};
+  const Figure f = figure(s, evidence);
+  ASSERT_TRUE(f.scene);
+  // In tiles: the range of the position is 1.7 for 3 of them, that of the velocity 0.14 for 2.
+  const double x = -0.3 / 1.7 * 3, y = 0.01 / 0.14 * 2;
+  int tiles = 0;
+  for (const Shape& shape : f.scene->shapes) {
+    const auto* tile = std::get_if<Polygon>(&shape);
+    if (!tile || tile->width == 0) continue;
+    ++tiles;
+    EXPECT_TRUE(tile->points[0].x <= x && x < tile->points[2].x) << tile->points[0].x << " " << x;
+    EXPECT_TRUE(tile->points[0].y <= y && y < tile->points[2].y) << tile->points[0].y << " " << y;
+  }
+  EXPECT_EQ(tiles, 4);
+  EXPECT_NE(figureAsCsv(f).find("polygon"), std::string::npos);
+  EXPECT_FALSE(makeFigure(registry, s, evidenceOf("[[condition]]\nminutes = 1\n"), 1)) << "three state variables";
+}
+
+TEST_F(FigureTest, AWorldIsDrawnUnderTorque) {  // thesis, Figure 3.1
+  const Figure f = figure(spec("world"), evidenceOf("[[condition]]\nminutes = 1\n"));
+  ASSERT_TRUE(f.scene);
+  EXPECT_NE(f.xTitle.find("1.50 N m"), std::string::npos) << f.xTitle;
+}
+
+TEST_F(FigureTest, EqualRepresentationsAreTaughtTheSame) {  // thesis, section 6.1.2
+  const auto evidence = evidenceOf(
+      "[base]\nminutes = 1\nset.features.initial_high = 0\n[[condition]]\nname = \"a\"\n[[condition]]\nname = "
+      "\"b\"\nagent = \"sarsa-2q\"\n"
+      "[[condition]]\nset.features.tilings = 8\n");
+  const auto differ = [&](std::size_t a, std::size_t b) {
+    const auto first = configurationFromJson(registry, evidence[a].configuration, "a");
+    const auto second = configurationFromJson(registry, evidence[b].configuration, "b");
+    return *largestDifference(registry, *first, *second, 20'000);
+  };
+  EXPECT_LT(differ(0, 1), 1e-9);
+  EXPECT_GT(differ(0, 2), 1.0);
 }
 
 TEST_F(FigureTest, WhatDoesNotFitIsNamed) {

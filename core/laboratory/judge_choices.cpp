@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Kinds of claims about the best choice among several, and about the course of learning.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/laboratory/judge.h"
+
+namespace surefoot {
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// The position of the lowest of `count` means from `first` on.
+std::size_t lowestOf(const std::vector<double>& means, std::size_t first, std::size_t count) {
+  const auto begin = means.begin() + static_cast<std::ptrdiff_t>(first);
+  return static_cast<std::size_t>(std::min_element(begin, begin + static_cast<std::ptrdiff_t>(count)) - begin);
+}
+
+}  // namespace
+
+double Judge::parameterOf(const Evidence& e, const std::string& key) {
+  const auto& parameters = e.configuration.value("parameters", Json::object());
+  if (parameters.contains(key) && parameters[key].is_number()) return parameters[key];
+  complain("along", fmt::format("\"{}\" is no number of {}", key, e.name()));
+  return std::nan("");
+}
+
+// In every resample each group has a best value of the parameter; these are held against each other.
+Verdict Judge::best() {
+  const std::string along = text("along", ""), relation = text("relation", "same");
+  std::vector<std::vector<double>> values;  // of the parameter: [group][condition]
+  std::vector<std::size_t> firsts;
+  Group everything;
+  for (const Json& list : arguments_.value("groups", Json::array())) {
+    firsts.push_back(everything.size());
+    auto& own = values.emplace_back();
+    for (const Json& pattern : list)
+      for (const Evidence* e : pattern.is_string() ? fitting(pattern) : Group{})
+        everything.push_back(e), own.push_back(parameterOf(*e, along));
+    if (own.size() < 2) complain("groups", fmt::format("{} names fewer than two conditions", list.dump()));
+  }
+  if (values.size() < 2) complain("groups", "two or more are expected");
+  if (relation != "same" && relation != "lower" && relation != "not-lower")
+    complain("relation", "it takes same, lower or not-lower");
+  if (!problem_.empty()) return Verdict::Undecided;
+
+  const auto bestOf = [&](const std::vector<double>& means, std::size_t group) {
+    return values[group][lowestOf(means, firsts[group], values[group].size())];
+  };
+  std::vector<Interval> intervals;
+  for (std::size_t g = 0; g < values.size(); ++g) {
+    intervals.push_back(statistic(everything, [&](const auto& means) { return bestOf(means, g); }));
+    note(fmt::format("best {:g} ({:g} … {:g})", intervals[g].value, intervals[g].low, intervals[g].high));
+  }
+  report(intervals[0]);
+  if (relation == "same")
+    return agreesIf(std::all_of(intervals.begin(), intervals.end(),
+                                [&](const Interval& i) { return overlaps(i, intervals[0].low, intervals[0].high); }));
+  return ofShare(share(everything, [&](const auto& means) {
+    for (std::size_t g = 1; g < values.size(); ++g) {
+      const double first = bestOf(means, 0), other = bestOf(means, g);
+      if (relation == "lower" ? first >= other : first < other) return false;
+    }
+    return true;
+  }));
+}
+
+Verdict Judge::compromise() {
+  const std::string other = text("other", "");
+  const Evidence& first = *conditions_[0];
+  const auto better = [&](const Evidence& e, const std::string& measure) {
+    measure_ = measure;
+    return p(first, e) < kSignificant && mean(e) < mean(first);
+  };
+  if (valuesOf(first, other).empty()) complain("other", "a second measure is expected");
+  const std::string measure = measure_;
+  bool beaten = false;
+  for (const Evidence* e : conditions_) {
+    if (e == &first || !better(*e, measure) || !better(*e, other)) continue;
+    beaten = true;
+    note(e->name() + " is better in both");
+  }
+  for (const std::string& m : {measure, other}) measure_ = m, noteMeans();
+  measure_ = measure;
+  report(interval(first));
+  return agreesIf(!beaten);
+}
+
+// Cohen's d of each against its reference, with the spread of the lives that are there.
+Verdict Judge::effectOrder() {
+  if (conditions_.size() % 2 != 0) complain("conditions", "pairs are expected");
+  std::vector<Verdict> verdicts;
+  for (std::size_t i = 0; problem_.empty() && i + 1 < conditions_.size(); i += 2) {
+    const Evidence &smaller = *conditions_[i], &larger = *conditions_[i + 1];
+    const Group four = {&smaller, referenceOf(smaller), &larger, referenceOf(larger)};
+    const auto spread = [&](const Evidence& a, const Evidence& b) {
+      const double va = varianceOf(values(a)), vb = varianceOf(values(b));
+      return std::sqrt((va + vb) / 2);
+    };
+    const double s1 = spread(*four[0], *four[1]), s2 = spread(*four[2], *four[3]);
+    const auto gain = [&](const std::vector<double>& m, std::size_t at, double s) { return (m[at + 1] - m[at]) / s; };
+    const double held = share(four, [&](const auto& m) { return gain(m, 0, s1) < gain(m, 2, s2); });
+    std::vector<double> means;
+    for (const Evidence* e : four) means.push_back(mean(*e));
+    note(fmt::format("{} {:.2f}, {} {:.2f}", smaller.name(), gain(means, 0, s1), larger.name(), gain(means, 2, s2)));
+    j_.ours = std::min(held, j_.ours.value_or(1));
+    verdicts.push_back(ofShare(held));
+  }
+  return all(verdicts);
+}
+
+Verdict Judge::bandsOverlap() {
+  constexpr std::size_t kPoints = 361;
+  std::vector<Verdict> verdicts;
+  for (const Evidence* e : conditions_) {
+    const Evidence& reference = *referenceOf(*e);
+    if (e == &reference) continue;
+    const Curve a = learningCurve(reference.record, kPoints), b = learningCurve(e->record, kPoints);
+    const std::size_t points = std::min(a.y.size(), b.y.size());
+    std::size_t together = 0;
+    for (std::size_t i = 0; i < points; ++i) together += overlaps(a.y[i], b.y[i].low, b.y[i].high);
+    const double part = points == 0 ? 0 : static_cast<double>(together) / static_cast<double>(points);
+    j_.ours = std::min(part, j_.ours.value_or(1));
+    note(fmt::format("{}: at {:.0f} % of the moments", e->name(), 100 * part));
+    verdicts.push_back(agreesIf(part >= 0.95));
+  }
+  return all(verdicts);
+}
+
+// The lowest point of the mean average reward, life by life against the average of the first episodes.
+Verdict Judge::dips() {
+  const auto first = static_cast<std::size_t>(std::max(1.0, number("first", 10)));
+  std::vector<Verdict> verdicts;
+  for (const Evidence* e : conditions_) {
+    if (e->averages.size() <= first) {
+      complain("first", fmt::format("{} has {} episodes only", e->name(), e->averages.size()));
+      return Verdict::Undecided;
+    }
+    const auto begin = e->averages.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto lowest = static_cast<std::size_t>(std::min_element(begin, e->averages.end()) - e->averages.begin());
+    std::vector<double> changes;
+    for (const auto& episodes : e->record.episodes) {
+      const auto averages = averageRewards(episodes);
+      changes.push_back(averages[lowest] - averages[first - 1]);
+    }
+    const Interval i = meanOf(byQFunction(e->record, changes), seed_);
+    note(fmt::format("{}: {:+.0f} ({:+.0f} … {:+.0f}) at episode {}", e->name(), i.value, i.low, i.high, lowest + 1));
+    if (!j_.high || i.high > *j_.high) report(i);
+    verdicts.push_back(i.high < 0 ? Verdict::Agrees : i.low >= 0 ? Verdict::Differs : Verdict::Undecided);
+  }
+  return all(verdicts);
+}
+
+}  // namespace surefoot
