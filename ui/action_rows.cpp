@@ -8,6 +8,7 @@
 
 #include "core/text.h"
 #include "ui/colour_map.h"
+#include "ui/map_choice.h"
 #include "ui/session.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
@@ -47,10 +48,7 @@ void ActionRows::nextFrame() {
   if (!isVisible() || (sinceUpdate_.isValid() && sinceUpdate_.elapsed() < kUpdateEvery && !q_.empty())) return;
   sinceUpdate_.restart();
   if (session_.shown().q.empty()) return;
-  q_ = session_.shown().q;
-  positive_ = session_.shown().qPositive;
-  negative_ = session_.shown().qNegative;
-  chosen_ = session_.shown().action;
+  takeValues();
   const LifeTime time{session_.snapshot().totals.episodes, session_.snapshot().steps};
   for (Column& column : columns_) {
     column.policy->advance(time);
@@ -58,6 +56,28 @@ void ActionRows::nextFrame() {
     column.policy->probabilities(q_, column.pi);
   }
   update();
+}
+
+/// Of the live state, or of that which is looked at on the map.
+void ActionRows::takeValues() {
+  const Shown& shown = session_.shown();
+  const std::vector<double>& state = session_.examined();
+  const ValueSnapshot* v = session_.values();
+  chosen_ = kNoAction;
+  if (state.size() != session_.task().state.size() || !v) {
+    q_ = shown.q;
+    positive_ = shown.qPositive;
+    negative_ = shown.qNegative;
+    chosen_ = shown.action;
+    return;
+  }
+  const auto n = static_cast<std::size_t>(v->values->actions());
+  q_.resize(n);
+  v->values->evaluate(state, Layer::Sum, q_);
+  for (auto* part : {&positive_, &negative_}) part->resize(v->values->split() ? n : 0);
+  if (!v->values->split()) return;
+  v->values->evaluate(state, Layer::Positive, positive_);
+  v->values->evaluate(state, Layer::Negative, negative_);
 }
 
 ActionRows::Geometry ActionRows::geometry() const {
@@ -81,10 +101,6 @@ double ActionRows::xOf(double value, const Geometry& g) const {
   return g.qLeft + (g.qRight - g.qLeft) * (std::clamp(value, low_, high_) - low_) / (high_ - low_);
 }
 
-double ActionRows::threshold() const {
-  return session_.configuration().parameters.get("policy.threshold");
-}
-
 void ActionRows::paintEvent(QPaintEvent*) {
   const Theme& t = themeOf(*this);
   QPainter p(this);
@@ -102,11 +118,6 @@ void ActionRows::paintEvent(QPaintEvent*) {
   drawScales(p, t, g);
   for (std::size_t a = 0; a < q_.size(); ++a) drawRow(p, t, g, a);
   drawThreshold(p, t, g);
-}
-
-QString ActionRows::nameOf(std::size_t action) const {
-  const Task& task = session_.task();
-  return toText(action < task.actionNames.size() ? task.actionNames[action] : fixedText(task.actions[action], 2));
 }
 
 void ActionRows::drawHead(QPainter& p, const Theme& t, const Geometry& g) const {
@@ -169,7 +180,7 @@ void ActionRows::drawRow(QPainter& p, const Theme& t, const Geometry& g, std::si
   };
   p.setPen(t.ink);
   p.setFont(textFont(13, chosen ? 500 : 400));
-  drawSymbol(p, QRectF(g.label - 50, middle - 10, 50, 20), Qt::AlignRight, nameOf(action));
+  drawSymbol(p, QRectF(g.label - 50, middle - 10, 50, 20), Qt::AlignRight, actionNameOf(session_.task(), action));
 
   const double zero = xOf(0, g), x = xOf(q_[action], g);
   p.setPen(Qt::NoPen);
@@ -202,15 +213,15 @@ void ActionRows::drawRow(QPainter& p, const Theme& t, const Geometry& g, std::si
 
 void ActionRows::drawThreshold(QPainter& p, const Theme& t, const Geometry& g) const {
   if (session_.configuration().names.policy != "trl") return;
-  const double x = xOf(threshold(), g);
+  const double x = xOf(session_.threshold(), g);
   QPen pen(t.trl, 2, Qt::CustomDashLine, Qt::FlatCap);
   pen.setDashPattern({3, 2});
   p.setPen(pen);
   p.drawLine(QPointF(x, g.top - 4), QPointF(x, g.bottom));
-  const QString beyond = threshold() > high_  ? QStringLiteral(" ›")
-                         : threshold() < low_ ? QStringLiteral(" ‹")
-                                              : QString();
-  const QString text = tr("threshold %1").arg(toText(countText(threshold()))) + beyond;
+  const QString beyond = session_.threshold() > high_  ? QStringLiteral(" ›")
+                         : session_.threshold() < low_ ? QStringLiteral(" ‹")
+                                                       : QString();
+  const QString text = tr("threshold %1").arg(toText(countText(session_.threshold()))) + beyond;
   p.setFont(textFont(11, 500));
   const double w = QFontMetricsF(p.font()).horizontalAdvance(text) + 10;
   const QRectF flag(std::clamp(x - w / 2, 64.0, g.qNumber - 16 - w), 9, w, 17);
@@ -223,8 +234,8 @@ void ActionRows::drawThreshold(QPainter& p, const Theme& t, const Geometry& g) c
 
 bool ActionRows::onThreshold(const QPointF& at) const {
   const Geometry g = geometry();
-  return session_.configuration().names.policy == "trl" && std::abs(at.x() - xOf(threshold(), g)) < 6 && at.y() > 6 &&
-         at.y() < g.bottom;
+  return session_.configuration().names.policy == "trl" && std::abs(at.x() - xOf(session_.threshold(), g)) < 6 &&
+         at.y() > 6 && at.y() < g.bottom;
 }
 
 void ActionRows::mousePressEvent(QMouseEvent* event) {
@@ -237,7 +248,8 @@ void ActionRows::mouseMoveEvent(QMouseEvent* event) {
   const Geometry g = geometry();
   const double share = std::clamp((event->position().x() - g.qLeft) / (g.qRight - g.qLeft), 0.0, 1.0);
   const double value = std::round(low_ + share * (high_ - low_));
-  if (value != threshold()) static_cast<void>(static_cast<bool>(session_.setParameter("policy.threshold", value)));
+  if (value != session_.threshold())
+    static_cast<void>(static_cast<bool>(session_.setParameter("policy.threshold", value)));
 }
 
 void ActionRows::mouseReleaseEvent(QMouseEvent*) {

@@ -48,10 +48,9 @@ class ActionRows final : public QWidget {
 
   void rebuild();
   void nextFrame();
+  void takeValues();
   Geometry geometry() const;
   double xOf(double value, const Geometry& g) const;
-  double threshold() const;
-  QString nameOf(std::size_t action) const;
   void drawHead(QPainter& p, const Theme& t, const Geometry& g) const;
   void drawRow(QPainter& p, const Theme& t, const Geometry& g, std::size_t action) const;
   void drawScales(QPainter& p, const Theme& t, const Geometry& g) const;

@@ -9,6 +9,8 @@
 
 #include "ui/action_rows.h"
 #include "ui/learning_charts.h"
+#include "ui/link_button.h"
+#include "ui/map_bar.h"
 #include "ui/panel.h"
 #include "ui/parameter_form.h"
 #include "ui/session.h"
@@ -43,16 +45,6 @@ class HairlineStyle final : public QProxyStyle {
   }
 };
 
-QToolButton* headerLink(const QString& text) {
-  auto* button = new QToolButton;
-  button->setText(text);
-  button->setAccessibleName(text);
-  button->setFont(textFont(11));
-  button->setCursor(Qt::PointingHandCursor);
-  button->setStyleSheet(QStringLiteral("QToolButton { border: none; background: transparent; padding: 2px; }"));
-  return button;
-}
-
 }  // namespace
 
 LivePage::LivePage(Session& session, QWidget* parent) : QMainWindow(parent), session_(session) {
@@ -73,7 +65,7 @@ LivePage::LivePage(Session& session, QWidget* parent) : QMainWindow(parent), ses
   auto* row = new QHBoxLayout(links);
   row->setContentsMargins(0, 0, 4, 0);
   row->setSpacing(2);
-  QToolButton *all = headerLink(tr("More")), *reset = headerLink(tr("Reset all"));
+  QToolButton *all = new LinkButton(tr("More")), *reset = new LinkButton(tr("Reset all"));
   row->addWidget(all);
   row->addWidget(reset);
   parameters->header().addWidget(links);
@@ -86,9 +78,7 @@ LivePage::LivePage(Session& session, QWidget* parent) : QMainWindow(parent), ses
 
   Panel* actions =
       addPanel(tr("What the robot would do now"), "actions", new ActionRows(session_), Qt::BottomDockWidgetArea);
-  auto* maps = new ValueMaps(session_);
-  Panel* mapsPanel = addPanel(tr("Value maps"), "maps", maps, Qt::RightDockWidgetArea);
-  connect(maps, &ValueMaps::noteChanged, &mapsPanel->header(), &PanelHeader::setNote);
+  makeMaps();
   Panel* reward = addPanel(tr("Average reward"), "reward",
                            new LearningChart(session_, LearningChart::Shows::AverageReward), Qt::RightDockWidgetArea);
   reward->header().setNote(tr("last 80 episodes"));
@@ -97,11 +87,28 @@ LivePage::LivePage(Session& session, QWidget* parent) : QMainWindow(parent), ses
   falls->header().setNote(tr("cumulative; each mark on the axis is one"));
 
   connect(&session_, &Session::frame, this, [this, actions] {
-    const bool viewing = session_.turbo() && session_.running();
-    actions->header().setNote(viewing ? tr("in the state of the real-time world; its next action is marked")
-                                      : tr("in the live state; its next action is marked"));
+    actions->header().setNote(actionsNote());
     worldHeader_->setNote(worldNote());
   });
+}
+
+void LivePage::makeMaps() {
+  auto* maps = new ValueMaps(session_);
+  Panel* panel = addPanel(tr("Value maps"), "maps", maps, Qt::RightDockWidgetArea);
+  auto* bar = new MapBar;
+  panel->header().addWidget(bar);
+  connect(bar, &MapBar::chosen, maps, &ValueMaps::setChoice);
+  const auto show = [this, maps, bar] { bar->show(maps->choice(), session_.task(), session_.shown().state); };
+  connect(maps, &ValueMaps::shown, bar, show);
+  connect(&session_, &Session::lifeReplaced, bar, show);
+  if (session_.task().state.size() >= 2) show();
+}
+
+QString LivePage::actionsNote() const {
+  if (session_.pinned()) return tr("in the state fixed on the map; Escape on the map lets go");
+  if (!session_.examined().empty()) return tr("in the state under the cursor on the map");
+  return session_.turbo() && session_.running() ? tr("in the state of the real-time world; its next action is marked")
+                                                : tr("in the live state; its next action is marked");
 }
 
 QString LivePage::worldNote() const {

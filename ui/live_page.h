@@ -37,6 +37,8 @@ class LivePage final : public QMainWindow {
 
   Panel* addPanel(const QString& title, const QString& name, QWidget* content, Qt::DockWidgetArea area);
   QWidget* makeCentre();
+  void makeMaps();
+  QString actionsNote() const;
   void toggleFull(QWidget* panel);
   void shareSpace();
   QString worldNote() const;

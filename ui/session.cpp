@@ -158,6 +158,22 @@ void Session::fillParts(const ActionValueFunction& values) {
   values.evaluate(shown_.state, Layer::Negative, shown_.qNegative);
 }
 
+void Session::examine(const std::optional<std::vector<double>>& state) {
+  const std::vector<double> next = state.value_or(std::vector<double>());
+  if (next == hovered_) return;
+  hovered_ = next;
+  Q_EMIT examinedChanged();
+}
+
+void Session::pin(const std::optional<std::vector<double>>& state) {
+  pinned_ = state.value_or(std::vector<double>());
+  Q_EMIT examinedChanged();
+}
+
+double Session::threshold() const {
+  return configuration_.parameters.get("policy.threshold");
+}
+
 void Session::setRunning(bool running) {
   if (running && runFinished()) return;
   restartMeasuring();
@@ -188,6 +204,8 @@ void Session::stepOnce() {
 void Session::adopt(std::unique_ptr<Life> life) {
   const bool wasFinished = runFinished();
   curves_.archive();
+  hovered_.clear();
+  pinned_.clear();
   makeViewer();
   learner_->send(ReplaceLife{std::move(life)});
   ++lifeSent_;

@@ -61,6 +61,14 @@ class Session final : public QObject {
     return snapshot().life == lifeSent_ && (snapshot().finished || !snapshot().trouble.empty());
   }
 
+  /// The state that somebody looks at: under the cursor on a map, or fixed there; empty: none but the live one.
+  const std::vector<double>& examined() const { return hovered_.empty() ? pinned_ : hovered_; }
+  bool pinned() const { return hovered_.empty() && !pinned_.empty(); }
+  void examine(const std::optional<std::vector<double>>& state);
+  void pin(const std::optional<std::vector<double>>& state);
+  /// TRL's threshold now, on its schedule.
+  double threshold() const;
+
   /// Whether anyone can see the window; a hidden one asks the learner for nothing but the moment.
   void setLookedAt(bool lookedAt) { lookedAt_ = lookedAt; }
   void setRunning(bool running);
@@ -85,6 +93,7 @@ class Session final : public QObject {
   void frame();          ///< about 60 times a second
   void valuesArrived();  ///< at most ten times a second
   void stateChanged();   ///< running, turbo, pace
+  void examinedChanged();
   void configurationChanged();
   void lifeReplaced();
   void parametersReplaced();  ///< another agent: other parameters
@@ -108,6 +117,7 @@ class Session final : public QObject {
   std::unique_ptr<LearnerThread> learner_;
   std::unique_ptr<Viewer> viewer_;
   Shown shown_;
+  std::vector<double> hovered_, pinned_;
   RunCurves curves_;
   QTimer timer_;
   QElapsedTimer clock_, sinceValues_, sinceFall_;

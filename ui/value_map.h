@@ -3,9 +3,13 @@
 #pragma once
 
 #include <QImage>
+#include <QPolygonF>
 #include <QRectF>
 #include <functional>
+#include <optional>
 #include <span>
+#include <utility>
+#include <vector>
 
 #include "core/environment.h"
 #include "ui/theme.h"
@@ -16,9 +20,9 @@ namespace surefoot {
 
 /// How numbers become colours, and which numbers stand at the bar.
 struct MapScale {
-  enum class Kind { Diverging, Viridis, Positive };
+  enum class Kind { Diverging, Viridis, Positive, Steps };
   Kind kind = Kind::Diverging;
-  double low = -100, high = 200;  ///< Diverging: each side on its own. Viridis: logarithmic, from 1
+  double low = -100, high = 200;  ///< Diverging: each side on its own. Viridis: logarithmic, from 1. Steps: 0 … high
   QRgb colour(double value, bool dark) const;
   /// 0 … 1 along the bar.
   double position(double value) const;
@@ -31,25 +35,48 @@ struct MapSlice {
   std::vector<double> at;  ///< a whole state; its entries of the two axes do not matter
 };
 
+/// What is drawn over a map.
+struct MapMarks {
+  std::span<const double> live;     ///< state of the world: a ring, with a crosshair if it is large
+  std::span<const double> cursor;   ///< state that is looked at: a crosshair of its own
+  double ring = 6;                  ///< [px]
+  std::optional<double> contour{};  ///< a line around the cells above this value
+};
+
 class ValueMap {
  public:
   /// NaN: never visited, hatched.
   using Quantity = std::function<double(std::span<const double> state)>;
 
   /// Evaluates the quantity at the centre of each of cells × cells.
-  void compute(const Task& task, const MapSlice& slice, int cells, const MapScale& scale, const Quantity& quantity,
-               bool dark);
+  void evaluate(const Task& task, const MapSlice& slice, int cells, const Quantity& quantity);
+  /// Least and greatest value; nothing if every cell was never visited.
+  std::optional<std::pair<double, double>> range() const;
+  /// Turns values into colours.
+  void colour(const MapScale& scale, bool dark);
 
-  /// Draws the map into a square; hatching, frame, and the ring of the live state.
-  void draw(QPainter& painter, const QRectF& square, const Theme& theme, const Task& task, std::span<const double> live,
-            double ringRadius) const;
+  /// Draws the map into a square; hatching, frame and marks.
+  void draw(QPainter& painter, const QRectF& square, const Theme& theme, const Task& task, const MapMarks& marks) const;
+  QPointF toPixel(const Task& task, std::span<const double> state, const QRectF& square) const;
+  /// The state at the centre of the cell there; nothing outside.
+  std::optional<std::vector<double>> stateAt(const Task& task, QPointF at, const QRectF& square) const;
+  /// Columns "x, y, value" of all cells, named after the axes.
+  std::string asCsv(const Task& task, const std::string& quantity) const;
+  bool empty() const { return values_.empty(); }
+  int cells() const { return cells_; }
+
   /// What stands for "never visited".
   static void drawHatching(QPainter& painter, const QRectF& where, const Theme& theme);
-  /// Draws a bar with numbers at its right.
+  /// Draws a bar with numbers, or with `names` at its steps, at its right.
   static void drawBar(QPainter& painter, const QRectF& bar, const MapScale& scale, const Theme& theme,
-                      std::span<const double> numbers);
+                      std::span<const double> numbers, std::span<const QString> names = {});
 
  private:
+  double at(int column, int row) const { return values_[static_cast<std::size_t>(row * cells_ + column)]; }
+  void drawContour(QPainter& painter, const QRectF& square, double level) const;
+
+  std::vector<double> values_;  // [row][column], the uppermost row first
+  int cells_ = 0;
   QImage image_;
   MapSlice slice_;
 };

@@ -1,212 +1,260 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/value_maps.h"
 
-#include <QPainter>
+#include <QAccessible>
+#include <QKeyEvent>
+#include <QMouseEvent>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/text.h"
-#include "ui/learning_charts.h"
 #include "ui/session.h"
 #include "ui/symbol_text.h"
 
 namespace surefoot {
 
 namespace {
-constexpr double kLeft = 47, kTop = 24, kUnder = 48;  // gutters [px]
-constexpr int kCell = 3, kSmallCell = 2;              // [px]
-constexpr double kFamiliar = 0.25;  // share of the active tiles below which a state counts as never visited
+constexpr int kCell = 3, kSmallCell = 2;  // [px]
+constexpr double kFamiliar = 0.25;        // share of the active tiles below which a state counts as never visited
 constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
-
-/// The symbol, or the title where there is none.
-QString nameOf(const StateVariable& v) {
-  return toText(v.symbol.empty() ? v.title : v.symbol);
-}
 }  // namespace
 
 ValueMaps::ValueMaps(Session& session, QWidget* parent) : QWidget(parent), session_(session) {
   setAttribute(Qt::WA_OpaquePaintEvent);
+  setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  choice_.fit(session_.task());
   connect(&session_, &Session::valuesArrived, this, &ValueMaps::recompute);
-  connect(&session_, &Session::lifeReplaced, this, [this] {
-    any_ = false;
+  connect(&session_, &Session::examinedChanged, this, [this] {
+    speak();
     update();
   });
+  connect(&session_, &Session::lifeReplaced, this, [this] {
+    any_ = false;
+    if (choice_.across.size() != session_.task().state.size()) choice_.fit(session_.task());
+    update();
+  });
+}
+
+void ValueMaps::setChoice(const MapChoice& choice) {
+  choice_ = choice;
+  recompute();
+  Q_EMIT shown();
 }
 
 bool ValueMaps::split() const {
   return session_.values() && session_.values()->values->split();
 }
 
-ValueMaps::Geometry ValueMaps::geometry() const {
-  const bool oneBar = split();
-  const double room = std::min((width() - (oneBar ? 103.0 : 145.0)) / 1.5, height() - kTop - kUnder);
-  const double m = std::floor(std::max(room, 60.0) / kCell) * kCell;
-  const double s = std::floor((m - 28) / 2 / kSmallCell) * kSmallCell;
-  Geometry g;
-  g.big = QRectF(kLeft, kTop, m, m);
-  const double x = g.big.right() + (oneBar ? 16 : 60);
-  g.upper = QRectF(x, kTop, s, s);
-  g.lower = QRectF(x, kTop + m - s, s, s);
-  g.bigBar = QRectF(oneBar ? x + s + 8 : g.big.right() + 8, kTop, 10, m);
-  g.upperBar = QRectF(x + s + 8, kTop, 10, s);
-  g.lowerBar = QRectF(x + s + 8, kTop + m - s, 10, s);
-  return g;
+bool ValueMaps::valued() const {
+  return choice_.quantity == MapQuantity::BestAction || choice_.quantity == MapQuantity::OneAction;
+}
+
+/// q̂ of the best action or of the chosen one, or the number of the greedy action.
+ValueMap::Quantity ValueMaps::quantity(Layer layer) const {
+  const ActionValueFunction& values = *session_.values()->values;
+  return [this, layer, &values,
+          q = std::vector<double>(static_cast<std::size_t>(values.actions()))](std::span<const double> s) mutable {
+    if (values.familiarity(s) < kFamiliar) return kNever;
+    values.evaluate(s, layer, q);
+    if (choice_.quantity == MapQuantity::OneAction) return q[static_cast<std::size_t>(choice_.action)];
+    const auto best = std::max_element(q.begin(), q.end());
+    return choice_.quantity == MapQuantity::GreedyAction ? static_cast<double>(best - q.begin()) : *best;
+  };
+}
+
+// Both parts of the action that is best by their sum, so that the large map is the sum of the small ones.
+ValueMap::Quantity ValueMaps::partOf(Layer layer) const {
+  if (choice_.quantity == MapQuantity::OneAction) return quantity(layer);
+  const ActionValueFunction& values = *session_.values()->values;
+  const auto n = static_cast<std::size_t>(values.actions());
+  return
+      [layer, &values, q = std::vector<double>(n), part = std::vector<double>(n)](std::span<const double> s) mutable {
+        if (values.familiarity(s) < kFamiliar) return kNever;
+        values.evaluate(s, Layer::Sum, q);
+        values.evaluate(s, layer, part);
+        return part[static_cast<std::size_t>(std::max_element(q.begin(), q.end()) - q.begin())];
+      };
+}
+
+ValueMap::Quantity ValueMaps::visits() const {
+  const ActionValueFunction& values = *session_.values()->values;
+  return [&values](std::span<const double> s) { return values.familiarity(s) < kFamiliar ? kNever : values.visits(s); };
+}
+
+ValueMap::Quantity ValueMaps::eligibility() const {
+  const ValueSnapshot& v = *session_.values();
+  return
+      [&v, z = std::vector<double>(static_cast<std::size_t>(v.values->actions()))](std::span<const double> s) mutable {
+        if (v.values->familiarity(s) < kFamiliar) return kNever;
+        v.values->average(v.eligibility, s, z);
+        return *std::max_element(z.begin(), z.end());
+      };
+}
+
+/// The colours of the large map.
+MapScale ValueMaps::scaleOf(const ValueMap& map) const {
+  const Task& task = session_.task();
+  const auto range = map.range();
+  switch (choice_.quantity) {
+    case MapQuantity::GreedyAction:
+      return {MapScale::Kind::Steps, 0, static_cast<double>(task.actions.size()) - 1};
+    case MapQuantity::Visits:
+      return {MapScale::Kind::Viridis, 1,
+              std::pow(10.0, std::ceil(std::log10(range ? std::max(range->second, 10.0) : 10)))};
+    case MapQuantity::Eligibility:
+      return {MapScale::Kind::Positive, 0, 1};
+    default:
+      break;
+  }
+  if (choice_.locked || !range)
+    return {MapScale::Kind::Diverging, std::min(task.lowestReturn, -1.0), std::max(task.highestReturn, 1.0)};
+  return {MapScale::Kind::Diverging, std::min(range->first, -1e-3), std::max(range->second, 1e-3)};
 }
 
 void ValueMaps::recompute() {
   const ValueSnapshot* v = session_.values();
-  if (!isVisible() || !v || session_.task().state.size() < 2 || session_.shown().state.empty()) return;
   const Task& task = session_.task();
+  if (!isVisible() || !v || task.state.size() < 2 || session_.shown().state.size() != task.state.size()) return;
   const bool dark = themeOf(*this).dark;
   const Geometry g = geometry();
-  slice_.at = session_.shown().state;
-  qScale_ = {MapScale::Kind::Diverging, std::min(task.lowestReturn, -1.0), std::max(task.highestReturn, 1.0)};
-
-  const ActionValueFunction& values = *v->values;
-  std::vector<double> q(static_cast<std::size_t>(values.actions()));
-  const auto best = [&](std::span<const double> s) {
-    if (values.familiarity(s) < kFamiliar) return kNever;
-    values.evaluate(s, Layer::Sum, q);
-    return *std::max_element(q.begin(), q.end());
-  };
-  q_.compute(task, slice_, static_cast<int>(g.big.width()) / kCell, qScale_, best, dark);
-  const int cells = static_cast<int>(g.upper.width()) / kSmallCell;
-  split() ? computeParts(cells, dark) : computeTraces(cells, dark);
+  slice_ = choice_.slice(session_.shown().state);
+  const auto chosen = choice_.quantity == MapQuantity::Visits        ? visits()
+                      : choice_.quantity == MapQuantity::Eligibility ? eligibility()
+                                                                     : quantity(Layer::Sum);
+  big_.evaluate(task, slice_, static_cast<int>(g.big.width()) / kCell, choice_.projected(task, chosen));
+  bigScale_ = scaleOf(big_);
+  big_.colour(bigScale_, dark);
+  computeSmall(static_cast<int>(g.upper.width()) / kSmallCell, dark);
   any_ = true;
-  Q_EMIT noteChanged(note());
+  speak();
+  Q_EMIT shown();
   update();
 }
 
-// Both parts of the action that is best by their sum, so that the large map is the sum of the small ones.
-void ValueMaps::computeParts(int cells, bool dark) {
-  const ActionValueFunction& values = *session_.values()->values;
-  std::vector<double> q(static_cast<std::size_t>(values.actions())), part(q.size());
-  const auto partOf = [&](Layer layer) {
-    return [&, layer](std::span<const double> s) {
-      if (values.familiarity(s) < kFamiliar) return kNever;
-      values.evaluate(s, Layer::Sum, q);
-      values.evaluate(s, layer, part);
-      return part[static_cast<std::size_t>(std::max_element(q.begin(), q.end()) - q.begin())];
-    };
-  };
-  upper_.compute(session_.task(), slice_, cells, qScale_, partOf(Layer::Positive), dark);
-  lower_.compute(session_.task(), slice_, cells, qScale_, partOf(Layer::Negative), dark);
-}
-
-void ValueMaps::computeTraces(int cells, bool dark) {
-  const ValueSnapshot& v = *session_.values();
-  const ActionValueFunction& values = *v.values;
-  std::vector<double> z(static_cast<std::size_t>(values.actions()));
-  double most = 10;
-  const auto visits = [&](std::span<const double> s) {
-    most = std::max(most, values.visits(s));
-    return values.familiarity(s) < kFamiliar ? kNever : values.visits(s);
-  };
-  const auto eligibility = [&](std::span<const double> s) {
-    if (values.familiarity(s) < kFamiliar) return kNever;
-    values.average(v.eligibility, s, z);
-    return *std::max_element(z.begin(), z.end());
-  };
-  upper_.compute(session_.task(), slice_, cells, visitScale_, visits, dark);
-  visitScale_ = {MapScale::Kind::Viridis, 1, std::pow(10.0, std::ceil(std::log10(most)))};  // settles with the next
-  eligibilityScale_ = {MapScale::Kind::Positive, 0, 1};
-  lower_.compute(session_.task(), slice_, cells, eligibilityScale_, eligibility, dark);
-}
-
-QString ValueMaps::note() const {
-  const auto& variables = session_.task().state;
-  QString text = tr("best action,  %1 × %2").arg(nameOf(variables[0]), nameOf(variables[1]));
-  for (std::size_t d = 2; d < variables.size() && d < slice_.at.size(); ++d)
-    text += tr(",  %1 live %2").arg(nameOf(variables[d]), toText(fixedText(slice_.at[d], 1)));
-  return text;
-}
-
-void ValueMaps::drawAxes(QPainter& p, const QRectF& m, const Theme& t) const {
-  const StateVariable &x = session_.task().state[0], &y = session_.task().state[1];
-  p.setFont(textFont(11));
-  const double xStep = niceAbove((x.viewHigh - x.viewLow) / 4), yStep = niceAbove((y.viewHigh - y.viewLow) / 6);
-  const auto text = [](double v, double step) { return toText(fixedText(v, step < 1 ? 1 : 0)); };
-  for (double v = std::ceil(x.viewLow / xStep) * xStep; v <= x.viewHigh; v += xStep) {
-    const double at = m.left() + (v - x.viewLow) / (x.viewHigh - x.viewLow) * m.width();
-    p.setPen(QPen(t.outline, 1));
-    p.drawLine(QPointF(at, m.bottom()), QPointF(at, m.bottom() + 4));
-    p.setPen(t.quiet);
-    drawSymbol(p, QRectF(at - 30, m.bottom() + 4, 60, 16), Qt::AlignHCenter, text(v, xStep));
-  }
-  for (double v = std::ceil(y.viewLow / yStep) * yStep; v <= y.viewHigh; v += yStep) {
-    const double at = m.bottom() - (v - y.viewLow) / (y.viewHigh - y.viewLow) * m.height();
-    p.setPen(QPen(t.outline, 1));
-    p.drawLine(QPointF(m.left() - 4, at), QPointF(m.left(), at));
-    p.setPen(t.quiet);
-    drawSymbol(p, QRectF(m.left() - 47, at - 8, 40, 16), Qt::AlignRight, text(v, yStep));
-  }
-  const auto title = [](const StateVariable& v) {
-    const QString name = v.symbol.empty() ? toText(v.title) : toText(v.title) + ' ' + toText(v.symbol);
-    return v.unit.empty() ? name : QStringLiteral("%1 [%2]").arg(name, toText(v.unit));
-  };
-  drawSymbol(p, QRectF(m.left(), m.bottom() + 22, m.width(), 16), Qt::AlignHCenter, title(x));
-  p.save();
-  p.translate(m.left() - 40, m.center().y());
-  p.rotate(-90);
-  drawSymbol(p, QRectF(-100, -8, 200, 16), Qt::AlignHCenter, title(y));
-  p.restore();
-}
-
-void ValueMaps::paintEvent(QPaintEvent*) {
-  const Theme& t = themeOf(*this);
-  QPainter p(this);
-  p.fillRect(rect(), t.panel);
-  if (session_.task().state.size() < 2) {
-    p.setFont(textFont(11));
-    p.setPen(t.quiet);
-    p.drawText(rect(), Qt::AlignCenter, tr("A map needs two state variables; this environment has one."));
+void ValueMaps::computeSmall(int cells, bool dark) {
+  const Task& task = session_.task();
+  if (split() && valued()) {
+    upper_.evaluate(task, slice_, cells, choice_.projected(task, partOf(Layer::Positive)));
+    lower_.evaluate(task, slice_, cells, choice_.projected(task, partOf(Layer::Negative)));
+    upper_.colour(bigScale_, dark);
+    lower_.colour(bigScale_, dark);
     return;
   }
+  upper_.evaluate(task, slice_, cells, choice_.projected(task, visits()));
+  lower_.evaluate(task, slice_, cells, choice_.projected(task, eligibility()));
+  const auto range = upper_.range();
+  visitScale_.high = std::pow(10.0, std::ceil(std::log10(range ? std::max(range->second, 10.0) : 10.0)));
+  upper_.colour(visitScale_, dark);
+  lower_.colour(eligibilityScale_, dark);
+}
+
+std::string ValueMaps::asCsv() const {
+  return big_.empty() ? "" : big_.asCsv(session_.task(), quantityText(choice_, session_.task()).toStdString());
+}
+
+std::optional<std::vector<double>> ValueMaps::stateAt(const QPointF& at) const {
+  if (!any_) return std::nullopt;
   const Geometry g = geometry();
-  const std::vector<double>& live = session_.shown().state;
-  p.setFont(textFont(13, 500));
-  p.setPen(t.ink);
-  p.drawText(QPointF(g.big.left(), kTop - 8), QStringLiteral("Q"));
-  if (!any_) {
-    p.setFont(textFont(11));
-    p.setPen(t.quiet);
-    p.drawText(g.big, Qt::AlignCenter | Qt::TextWordWrap, tr("The map appears with the first steps."));
-    return;
+  for (const auto& [map, square] : {std::pair{&big_, g.big}, {&upper_, g.upper}, {&lower_, g.lower}})
+    if (auto state = map->stateAt(session_.task(), at, square)) return state;
+  return std::nullopt;
+}
+
+void ValueMaps::mouseMoveEvent(QMouseEvent* event) {
+  const auto state = stateAt(event->position());
+  setCursor(state ? Qt::CrossCursor : Qt::ArrowCursor);
+  session_.examine(state);
+}
+
+void ValueMaps::mousePressEvent(QMouseEvent* event) {
+  const auto state = stateAt(event->position());
+  if (!state || event->button() != Qt::LeftButton) return;
+  if (event->modifiers() & Qt::ShiftModifier)
+    session_.pin(state);
+  else
+    Q_EMIT placeAsked(*state);
+}
+
+void ValueMaps::leaveEvent(QEvent*) {
+  session_.examine(std::nullopt);
+}
+
+void ValueMaps::focusOutEvent(QFocusEvent* event) {
+  session_.examine(std::nullopt);
+  QWidget::focusOutEvent(event);
+}
+
+// The arrows are the program's shortcuts; with the focus on the map they are the cursor's.
+bool ValueMaps::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if (key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down) {
+      event->accept();
+      return true;
+    }
   }
-  q_.draw(p, g.big, t, session_.task(), live, 6);
-  const double qNumbers[] = {qScale_.low, qScale_.low / 2, 0, qScale_.high / 2, qScale_.high};
-  ValueMap::drawBar(p, g.bigBar, qScale_, t, qNumbers);
-  drawSmallMaps(p, g, t);
-  drawAxes(p, g.big, t);
-  drawKey(p, g, t);
+  return QWidget::event(event);
 }
 
-void ValueMaps::drawSmallMaps(QPainter& p, const Geometry& g, const Theme& t) const {
-  const bool parts = split();
-  p.setFont(textFont(13, 500));
-  p.setPen(t.ink);
-  p.drawText(QPointF(g.upper.left(), kTop - 8), parts ? QStringLiteral("Q⁺") : tr("Visits"));
-  p.drawText(QPointF(g.lower.left(), g.lower.top() - 8), parts ? QStringLiteral("Q⁻") : tr("Eligibility"));
-  const std::vector<double>& live = session_.shown().state;
-  upper_.draw(p, g.upper, t, session_.task(), live, 4);
-  lower_.draw(p, g.lower, t, session_.task(), live, 4);
-  if (parts) return;
-  const double middle = std::pow(10.0, std::floor(std::log10(visitScale_.high) / 2));
-  const double visitNumbers[] = {1, middle, visitScale_.high};
-  ValueMap::drawBar(p, g.upperBar, visitScale_, t, visitNumbers);
-  const double eligibilityNumbers[] = {0, 0.5, 1};
-  ValueMap::drawBar(p, g.lowerBar, eligibilityScale_, t, eligibilityNumbers);
+void ValueMaps::moveCursor(int columns, int rows) {
+  if (!any_) return;
+  const QRectF unit(0, 0, 1, 1);
+  const double cell = 1.0 / big_.cells();
+  const auto& from = session_.examined().empty() ? session_.shown().state : session_.examined();
+  QPointF at = big_.toPixel(session_.task(), from, unit) + QPointF(columns * cell, rows * cell);
+  at = {std::clamp(at.x(), cell / 2, 1 - cell / 2), std::clamp(at.y(), cell / 2, 1 - cell / 2)};
+  session_.examine(big_.stateAt(session_.task(), at, unit));
 }
 
-void ValueMaps::drawKey(QPainter& p, const Geometry& g, const Theme& t) const {
-  const QRectF key(g.lower.left(), g.lower.bottom() + 25, 16, 10);
-  ValueMap::drawHatching(p, key, t);
-  p.setPen(QPen(t.outline, 1));
-  p.drawRect(key);
-  p.setFont(textFont(11));
-  p.setPen(t.quiet);
-  p.drawText(QPointF(key.right() + 6, key.bottom() - 0.5), tr("never visited"));
+void ValueMaps::keyPressEvent(QKeyEvent* event) {
+  const int far = event->modifiers() & Qt::ShiftModifier ? 5 : 1;
+  switch (event->key()) {
+    case Qt::Key_Left:
+      return moveCursor(-far, 0);
+    case Qt::Key_Right:
+      return moveCursor(far, 0);
+    case Qt::Key_Up:
+      return moveCursor(0, -far);
+    case Qt::Key_Down:
+      return moveCursor(0, far);
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      if (session_.examined().empty()) return;
+      if (event->modifiers() & Qt::ControlModifier) return Q_EMIT placeAsked(session_.examined());
+      return session_.pin(session_.examined());
+    case Qt::Key_Escape:
+      session_.examine(std::nullopt);
+      return session_.pin(std::nullopt);
+    default:
+      QWidget::keyPressEvent(event);
+  }
+}
+
+QString ValueMaps::spoken() const {
+  const std::vector<double>& state = session_.examined();
+  const ValueSnapshot* v = session_.values();
+  const Task& task = session_.task();
+  if (state.size() != task.state.size() || !v) return {};
+  QStringList words;
+  for (std::size_t d = 0; d < state.size(); ++d)
+    words << QStringLiteral("%1 %2").arg(symbolOf(task.state[d]), toText(fixedText(state[d], 2)));
+  if (v->values->familiarity(state) < kFamiliar) return words.join(QStringLiteral("  ")) + tr(", never visited");
+  std::vector<double> q(static_cast<std::size_t>(v->values->actions()));
+  v->values->evaluate(state, Layer::Sum, q);
+  const auto best = static_cast<std::size_t>(std::max_element(q.begin(), q.end()) - q.begin());
+  return tr("%1:  Q %2 for %3,  %4 visits")
+      .arg(words.join(QStringLiteral("  ")), toText(fixedText(q[best], 1)), actionNameOf(task, best),
+           toText(countText(v->values->visits(state))));
+}
+
+void ValueMaps::speak() {
+  const QString text = spoken();
+  if (text == accessibleDescription()) return;
+  setAccessibleDescription(text);
+  QAccessibleEvent changed(this, QAccessible::DescriptionChanged);
+  QAccessible::updateAccessibility(&changed);
 }
 
 }  // namespace surefoot

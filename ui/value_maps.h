@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The panel of value maps: the best action's Q large; visits and eligibility small, or, under Sarsa_2Q, its two parts.
-// Axes: the first two state variables; the others follow the live state.
+// The panel of value maps: a quantity of one's choice large; visits and eligibility small, or, under Sarsa_2Q, its two
+// parts. All maps share axes and cursor. The cursor is the mouse's or, with the focus, the keyboard's: arrows move it a
+// cell, Enter fixes it, Escape lets go; the cell is spoken as the widget's description.
 #pragma once
 
 #include <QWidget>
 
+#include "ui/map_choice.h"
 #include "ui/value_map.h"
 
 namespace surefoot {
@@ -18,15 +20,28 @@ class ValueMaps final : public QWidget {
   explicit ValueMaps(Session& session, QWidget* parent = nullptr);
   QSize sizeHint() const override { return {440, 264}; }
   QSize minimumSizeHint() const override { return {320, 180}; }
-  /// "best action, α × α̇, β̇ live −1.80"
-  QString note() const;
+
+  const MapChoice& choice() const { return choice_; }
+  void setChoice(const MapChoice& choice);
+  /// What is under the cursor, or fixed, in words; empty: nothing.
+  QString spoken() const;
+  std::string asCsv() const;
 
  Q_SIGNALS:
-  void noteChanged(const QString& note);
+  /// The choice, or a number in it, changed.
+  void shown();
+  /// A click asks for the world to be put into this state.
+  void placeAsked(const std::vector<double>& state);
 
  protected:
   void paintEvent(QPaintEvent*) override;
   void resizeEvent(QResizeEvent*) override { recompute(); }
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  bool event(QEvent* event) override;
 
  private:
   /// Where the maps and their bars lie; Q, Q⁺ and Q⁻ share one bar.
@@ -34,17 +49,32 @@ class ValueMaps final : public QWidget {
     QRectF big, bigBar, upper, upperBar, lower, lowerBar;
   };
   bool split() const;
-  void computeParts(int cells, bool dark);
-  void computeTraces(int cells, bool dark);
+  bool valued() const;  ///< the large map is in units of reward
+  ValueMap::Quantity quantity(Layer layer) const;
+  ValueMap::Quantity partOf(Layer layer) const;
+  ValueMap::Quantity visits() const;
+  ValueMap::Quantity eligibility() const;
+  MapScale scaleOf(const ValueMap& map) const;
+  void computeSmall(int cells, bool dark);
+  void recompute();
+  void speak();
+  void moveCursor(int columns, int rows);
+  std::optional<std::vector<double>> stateAt(const QPointF& at) const;
+
+  Geometry geometry() const;
+  QString title() const;
+  void drawAxes(QPainter& painter, const QRectF& square, const Theme& theme) const;
+  void drawBigBar(QPainter& painter, const Geometry& geometry, const Theme& theme) const;
   void drawSmallMaps(QPainter& painter, const Geometry& geometry, const Theme& theme) const;
   void drawKey(QPainter& painter, const Geometry& geometry, const Theme& theme) const;
-  Geometry geometry() const;
-  void recompute();
-  void drawAxes(QPainter& painter, const QRectF& square, const Theme& theme) const;
+  void drawFootprints(QPainter& painter, const Geometry& geometry, const Theme& theme) const;
+  void drawReading(QPainter& painter, const Geometry& geometry, const Theme& theme) const;
+  MapMarks marks(double ring) const;
 
   Session& session_;
-  ValueMap q_, upper_, lower_;
-  MapScale qScale_, visitScale_, eligibilityScale_;
+  MapChoice choice_;
+  ValueMap big_, upper_, lower_;
+  MapScale bigScale_, visitScale_{MapScale::Kind::Viridis, 1, 10}, eligibilityScale_{MapScale::Kind::Positive, 0, 1};
   MapSlice slice_;
   bool any_ = false;
 };

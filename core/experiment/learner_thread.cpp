@@ -184,7 +184,7 @@ void LearnerThread::fill(ValueSnapshot& s) const {
   if (s.values && s.life == lifeNumber_)
     s.values->assign(values);
   else
-    s.values = values.clone();
+    s.values = values.clone(), s.layouts = life_->agent().layouts();
   s.life = lifeNumber_;
   life_->agent().eligibility(s.eligibility);
   s.curve = curve_.points();

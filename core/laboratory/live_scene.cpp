@@ -4,51 +4,43 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "core/experiment/configuration_json.h"
+#include "core/features/tile_layout.h"
 
 namespace surefoot {
 
 namespace {
 
-/// One dimension of a tile coder, in steps of a tile's width divided by the number of tilings (see TileGrid).
-struct Axis {
-  double tiles, perUnit, origin, displacement, tilings;
-  /// The k-th edge of tiling i, in tiles.
-  double edge(double k, double i) const {
-    return (origin + k * tilings - std::fmod(i * displacement, tilings)) / tilings;
-  }
-  double inTiles(double value) const { return value * perUnit / tilings; }
-  /// The tile of tiling i that holds a value.
-  double tileOf(double value, double i) const {
-    return std::floor((value * perUnit - origin + std::fmod(i * displacement, tilings)) / tilings);
-  }
-};
-
-Axis axisOf(const nlohmann::json& layout, std::size_t d) {
-  const auto& v = layout["variables"][d];
-  return {v["tiles"], v["steps_per_unit"], v["origin_step"], v["displacement"], layout["tilings"]};
-}
-
-Ink inkOf(double tiling) {
+Ink inkOf(int tiling) {
   constexpr Ink kInks[] = {Ink::Solid, Ink::Outline, Ink::Quiet};
   return kInks[static_cast<std::size_t>(tiling) % 3];
 }
 
-/// The tile of tiling i that holds a state.
-Polygon tileAt(const Axis& x, const Axis& y, double i, std::span<const double> state) {
-  const double left = x.edge(x.tileOf(state[0], i), i), bottom = y.edge(y.tileOf(state[1], i), i);
-  return {.points = {{left, bottom}, {left + 1, bottom}, {left + 1, bottom + 1}, {left, bottom + 1}}, .ink = inkOf(i)};
+/// In units of tiles, so that a tile is a square.
+Point inTiles(const TileLayout& tiles, double x, double y) {
+  return {x / tiles.width(0), y / tiles.width(1)};
 }
 
-void drawGrid(const Axis& x, const Axis& y, double i, Scene& scene) {
-  const auto line = [&](Point from, Point to) {
-    scene.shapes.push_back(
-        Polyline{.points = {from, to}, .ink = inkOf(i), .width = 1.0, .dashed = inkOf(i) == Ink::Quiet});
+/// The tile of tiling i that holds a state.
+Polygon tileAt(const TileLayout& tiles, int i, std::span<const double> state) {
+  const auto [left, right] = tiles.tileAt(0, i, state[0]);
+  const auto [bottom, top] = tiles.tileAt(1, i, state[1]);
+  return {.points = {inTiles(tiles, left, bottom), inTiles(tiles, right, bottom), inTiles(tiles, right, top),
+                     inTiles(tiles, left, top)},
+          .ink = inkOf(i)};
+}
+
+void drawGrid(const TileLayout& tiles, int i, Scene& scene) {
+  const auto line = [&](double x0, double y0, double x1, double y1) {
+    scene.shapes.push_back(Polyline{.points = {inTiles(tiles, x0, y0), inTiles(tiles, x1, y1)},
+                                    .ink = inkOf(i),
+                                    .width = 1.0,
+                                    .dashed = inkOf(i) == Ink::Quiet});
   };
-  for (double k = 0; k <= x.tiles; ++k) line({x.edge(k, i), y.edge(0, i)}, {x.edge(k, i), y.edge(y.tiles, i)});
-  for (double k = 0; k <= y.tiles; ++k) line({x.edge(0, i), y.edge(k, i)}, {x.edge(x.tiles, i), y.edge(k, i)});
+  const double left = tiles.edge(0, i, 0), right = tiles.edge(0, i, tiles.tiles(0));
+  const double bottom = tiles.edge(1, i, 0), top = tiles.edge(1, i, tiles.tiles(1));
+  for (double k = 0; k <= tiles.tiles(0); ++k) line(tiles.edge(0, i, k), bottom, tiles.edge(0, i, k), top);
+  for (double k = 0; k <= tiles.tiles(1); ++k) line(left, tiles.edge(1, i, k), right, tiles.edge(1, i, k));
 }
 
 }  // namespace
@@ -79,8 +71,8 @@ Result<Figure> drawTilings(const Registry& registry, const FigureSpec& spec, con
   if (!entry) return entry.error();
   const auto agent = (*entry)->make({task, c.names.features, c.parameters, 0});
   if (!agent) return agent.error();
-  const nlohmann::json layout = (*agent)->layouts()["q"];
-  const Axis x = axisOf(layout, 0), y = axisOf(layout, 1);
+  const auto tiles = TileLayout::fromJson((*agent)->layouts()["q"]);
+  if (!tiles) return Error{"features: a tile coder is needed"};
   Figure figure{.name = spec.name,
                 .title = spec.title,
                 .xTitle = task.state[0].title,
@@ -88,20 +80,20 @@ Result<Figure> drawTilings(const Registry& registry, const FigureSpec& spec, con
                 .labels = {},
                 .series = {}};
   Scene& scene = figure.scene.emplace();
-  for (double i = 0; i < x.tilings; ++i) {
-    Polygon tile = tileAt(x, y, i, spec.state);
+  for (int i = 0; i < tiles->tilings(); ++i) {
+    Polygon tile = tileAt(*tiles, i, spec.state);
     tile.width = 0;
     scene.shapes.push_back(tile);
   }
-  for (double i = 0; i < x.tilings; ++i) drawGrid(x, y, i, scene);
-  for (double i = 0; i < x.tilings; ++i) {
-    Polygon tile = tileAt(x, y, i, spec.state);
+  for (int i = 0; i < tiles->tilings(); ++i) drawGrid(*tiles, i, scene);
+  for (int i = 0; i < tiles->tilings(); ++i) {
+    Polygon tile = tileAt(*tiles, i, spec.state);
     tile.fill = Fill::None;
     tile.width = 2.5;
     scene.shapes.push_back(tile);
   }
   constexpr double kArm = 0.12;  // of the cross [tiles]
-  const Point at{x.inTiles(spec.state[0]), y.inTiles(spec.state[1])};
+  const Point at = inTiles(*tiles, spec.state[0], spec.state[1]);
   for (const double sign : {-1.0, 1.0})
     scene.shapes.push_back(Polyline{.points = {{at.x - kArm, at.y - sign * kArm}, {at.x + kArm, at.y + sign * kArm}},
                                     .ink = Ink::Fall,

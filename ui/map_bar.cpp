@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/map_bar.h"
+
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QMenu>
+#include <QResizeEvent>
+#include <QSlider>
+#include <QToolButton>
+#include <QWidgetAction>
+
+#include "core/text.h"
+#include "ui/link_button.h"
+#include "ui/symbol_text.h"
+
+namespace surefoot {
+
+namespace {
+constexpr int kSliderSteps = 200;
+}
+
+MapBar::MapBar(QWidget* parent) : QWidget(parent) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(2);
+  quantity_ = addButton(tr("Quantity"), &MapBar::fillQuantities);
+  axes_ = addButton(tr("Axes"), &MapBar::fillAxes);
+  others_ = addButton(tr("Other variables"), &MapBar::fillOthers);
+  range_ = addButton(tr("Range of the colours"), &MapBar::fillRange);
+}
+
+QToolButton* MapBar::addButton(const QString& name, void (MapBar::*fill)(QMenu&)) {
+  auto* button = new LinkButton(QString(), this);
+  button->setAccessibleName(name);
+  button->setToolTip(name);
+  auto* menu = new QMenu(button);
+  button->setMenu(menu);
+  button->setPopupMode(QToolButton::InstantPopup);
+  connect(menu, &QMenu::aboutToShow, this, [this, menu, fill] {
+    menu->clear();
+    (this->*fill)(*menu);
+  });
+  layout()->addWidget(button);
+  return button;
+}
+
+void MapBar::setText(QToolButton* button, const QString& text) {
+  if (button->text() == text) return;
+  button->setText(text);
+  button->updateGeometry();
+  adjustSize();
+  if (parentWidget()) {
+    QResizeEvent same(parentWidget()->size(), parentWidget()->size());
+    QCoreApplication::sendEvent(parentWidget(), &same);  // the header keeps its extra widget at the right
+  }
+}
+
+void MapBar::show(const MapChoice& choice, const Task& task, std::span<const double> live) {
+  choice_ = choice;
+  task_ = &task;
+  live_.assign(live.begin(), live.end());
+  setText(quantity_, quantityText(choice, task));
+  setText(axes_, axesText(choice, task));
+  setText(others_, othersText(choice, task, live));
+  others_->setVisible(task.state.size() > 2);
+  setText(range_, choice.locked ? tr("locked") : tr("automatic"));
+}
+
+void MapBar::choose(const MapChoice& choice) {
+  Q_EMIT chosen(choice);
+}
+
+namespace {
+QAction* addChoice(QMenu& menu, const QString& text, bool checked, std::function<void()> then) {
+  QAction* action = menu.addAction(text);
+  action->setCheckable(true);
+  action->setChecked(checked);
+  QObject::connect(action, &QAction::triggered, &menu, std::move(then));
+  return action;
+}
+}  // namespace
+
+void MapBar::fillQuantities(QMenu& menu) {
+  if (!task_) return;
+  const auto add = [&](MapQuantity quantity, Action action) {
+    MapChoice next = choice_;
+    next.quantity = quantity;
+    next.action = action;
+    const bool now = choice_.quantity == quantity && (quantity != MapQuantity::OneAction || choice_.action == action);
+    addChoice(menu, quantityText(next, *task_), now, [this, next] { choose(next); });
+  };
+  add(MapQuantity::BestAction, 0);
+  constexpr std::size_t kMostActions = 12;  // more would fill the screen; the best one and the greedy one remain
+  if (task_->actions.size() <= kMostActions)
+    for (std::size_t a = task_->actions.size(); a-- > 0;) add(MapQuantity::OneAction, static_cast<Action>(a));
+  menu.addSeparator();
+  for (const MapQuantity q : {MapQuantity::GreedyAction, MapQuantity::Visits, MapQuantity::Eligibility}) add(q, 0);
+}
+
+void MapBar::fillAxes(QMenu& menu) {
+  if (!task_) return;
+  for (const bool horizontal : {true, false}) {
+    menu.addSection(horizontal ? tr("Horizontal") : tr("Vertical"));
+    for (std::size_t d = 0; d < task_->state.size(); ++d) {
+      MapChoice next = choice_;
+      int& axis = horizontal ? next.x : next.y;
+      int& other = horizontal ? next.y : next.x;
+      if (other == static_cast<int>(d)) other = axis;  // they change places
+      axis = static_cast<int>(d);
+      addChoice(menu, toText(task_->state[d].title), (horizontal ? choice_.x : choice_.y) == static_cast<int>(d),
+                [this, next] { choose(next); });
+    }
+  }
+}
+
+void MapBar::fillOthers(QMenu& menu) {
+  if (!task_) return;
+  std::vector<std::size_t> others;
+  for (std::size_t d = 0; d < task_->state.size(); ++d)
+    if (!choice_.isAxis(d)) others.push_back(d);
+  for (const std::size_t d : others) {
+    QMenu* own = others.size() == 1 ? &menu : menu.addMenu(toText(task_->state[d].title));
+    addOther(*own, d);
+  }
+}
+
+void MapBar::addOther(QMenu& menu, std::size_t d) {
+  const auto with = [&](Across how, Projection projection) {
+    MapChoice next = choice_;
+    next.across[d] = how;
+    next.projection = projection;
+    if (how == Across::Fixed && d < live_.size()) next.fixed[d] = live_[d];
+    return next;
+  };
+  const auto add = [&](const QString& text, Across how, Projection projection) {
+    const MapChoice next = with(how, projection);
+    const bool now = choice_.across[d] == how && (how != Across::Projected || choice_.projection == projection);
+    addChoice(menu, text, now, [this, next] { choose(next); });
+  };
+  add(tr("Follow the live state"), Across::Live, choice_.projection);
+  add(tr("Fix where it is now"), Across::Fixed, choice_.projection);
+
+  const StateVariable v = task_->state[d];
+  auto* slider = new QSlider(Qt::Horizontal, &menu);
+  slider->setRange(0, kSliderSteps);
+  slider->setMinimumWidth(180);
+  slider->setAccessibleName(tr("Fixed %1").arg(toText(v.title)));
+  const double now = choice_.across[d] == Across::Fixed ? choice_.fixed[d] : d < live_.size() ? live_[d] : 0.0;
+  slider->setValue(static_cast<int>(kSliderSteps * (now - v.viewLow) / (v.viewHigh - v.viewLow)));
+  connect(slider, &QSlider::valueChanged, this, [this, d, v](int position) {
+    MapChoice next = choice_;
+    next.across[d] = Across::Fixed;
+    next.fixed[d] = v.viewLow + (v.viewHigh - v.viewLow) * position / kSliderSteps;
+    choose(next);
+  });
+  auto* action = new QWidgetAction(&menu);
+  action->setDefaultWidget(slider);
+  menu.addAction(action);
+
+  menu.addSeparator();
+  add(tr("Mean over it"), Across::Projected, Projection::Mean);
+  add(tr("Least over it"), Across::Projected, Projection::Least);
+  add(tr("Most over it"), Across::Projected, Projection::Most);
+}
+
+void MapBar::fillRange(QMenu& menu) {
+  for (const bool locked : {true, false}) {
+    MapChoice next = choice_;
+    next.locked = locked;
+    addChoice(menu, locked ? tr("Locked to what rewards allow") : tr("What the map shows now"),
+              choice_.locked == locked, [this, next] { choose(next); });
+  }
+}
+
+}  // namespace surefoot

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The menus in the header of the value maps: quantity, axes, the other variables, the range of the colours.
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "ui/map_choice.h"
+
+class QMenu;
+class QToolButton;
+
+namespace surefoot {
+
+class MapBar final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit MapBar(QWidget* parent = nullptr);
+  /// Shows what is chosen for a task; `live` fills in the numbers.
+  void show(const MapChoice& choice, const Task& task, std::span<const double> live);
+
+ Q_SIGNALS:
+  void chosen(const MapChoice& choice);
+
+ private:
+  QToolButton* addButton(const QString& name, void (MapBar::*fill)(QMenu&));
+  void setText(QToolButton* button, const QString& text);
+  void choose(const MapChoice& choice);
+  void fillQuantities(QMenu& menu);
+  void fillAxes(QMenu& menu);
+  void fillOthers(QMenu& menu);
+  void fillRange(QMenu& menu);
+  void addOther(QMenu& menu, std::size_t variable);
+
+  MapChoice choice_;
+  const Task* task_ = nullptr;
+  std::vector<double> live_;
+  QToolButton *quantity_, *axes_, *others_, *range_;
+};
+
+}  // namespace surefoot
