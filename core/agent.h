@@ -27,6 +27,9 @@ class Agent : public Scheduling {
   /// Learns from an outcome cut off by a time limit: the value of `state`, where it would have gone on, is estimated.
   virtual void truncate(const Outcome& outcome, std::span<const double> state, Random& random) = 0;
 
+  /// The episode is given up: nothing is learned from its last action any more.
+  virtual void abandon() = 0;
+
   virtual const ActionValueFunction& values() const = 0;
   /// z for every weight, for those who look. `z` is resized.
   virtual void eligibility(std::vector<float>& z) const = 0;

@@ -46,6 +46,9 @@ struct Task {
   double lowestReturn = -1.0, highestReturn = 1.0;  ///< reward of an episode, as far as it is bounded: axes start there
 };
 
+/// Whether these are values of all state variables, each within its range; a sentence that names the first that is not.
+Status checkState(const Task& task, std::span<const double> state);
+
 /// A number that the window shows below the picture.
 struct ReadOut {
   std::string symbol, unit;
@@ -70,6 +73,17 @@ class Environment : public Configurable {
   virtual bool push(double impulse) {
     static_cast<void>(impulse);
     return false;
+  }
+  /// Begins an episode in a given state, in place of a reset; false: this cannot be done. The state has the right
+  /// length and lies within the ranges of its variables.
+  virtual bool place(std::span<const double> state) {
+    static_cast<void>(state);
+    return false;
+  }
+  /// A pose in which the state is this one, for a picture; empty: there is none.
+  virtual std::vector<double> poseAt(std::span<const double> state) const {
+    static_cast<void>(state);
+    return {};
   }
 
   /// Everything that a picture needs and the state leaves out (the position of a cart), and the last action's value.

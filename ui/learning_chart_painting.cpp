@@ -38,7 +38,8 @@ void LearningChart::drawAxes(QPainter& p, const Theme& t) const {
     p.setPen(QPen(t.hairline, 1));
     p.drawLine(QPointF(plot_.left(), at), QPointF(plot_.right(), at));
     p.setPen(t.quiet);
-    drawSymbol(p, QRectF(0, at - 8, kLeft - 8, 16), Qt::AlignRight, toText(yStep < 1 ? fixedText(y, yStep < 0.1 ? 2 : 1) : countText(y)));
+    drawSymbol(p, QRectF(0, at - 8, kLeft - 8, 16), Qt::AlignRight,
+               toText(yStep < 1 ? fixedText(y, yStep < 0.1 ? 2 : 1) : countText(y)));
   }
   const double base = std::round(plot_.bottom()) + 0.5;
   p.setPen(QPen(t.outline, 1));
@@ -67,6 +68,8 @@ QString LearningChart::textOf(const Change& change) const {
     };
     return values.arg(title(change.before), title(change.after));
   }
+  if (change.key == "push") return tr("pushed");
+  if (change.key == "place") return tr("placed");
   const auto* entry = session_.configuration().parameters.find(change.key);
   const QString title = toText(entry ? entry->parameter.title : change.key).toLower();
   return title + ' ' + values.arg(toText(change.before), toText(change.after)).replace('-', QChar(0x2212));

@@ -97,6 +97,9 @@ void LivePage::makeMaps() {
   Panel* panel = addPanel(tr("Value maps"), "maps", maps, Qt::RightDockWidgetArea);
   auto* bar = new MapBar;
   panel->header().addWidget(bar);
+  connect(maps, &ValueMaps::placeAsked, this, [this](const std::vector<double>& state) {
+    if (const Status s = session_.place(state); !s) Q_EMIT refused(toText(s.error().message));
+  });
   connect(bar, &MapBar::chosen, maps, &ValueMaps::setChoice);
   const auto show = [this, maps, bar] { bar->show(maps->choice(), session_.task(), session_.shown().state); };
   connect(maps, &ValueMaps::shown, bar, show);
@@ -116,6 +119,7 @@ QString LivePage::worldNote() const {
   if (!session_.running())
     return session_.turbo() ? tr("the learner's own, paused; turbo is on") : tr("the learner's own, paused");
   const QString speed = session_.factorText();
+  if (session_.turbo() && world_->held()) return tr("real time; only this world is held, the learner's own is not");
   if (session_.turbo())
     return speed.isEmpty() ? tr("real time, newest Q-function")
                            : tr("real time, newest Q-function; the learner runs %1").arg(speed);

@@ -196,6 +196,21 @@ void Session::setPace(double pace) {
   Q_EMIT stateChanged();
 }
 
+void Session::hold(std::optional<double> target) {
+  viewer_->hold(target);
+  learner_->send(SetHand{target});
+}
+
+Status Session::place(const std::vector<double>& state) {
+  if (running_) return Error{tr("Pause first; then a click on the map puts the body into that state.").toStdString()};
+  std::vector<double> inside = state;
+  for (std::size_t d = 0; d < inside.size(); ++d)
+    inside[d] = std::clamp(inside[d], task().state[d].low, task().state[d].high);
+  if (const Status s = checkState(task(), inside); !s) return s;
+  learner_->send(Place{inside});
+  return Done{};
+}
+
 void Session::stepOnce() {
   if (running_) setRunning(false);
   learner_->send(SingleStep{});

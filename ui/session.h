@@ -75,6 +75,10 @@ class Session final : public QObject {
   void setTurbo(bool turbo);
   void setPace(double pace);
   void stepOnce();
+  /// Holds the body of the world that is shown by its tip [m], or lets go.
+  void hold(std::optional<double> target);
+  /// Puts the learner's world into a state: a new episode begins there.
+  Status place(const std::vector<double>& state);
   /// A new life with the present configuration and the same seed; the old one stays as a faint curve.
   Status restart();
   /// Changes a parameter of the running life, or, if it needs a new table, asks for a restart first (needsNewTable).

@@ -88,8 +88,7 @@ void ValueMaps::paintEvent(QPaintEvent*) {
   drawSmallMaps(p, g, t);
   drawFootprints(p, g, t);
   drawAxes(p, g.big, t);
-  drawKey(p, g, t);
-  drawReading(p, g, t);
+  spoken().isEmpty() ? drawKey(p, g, t) : drawReading(p, g, t);
 }
 
 void ValueMaps::drawBigBar(QPainter& p, const Geometry& g, const Theme& t) const {

@@ -38,6 +38,7 @@ void Viewer::advance(double seconds, const ActionValueFunction& values) {
       choose(values);
       ended_ = false;
     }
+    if (hand_.holds()) environment_->push(hand_.impulse(*environment_, step));
     const Outcome outcome = environment_->step(action_);
     falls_ += outcome.event == Event::Fall;
     ended_ = outcome.ending != Ending::None;

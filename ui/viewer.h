@@ -8,6 +8,7 @@
 
 #include "core/action_value.h"
 #include "core/environment.h"
+#include "core/experiment/hand.h"
 #include "core/policy.h"
 
 namespace surefoot {
@@ -26,6 +27,8 @@ class Viewer {
   std::vector<double> pose() const { return environment_->pose(); }
   const std::vector<double>& q() const { return q_; }
   Action action() const { return action_; }
+  /// Where the body is held; nothing lets go.
+  void hold(std::optional<double> target) { hand_.hold(target); }
   /// Counts the falls seen here.
   int falls() const { return falls_; }
 
@@ -37,6 +40,7 @@ class Viewer {
   Random random_;
   std::vector<double> q_, pi_;
   Action action_ = 0;
+  Hand hand_;
   double time_ = 0.0;  // not yet lived [s]
   double rest_ = 0.0;  // standing still for this long [s]
   bool ended_ = true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/world_view.h"
 
+#include <QMouseEvent>
 #include <QPainter>
 #include <QWheelEvent>
 #include <cmath>
@@ -27,11 +28,13 @@ WorldView::WorldView(Session& session, QWidget* parent) : QWidget(parent), sessi
   setAccessibleName(tr("World"));
   setAttribute(Qt::WA_OpaquePaintEvent);
   setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
   connect(&session_, &Session::frame, this, &WorldView::nextFrame);
 }
 
 void WorldView::fit() {
   zoom_ = 1.0;
+  pan_ = {};
   update();
 }
 
@@ -52,18 +55,87 @@ double WorldView::pixelsPerMetre() const {
 }
 
 double WorldView::floorLevel() const {
-  return height() - kFloor;
+  return height() - kFloor + pan_.y();
+}
+
+Point WorldView::toMetres(QPointF at) const {
+  const double scale = pixelsPerMetre();
+  return {scene_.focus.x + (at.x() - pan_.x() - width() / 2.0) / scale, (floorLevel() - at.y()) / scale};
 }
 
 QPointF WorldView::toPixel(Point p) const {
   const double scale = pixelsPerMetre();
-  return {width() / 2.0 + (p.x - scene_.focus.x) * scale, floorLevel() - p.y * scale};
+  return {width() / 2.0 + pan_.x() + (p.x - scene_.focus.x) * scale, floorLevel() - p.y * scale};
 }
 
 void WorldView::wheelEvent(QWheelEvent* event) {
+  const double before = zoom_;
   zoom_ = std::clamp(zoom_ * std::pow(1.0015, event->angleDelta().y()), 0.3, 6.0);
+  // What lies under the cursor stays there.
+  const QPointF anchor(width() / 2.0, height() - kFloor), at = event->position() - anchor;
+  pan_ = at - (at - pan_) * (zoom_ / before);
   update();
   event->accept();
+}
+
+/// Near the pole's tip, or where it is thick enough to be taken hold of: within a hand's width of the tip.
+bool WorldView::overBody(QPointF at) const {
+  constexpr double kReach = 60;  // [px]
+  const QPointF tip = toPixel(scene_.tip);
+  return std::hypot(at.x() - tip.x(), at.y() - tip.y()) < kReach;
+}
+
+void WorldView::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::RightButton || event->button() == Qt::MiddleButton) panning_ = event->position() - pan_;
+  if (event->button() != Qt::LeftButton || !overBody(event->position())) return;
+  hand_ = event->position();
+  session_.hold(toMetres(*hand_).x);
+}
+
+void WorldView::mouseMoveEvent(QMouseEvent* event) {
+  if (panning_) pan_ = event->position() - *panning_;
+  if (hand_) {
+    hand_ = event->position();
+    session_.hold(toMetres(*hand_).x);
+  }
+  setCursor(hand_ ? Qt::ClosedHandCursor : overBody(event->position()) ? Qt::OpenHandCursor : Qt::ArrowCursor);
+  update();
+}
+
+void WorldView::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton) return panning_.reset();
+  if (hand_) session_.hold(std::nullopt);
+  hand_.reset();
+}
+
+void WorldView::drawSpring(QPainter& p, const Theme& t) const {
+  if (!hand_) return;
+  p.setPen(QPen(t.accent, 1.5, Qt::DashLine));
+  p.drawLine(toPixel(scene_.tip), *hand_);
+  p.setBrush(t.accent);
+  p.setPen(Qt::NoPen);
+  p.drawEllipse(*hand_, 4, 4);
+}
+
+// The body as it would stand in the state under the cursor on a map.
+void WorldView::drawGhost(QPainter& p, const Theme& t) const {
+  const std::vector<double>& state = session_.examined();
+  if (state.size() != session_.task().state.size()) return;
+  const auto pose = session_.environment().poseAt(state);
+  if (pose.empty()) return;
+  Scene ghost;
+  session_.environment().draw(pose, ghost);
+  p.setOpacity(0.28);
+  const double dx = scene_.focus.x - ghost.focus.x;  // it stands where the body stands
+  ScenePainter painter(
+      p, t, false,
+      [&](Point at) {
+        return toPixel({at.x + dx, at.y});
+      },
+      pixelsPerMetre());
+  for (const Shape& shape : ghost.shapes)
+    if (!std::holds_alternative<Label>(shape)) std::visit(painter, shape);
+  p.setOpacity(1.0);
 }
 
 void WorldView::paintEvent(QPaintEvent*) {
@@ -76,7 +148,9 @@ void WorldView::paintEvent(QPaintEvent*) {
   drawTrail(p, t);
   ScenePainter painter(
       p, t, session_.shown().flash, [this](Point at) { return toPixel(at); }, pixelsPerMetre());
+  drawGhost(p, t);
   for (const Shape& shape : scene_.shapes) std::visit(painter, shape);
+  drawSpring(p, t);
   drawReadOuts(p, t);
 }
 

@@ -5,6 +5,7 @@
 
 #include <QWidget>
 #include <deque>
+#include <optional>
 
 #include "core/scene.h"
 
@@ -22,17 +23,26 @@ class WorldView final : public QWidget {
   explicit WorldView(Session& session, QWidget* parent = nullptr);
   QSize sizeHint() const override { return {576, 400}; }
   QSize minimumSizeHint() const override { return {320, 240}; }
+  /// Somebody holds the body with the mouse.
+  bool held() const { return hand_.has_value(); }
   void fit();  ///< the zoom that shows everything
 
  protected:
   void paintEvent(QPaintEvent*) override;
   void wheelEvent(QWheelEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
 
  private:
   void nextFrame();
   QPointF toPixel(Point p) const;
   double pixelsPerMetre() const;
   double floorLevel() const;
+  Point toMetres(QPointF at) const;
+  bool overBody(QPointF at) const;
+  void drawGhost(QPainter& painter, const Theme& theme) const;
+  void drawSpring(QPainter& painter, const Theme& theme) const;
   void drawFloor(QPainter& painter, const Theme& theme) const;
   void drawTrail(QPainter& painter, const Theme& theme) const;
   void drawReadOuts(QPainter& painter, const Theme& theme) const;
@@ -41,6 +51,9 @@ class WorldView final : public QWidget {
   Scene scene_;
   std::deque<Point> trail_;
   double zoom_ = 1.0;
+  QPointF pan_;                  // [px]
+  std::optional<QPointF> hand_;  // where the body is held [px]
+  std::optional<QPointF> panning_;
 };
 
 }  // namespace surefoot

@@ -53,6 +53,8 @@ class Sarsa2Q final : public Agent {
     clearTraces();
   }
 
+  void abandon() override { clearTraces(); }
+
   const ActionValueFunction& values() const override { return sum_; }
   /// Of Q⁺, then of Q⁻.
   void eligibility(std::vector<float>& z) const override {

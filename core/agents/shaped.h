@@ -57,6 +57,11 @@ class ShapedAgent final : public Agent {
     agent_->truncate(shape(outcome, lookAt(state)), state, random);
   }
 
+  void abandon() override {
+    agent_->abandon();
+    potential_.clearTrace();
+  }
+
   const ActionValueFunction& values() const override { return agent_->values(); }
   /// V(s), the potential.
   const ActionValueFunction& potential() const { return potential_.values(); }

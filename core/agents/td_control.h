@@ -56,6 +56,8 @@ class TdControl final : public Agent {
     estimate_.clearTrace();
   }
 
+  void abandon() override { estimate_.clearTrace(); }
+
   const ActionValueFunction& values() const override { return estimate_.values(); }
   void eligibility(std::vector<float>& z) const override {
     z.clear();

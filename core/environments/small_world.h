@@ -3,7 +3,9 @@
 // limit can be set, and an episode that reaches it is cut off.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/environment.h"
 #include "core/environments/step_limit.h"
@@ -17,6 +19,22 @@ class SmallWorld : public Environment {
   const Task& task() const override { return task_; }
   std::span<const double> state() const override { return state_; }
   std::vector<double> pose() const override { return {state_.begin(), state_.end()}; }
+  std::vector<double> poseAt(std::span<const double> state) const override { return rounded(state); }
+  bool place(std::span<const double> state) override {
+    const auto to = rounded(state);
+    std::copy(to.begin(), to.end(), state_.begin());
+    limit_.steps = 0;
+    return true;
+  }
+
+ private:
+  /// Whole numbers where the variable takes no others.
+  std::vector<double> rounded(std::span<const double> state) const {
+    std::vector<double> to(state.begin(), state.end());
+    for (std::size_t d = 0; d < to.size(); ++d)
+      if (task_.state[d].whole) to[d] = std::round(to[d]);
+    return to;
+  }
 
  protected:
   Task task_;

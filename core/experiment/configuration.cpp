@@ -101,6 +101,7 @@ Result<TimedCommand> makeCommand(const Registry& registry, const Configuration& 
     command.value = *value;
     return command;
   }
+  if (text.key == "place") return command;  // its state is read where the task is known
   Parameters parameters = c.parameters;
   if (const Status s = parameters.set(text.key, std::string_view(text.value)); !s) return s.error();
   const Parameters::Entry* entry = parameters.find(text.key);
@@ -108,6 +109,23 @@ Result<TimedCommand> makeCommand(const Registry& registry, const Configuration& 
     return Error{fmt::format("{}: a new table is needed for it, so it cannot change while a life goes on.", text.key)};
   command.value = entry->value;
   return command;
+}
+
+/// The state that a life is to be placed in: numbers with spaces between them.
+Status readState(const CommandText& text, Environment& environment, std::vector<double>& state) {
+  const auto refuse = [&](const std::string& why) {
+    return Error{fmt::format("at step {}: place = \"{}\": {}", text.step, text.value, why)};
+  };
+  std::string_view rest = text.value;
+  while (!rest.empty()) {
+    const auto end = rest.find(' ');
+    const auto number = parseNumber("place", rest.substr(0, end));
+    if (!number) return refuse("numbers with spaces between them are expected.");
+    state.push_back(*number);
+    rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
+  }
+  if (const Status s = checkState(environment.task(), state); !s) return refuse(s.error().message);
+  return environment.place(state) ? Status(Done{}) : refuse("this environment begins only where it always does.");
 }
 
 Result<LifeLimits> makeLimits(const Configuration& c, const Task& task) {
@@ -143,6 +161,8 @@ Result<LifeParts> makeParts(const Registry& registry, const Configuration& c, st
     if (command->key == "push" && !parts.environment->push(0.0))
       return Error{
           fmt::format("at step {}: push: the environment {} has no body to push.", text.step, c.names.environment)};
+    if (command->key == "place")
+      if (const Status s = readState(text, *parts.environment, command->state); !s) return s.error();
     if (then.parameters.find(command->key)) {
       if (const Status s = then.parameters.set(command->key, command->value); !s) return s.error();
       if (const auto possible = makeEnvironment(registry, then); !possible)

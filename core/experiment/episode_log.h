@@ -67,6 +67,8 @@ class EpisodeLog {
   /// Mean total reward of the last 80 episodes, or of those so far; 0 before the first.
   double averageReward() const { return last_.averageReward; }
   const EpisodeRow& last() const { return last_; }
+  /// Forgets the episode in hand; its steps remain the life's.
+  void giveUp() { current_ = {}; }
   const EpisodeRow& current() const { return current_; }
   const EndOfLearning& endOfLearning() const { return end_; }
   const std::vector<EpisodeRow>& rows() const { return rows_; }

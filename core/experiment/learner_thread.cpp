@@ -80,6 +80,7 @@ void LearnerThread::wait() {
 
 void LearnerThread::step() {
   const std::int64_t before = life_->log().totals().episodes;
+  if (hand_.holds() && !turbo_) life_->push(hand_.impulse(life_->environment(), stepTime_));
   life_->step();
   const LifeTotals& totals = life_->log().totals();
   if (totals.episodes == before) return;
@@ -124,6 +125,8 @@ void LearnerThread::carryOut(Command& command) {
     void operator()(SetRunning& c) const { t.running_ = c.running; }
     void operator()(SetPace& c) const { t.pace_ = c.pace; }
     void operator()(SetTurbo& c) const { t.turbo_ = c.turbo; }
+    void operator()(SetHand& c) const { t.hand_.hold(c.target); }
+    void operator()(Place& c) const { static_cast<void>(static_cast<bool>(t.life_->place(c.state))); }
     void operator()(SingleStep&) const {
       if (!t.running_ && !t.life_->finished()) t.step();
     }
@@ -132,6 +135,7 @@ void LearnerThread::carryOut(Command& command) {
       ++t.lifeNumber_;
       t.curve_ = {};
       t.fallenPose_.clear();
+      t.hand_.hold(std::nullopt);
       t.outOfMemory_ = false;
       t.stepTime_ = stepTimeOf(*t.life_);
       t.valuesWanted_ = true;

@@ -7,10 +7,12 @@
 #include <atomic>
 #include <condition_variable>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <variant>
 #include <vector>
 
+#include "core/experiment/hand.h"
 #include "core/experiment/snapshot.h"
 #include "core/experiment/triple_buffer.h"
 
@@ -33,12 +35,19 @@ struct SetPace {
 struct SetTurbo {
   bool turbo;
 };
+struct SetHand {
+  std::optional<double> target;
+};  ///< where the body's tip is held [m]; nothing lets go
+struct Place {
+  std::vector<double> state;
+};                     ///< a new episode there
 struct SingleStep {};  ///< one step of a paused life
 struct ReplaceLife {
   std::unique_ptr<Life> life;
 };
 
-using Command = std::variant<SetParameter, SetPolicy, SetRunning, SetPace, SetTurbo, SingleStep, ReplaceLife>;
+using Command =
+    std::variant<SetParameter, SetPolicy, SetRunning, SetPace, SetTurbo, SetHand, Place, SingleStep, ReplaceLife>;
 
 /// send(), wantSnapshot(), takeSnapshot() … belong to one thread, the window's; the life to the thread in here.
 class LearnerThread {
@@ -83,6 +92,7 @@ class LearnerThread {
   LearningCurve curve_;
   std::string curvePolicy_;
   std::vector<double> fallenPose_;
+  Hand hand_;
   bool running_ = false, turbo_ = false, outOfMemory_ = false;
   double pace_ = 1.0;
   double stepTime_;  // [s]; tasks without a clock take 20 steps a second

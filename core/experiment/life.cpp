@@ -2,6 +2,7 @@
 #include "core/experiment/life.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cassert>
 #include <limits>
@@ -28,7 +29,7 @@ Life::Life(LifeParts parts, Random world, Random policy, LifeLimits limits, bool
   beginEpisode();
 }
 
-void Life::beginEpisode() {
+void Life::beginEpisode(const std::vector<double>& state) {
   if (environmentChanged_) {
     parameters_.applyTo(*environment_, "environment.");
     environment_->parametersChanged();
@@ -39,6 +40,8 @@ void Life::beginEpisode() {
   pushSteps_.clear();
   pushImpulses_.clear();
   environment_->reset(worldRandom_);
+  start_ = state;
+  if (!start_.empty()) environment_->place(start_);
   tellTime();
   action_ = agent_->start(environment_->state(), policyRandom_);
   inEpisode_ = true;
@@ -105,6 +108,8 @@ void Life::obey(TimedCommand& command) {
     setPolicy(command.policyName, std::move(command.policy));
   else if (command.key == "push")
     push(command.value);
+  else if (command.key == "place")
+    static_cast<void>(static_cast<bool>(place(command.state)));  // as below
   else
     static_cast<void>(static_cast<bool>(set(command.key, command.value)));  // checked when the life was made
 }
@@ -118,6 +123,18 @@ bool Life::push(double impulse) {
   }
   note("push", "", fmt::format("{}", impulse));
   return true;
+}
+
+Status Life::place(const std::vector<double>& state) {
+  if (const Status s = checkState(environment_->task(), state); !s) return s;
+  if (!environment_->place(state)) return Error{"place: this environment begins only where it always does."};
+  if (inEpisode_) {
+    agent_->abandon();
+    log_.giveUp();
+  }
+  beginEpisode(state);
+  note("place", "", fmt::format("{}", fmt::join(state, " ")));
+  return Done{};
 }
 
 void Life::note(const std::string& key, const std::string& before, const std::string& after) {

@@ -19,18 +19,19 @@ namespace surefoot {
 /// Something was done to a life while it went on.
 struct Change {
   std::int64_t step = 0;      ///< steps of the life before it
-  std::string key;            ///< of a parameter, or "policy", or "push"
+  std::string key;            ///< of a parameter, or "policy", "push", "place"
   std::string before, after;  ///< as a person writes them
 };
 
 /// Something to be done to a life when it has taken so many steps: a parameter to set, a policy to follow, a push [N
-/// s].
+/// s], a state to be placed in.
 struct TimedCommand {
   std::int64_t step = 0;
   std::string key;
   double value = 0.0;
   std::unique_ptr<Policy> policy;  ///< for the key "policy"
   std::string policyName;
+  std::vector<double> state{};  ///< for the key "place"
 };
 
 struct LifeParts {
@@ -75,6 +76,8 @@ class Life {
   void setPolicy(const std::string& name, std::unique_ptr<Policy> policy);
   /// Pushes the body by an impulse [N s]; false: there is none to push.
   bool push(double impulse);
+  /// Gives the episode in hand up, which is not counted, and begins one in this state.
+  Status place(const std::vector<double>& state);
 
   /// From now on remember what the environment was given in the episode in hand, so that the life can be saved in the
   /// middle of one. Call it before the first step.
@@ -107,7 +110,8 @@ class Life {
   std::uint64_t hash() const;
 
  private:
-  void beginEpisode();
+  /// In a state, or where the environment begins if that is empty.
+  void beginEpisode(const std::vector<double>& state = {});
   /// Policy and agent may follow a schedule.
   void tellTime();
   void note(const std::string& key, const std::string& before, const std::string& after);
@@ -144,6 +148,7 @@ class Life {
   bool keepInputs_ = false;
   std::array<std::uint64_t, 4> episodeRandom_{};  // worldRandom_ before reset()
   std::vector<std::uint16_t> actions_;            // of the episode in hand
+  std::vector<double> start_;                     // of the episode in hand, where it was placed
   std::vector<std::uint64_t> pushSteps_;          // steps of the episode before each push
   std::vector<double> pushImpulses_;              // [N s]
 };

@@ -48,6 +48,7 @@ void Life::transfer(Archive& archive) {
   archive.value("in_episode", inEpisode_, 0, 1);
   archive.value("environment_changed", environmentChanged_, 0, 1);
   archive.list("episode.actions", actions_, kMostInputs);
+  archive.list("episode.start", start_, environment_->task().state.size());
   archive.list("episode.push_steps", pushSteps_, kMostInputs);
   archive.list("episode.push_impulses", pushImpulses_, kMostInputs);
   archive.under("log.", [&] { log_.transfer(archive); });
@@ -63,6 +64,11 @@ void Life::repeatEpisode(Archive& archive) {
     return archive.refuse("episode.push_steps", "is not as long as the list of impulses");
   worldRandom_ = Random(episodeRandom_);
   environment_->reset(worldRandom_);
+  if (!start_.empty()) {
+    if (const Status s = checkState(environment_->task(), start_); !s)
+      return archive.refuse("episode.start", "is no state of the environment");
+    environment_->place(start_);
+  }
   std::size_t push = 0;
   for (std::size_t step = 0; step <= actions_.size(); ++step) {
     for (; push < pushSteps_.size() && pushSteps_[push] == step; ++push) environment_->push(pushImpulses_[push]);

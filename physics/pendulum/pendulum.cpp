@@ -138,6 +138,15 @@ bool Pendulum::push(double impulse) {
   return true;
 }
 
+bool Pendulum::place(std::span<const double> state) {
+  resetTo(state[0], state[1], state[2]);
+  return true;
+}
+
+std::vector<double> Pendulum::poseAt(std::span<const double> state) const {
+  return {world_->x(), state[0], state[1], state[2], 0.0};
+}
+
 std::vector<double> Pendulum::pose() const {
   return {world_->x(), state_[0], state_[1], state_[2], torque_};
 }

@@ -37,6 +37,8 @@ class Pendulum final : public Environment {
   std::span<const double> state() const override { return state_; }
   /// At the tip of the pole. The next step feels it.
   bool push(double impulse) override;
+  bool place(std::span<const double> state) override;
+  std::vector<double> poseAt(std::span<const double> state) const override;
   /// x [m], pole angle [rad], pole rate [rad/s], wheel rate [rad/s], torque [N m].
   std::vector<double> pose() const override;
   void draw(std::span<const double> pose, Scene& scene) const override;

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/environment.h"
+
+#include <fmt/format.h>
+
+namespace surefoot {
+
+Status checkState(const Task& task, std::span<const double> state) {
+  if (state.size() != task.state.size())
+    return Error{fmt::format("a state has {} values here, and {} are given.", task.state.size(), state.size())};
+  for (std::size_t d = 0; d < state.size(); ++d) {
+    const StateVariable& v = task.state[d];
+    if (!(state[d] >= v.low && state[d] <= v.high))
+      return Error{fmt::format("{} = {} is out of range; it goes from {} to {}.", v.key, state[d], v.low, v.high)};
+  }
+  return Done{};
+}
+
+}  // namespace surefoot
