@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/files/read_file.h"
+#include "core/laboratory/plan_file.h"
 #include "core/laboratory/recipe.h"
 #include "core/parameters.h"
 #include "core/text.h"
@@ -103,6 +105,21 @@ Result<std::vector<std::string>> findRecipes(const std::vector<std::string>& wan
   for (std::size_t i = 0; i < files.size(); ++i)
     if (chosen[i]) paths.push_back(files[i].string());
   return paths;
+}
+
+std::vector<ShippedPlan> allShipped() {
+  std::vector<ShippedPlan> all;
+  for (const bool recipe : {false, true})
+    for (const fs::path& file : filesIn(recipe ? "recipes" : "plans")) {
+      ShippedPlan plan{.name = file.stem().string(), .title = {}, .path = file.string(), .recipe = recipe};
+      const auto text = readFile(plan.path);
+      const auto parsed = text ? parsePlanFile(*text, plan.path) : Result<PlanFile>(text.error());
+      if (parsed)
+        for (const PlanSetting& setting : parsed->head)
+          if (setting.key == "title" && !setting.values.empty()) plan.title = setting.values[0];
+      all.push_back(std::move(plan));
+    }
+  return all;
 }
 
 }  // namespace surefoot

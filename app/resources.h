@@ -19,6 +19,14 @@ Result<std::string> findPlan(const std::string& plan);
 
 /// What `reproduce` can be asked for, in order.
 std::vector<std::string> shippedRecipes();
+
+/// A plan or recipe that comes with the program, with its title.
+struct ShippedPlan {
+  std::string name, title, path;
+  bool recipe = false;
+};
+/// All of them, plans first.
+std::vector<ShippedPlan> allShipped();
 /// The files of recipes by their names, by what they show ("4.6", "table 4.2"), or "all"; each once, in order.
 Result<std::vector<std::string>> findRecipes(const std::vector<std::string>& wanted);
 

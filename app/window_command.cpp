@@ -10,6 +10,7 @@
 #include "app/exit_code.h"
 #include "app/interrupt.h"
 #include "app/report.h"
+#include "app/resources.h"
 #include "core/files/whole_file.h"
 #include "core/version.h"
 #include "ui/main_window.h"
@@ -74,7 +75,11 @@ int windowCommand(const Registry& registry, const WindowRequest& request, int ar
   applyAppearance(application, static_cast<Appearance>(QSettings().value("appearance", 0).toInt()));
 
   Session session(registry, request.configuration, log.has_value());
-  MainWindow window(session);
+  WindowSetup setup;
+  for (const ShippedPlan& plan : allShipped())
+    setup.plans.push_back(
+        {plan.recipe ? fmt::format("{} · {}", plan.name, plan.title) : plan.title, plan.path, plan.recipe});
+  MainWindow window(session, std::move(setup));
   window.show();
   session.setTurbo(request.turbo);
   session.setRunning(true);

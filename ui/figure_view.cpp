@@ -20,12 +20,15 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kLeft = 64, kTop = 40, kBottom = 48, kLegend = 190;  // gutters [px]
-constexpr double kRow = 22, kBarLabels = 210;                         // of bars [px]
+constexpr double kLeft = 64, kBottom = 48, kLegend = 190;  // gutters [px]
+constexpr double kRow = 22, kBarLabels = 210;              // of bars [px]
 
 /// A value on an axis whose ticks are so far apart.
 QString tickText(double value, double step) {
-  return toText(step < 0.1 ? fixedText(value, 2) : step < 1 ? fixedText(value, 1) : countText(value));
+  return toText(step < 0.01  ? fixedText(value, 3)
+                : step < 0.1 ? fixedText(value, 2)
+                : step < 1   ? fixedText(value, 1)
+                             : countText(value));
 }
 
 }  // namespace
@@ -37,7 +40,22 @@ FigureView::FigureView(Figure figure, QWidget* parent) : QWidget(parent), figure
 
 QSize FigureView::sizeHint() const {
   if (!figure_.bars) return {760, 420};
-  return {760, static_cast<int>(kTop + kBottom + kRow * static_cast<double>(figure_.series.size()))};
+  return {760, static_cast<int>(top() + kBottom + kRow * static_cast<double>(figure_.series.size()))};
+}
+
+void FigureView::setFigure(Figure figure, const QString& words) {
+  figure_ = std::move(figure);
+  words_ = words;
+  xLeast_ = yLeast_ = 0;
+  xMost_ = yMost_ = 1;
+  chooseRanges();
+  setAccessibleName(figure_.title.empty() ? words : toText(figure_.title));
+  update();
+}
+
+double FigureView::rowHeight() const {
+  const double rows = std::max<double>(1, static_cast<double>(figure_.series.size()));
+  return std::clamp((height() - top() - kBottom) / rows, 10.0, 1.5 * kRow);
 }
 
 void FigureView::chooseRanges() {
@@ -97,12 +115,18 @@ void FigureView::paintEvent(QPaintEvent*) {
 void FigureView::paint(QPainter& p, const Theme& t) const {
   p.setRenderHint(QPainter::Antialiasing);
   p.fillRect(rect(), t.panel);
+  if (!words_.isEmpty()) {
+    p.setFont(textFont(11));
+    p.setPen(t.quiet);
+    p.drawText(rect(), Qt::AlignCenter, words_);
+    return;
+  }
   p.setFont(textFont(13, 500));
   p.setPen(t.ink);
-  drawSymbol(p, QRectF(16, 8, width() - 32, 20), Qt::AlignLeft, toText(figure_.title));
+  if (titleShown_) drawSymbol(p, QRectF(16, 8, width() - 32, 20), Qt::AlignLeft, toText(figure_.title));
   if (figure_.scene) return paintScene(p, t);
   if (figure_.bars) return paintBars(p, t);
-  const QRectF plot(kLeft, kTop, width() - kLeft - kLegend, height() - kTop - kBottom);
+  const QRectF plot(kLeft, top(), width() - kLeft - kLegend, height() - top() - kBottom);
   paintAxes(p, t, plot);
   paintCurves(p, t, plot);
   paintLegend(p, t, plot);
@@ -208,7 +232,7 @@ void FigureView::paintScene(QPainter& p, const Theme& t) const {
       for (const double sign : {-1.0, 1.0})
         include({disc->centre.x + sign * disc->radius, disc->centre.y + sign * disc->radius});
   }
-  const QRectF plot(kLeft, kTop + 20, width() - 2 * kLeft, height() - kTop - kBottom - 20);
+  const QRectF plot(kLeft, top() + 20, width() - 2 * kLeft, height() - top() - kBottom - 20);
   const double scale = std::min(plot.width() / bounds.width(), plot.height() / bounds.height());
   const QPointF middle = bounds.center();
   const ScenePainter painter(
@@ -221,7 +245,9 @@ void FigureView::paintScene(QPainter& p, const Theme& t) const {
 }
 
 void FigureView::paintBars(QPainter& p, const Theme& t) const {
-  const QRectF plot(kBarLabels, kTop, width() - kBarLabels - 90, kRow * static_cast<double>(figure_.series.size()));
+  const double row = rowHeight();
+  const double labels = std::min(kBarLabels, 0.36 * width());
+  const QRectF plot(labels, top(), width() - labels - 90, row * static_cast<double>(figure_.series.size()));
   const auto xOf = [&](double value) { return plot.left() + (value - yLeast_) / (yMost_ - yLeast_) * plot.width(); };
   p.setFont(textFont(11));
   const double step = niceAbove((yMost_ - yLeast_) / 6.0001);
@@ -235,21 +261,22 @@ void FigureView::paintBars(QPainter& p, const Theme& t) const {
   p.drawText(QRectF(plot.left(), plot.bottom() + 22, plot.width(), 16), Qt::AlignCenter, toText(figure_.yTitle));
   for (std::size_t i = 0; i < figure_.series.size(); ++i) {
     const FigureSeries& s = figure_.series[i];
-    const double y = plot.top() + kRow * static_cast<double>(i), middle = y + kRow / 2;
+    const double y = plot.top() + row * static_cast<double>(i), middle = y + row / 2;
     const Interval& v = s.y[0];
     p.setPen(t.ink);
-    drawSymbol(p, QRectF(16, y, kBarLabels - 26, kRow), Qt::AlignRight,
-               p.fontMetrics().elidedText(toText(s.name), Qt::ElideMiddle, static_cast<int>(kBarLabels) - 26));
+    drawSymbol(p, QRectF(16, y, labels - 26, row), Qt::AlignRight,
+               p.fontMetrics().elidedText(toText(s.name), Qt::ElideMiddle, static_cast<int>(labels) - 26));
     if (!std::isfinite(v.value)) continue;
     p.setPen(Qt::NoPen);
     p.setBrush(policyLook(s.policy, t).colour);
-    p.drawRect(QRectF(QPointF(xOf(std::min(0.0, v.value)), y + 5), QPointF(xOf(std::max(0.0, v.value)), y + kRow - 5)));
+    p.drawRect(QRectF(QPointF(xOf(std::min(0.0, v.value)), y + std::min(5.0, row / 5)),
+                      QPointF(xOf(std::max(0.0, v.value)), y + row - std::min(5.0, row / 5))));
     p.setPen(QPen(t.ink, 1.2));
     p.drawLine(QPointF(xOf(v.low), middle), QPointF(xOf(v.high), middle));
     for (const double end : {v.low, v.high}) p.drawLine(QPointF(xOf(end), middle - 3), QPointF(xOf(end), middle + 3));
     QString text = toText(std::abs(v.value) < 10 ? fixedText(v.value, 2) : fixedText(v.value, 1));
     if (!s.marked.empty() && s.marked[0]) text += QStringLiteral("  X");
-    drawSymbol(p, QRectF(xOf(v.high) + 8, y, 90, kRow), Qt::AlignLeft, text);
+    drawSymbol(p, QRectF(xOf(v.high) + 8, y, 90, row), Qt::AlignLeft, text);
   }
 }
 

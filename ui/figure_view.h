@@ -17,6 +17,12 @@ class FigureView final : public QWidget {
  public:
   explicit FigureView(Figure figure, QWidget* parent = nullptr);
   QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return {320, 200}; }
+  /// Another figure; one without series shows the words instead.
+  void setFigure(Figure figure, const QString& words);
+  const Figure& figure() const { return figure_; }
+  /// A panel's header says the title already.
+  void setTitleShown(bool shown) { titleShown_ = shown; }
 
   /// Writes NAME.png (twice the size on the screen) and NAME.pdf; a path without its ending.
   Status save(const std::string& path);
@@ -36,7 +42,12 @@ class FigureView final : public QWidget {
   QPointF at(double x, double y, const QRectF& plot) const;
   void chooseRanges();
 
+  double top() const { return titleShown_ ? 40 : 16; }  // [px]
+  double rowHeight() const;                             // of bars [px]
+
   Figure figure_;
+  QString words_;
+  bool titleShown_ = true;
   double xLeast_ = 0, xMost_ = 1, yLeast_ = 0, yMost_ = 1;
 };
 

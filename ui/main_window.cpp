@@ -12,8 +12,10 @@
 #include <QPainter>
 #include <QSettings>
 #include <QStackedWidget>
+#include <QStandardPaths>
 #include <QVBoxLayout>
 
+#include "ui/experiment_page.h"
 #include "ui/live_page.h"
 #include "ui/message_bar.h"
 #include "ui/panel.h"
@@ -57,7 +59,7 @@ class PageTab final : public QAbstractButton {
 
 }  // namespace
 
-MainWindow::MainWindow(Session& session, QWidget* parent) : QMainWindow(parent), session_(session) {
+MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent) : QMainWindow(parent), session_(session) {
   setWindowTitle(tr("Surefoot"));
   auto* frame = new QWidget;
   auto* column = new QVBoxLayout(frame);
@@ -68,20 +70,33 @@ MainWindow::MainWindow(Session& session, QWidget* parent) : QMainWindow(parent),
   messages_ = new MessageBar(frame);
   pages_ = new QStackedWidget;
   live_ = new LivePage(session_);
-  pages_->addWidget(live_);
-  pages_->addWidget(makePlaceholder(
-      tr("Experiment"), tr("Batches of lives with their statistics will be set up and run on this page in a later "
-                           "version. Until then they run without a window:\n\nsurefoot train --lives 40 --minutes 9")));
+  auto* live = new QWidget;
+  auto* liveColumn = new QVBoxLayout(live);
+  liveColumn->setContentsMargins(0, 0, 0, 0);
+  liveColumn->setSpacing(0);
+  liveColumn->addWidget(bar_);
+  liveColumn->addWidget(live_, 1);
+  pages_->addWidget(live);
+  if (setup.folder.isEmpty()) setup.folder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
+  experiment_ = new ExperimentPage(session_, std::move(setup.plans), setup.folder);
+  pages_->addWidget(experiment_);
   pages_->addWidget(makePlaceholder(
       tr("Lessons"), tr("Lessons that lead through exploring, thresholds and temperature will stand on this page in "
                         "a later version. The Live page is a good place to begin.")));
-  column->addWidget(bar_);
   column->addWidget(pages_, 1);
-  column->addWidget(new StatusLine(session_));
+  status_ = new StatusLine(session_);
+  column->addWidget(status_);
   setCentralWidget(frame);
   makeMenus();
 
   connect(live_, &LivePage::refused, messages_, &MessageBar::say);
+  connect(experiment_, &ExperimentPage::refused, messages_, &MessageBar::say);
+  connect(experiment_, &ExperimentPage::told, messages_, &MessageBar::say);
+  connect(experiment_, &ExperimentPage::statusChanged, this, [this](const QString& left, const QString& right) {
+    experimentLeft_ = left;
+    experimentRight_ = right;
+    refreshStatus();
+  });
   connect(&session_, &Session::stateChanged, this, &MainWindow::refresh);
   connect(&session_, &Session::configurationChanged, messages_, &MessageBar::dismiss);
   connect(&session_, &Session::lifeReplaced, messages_, &MessageBar::dismiss);
@@ -181,6 +196,25 @@ void MainWindow::makeMenus() {
   run->addSeparator();
   for (QAction* action : {run_.turbo, run_.faster, run_.slower}) run->addAction(action);
 
+  QMenu* experiment = menuBar()->addMenu(tr("&Experiment"));
+  const auto item = [&](const QString& text, const QString& tip, void (ExperimentPage::*slot)()) {
+    QAction* action = addAction(experiment, text, tip, {});
+    connect(action, &QAction::triggered, this, [this, slot] {
+      setPage(1);
+      (experiment_->*slot)();
+    });
+  };
+  item(tr("&Open a plan or results …"), tr("A plan, a recipe or a store of results"), &ExperimentPage::openWithDialog);
+  item(tr("Save the &plan as …"), tr("The plan as a file"), &ExperimentPage::savePlanAs);
+  experiment->addSeparator();
+  item(tr("&Run or pause"), tr("Run the experiment, or pause it"), &ExperimentPage::runOrPause);
+  item(tr("Start &again"), tr("Forget what was lived"), &ExperimentPage::startAgain);
+  experiment->addSeparator();
+  item(tr("&Copy the table as CSV"), tr("To the clipboard"), &ExperimentPage::copyCsv);
+  item(tr("Copy the table as &LaTeX"), tr("To the clipboard"), &ExperimentPage::copyLatex);
+  item(tr("E&xport all lives as CSV …"), tr("Conditions, lives and episodes"), &ExperimentPage::exportCsv);
+  item(tr("Export all c&harts …"), tr("PNG, PDF and CSV"), &ExperimentPage::exportCharts);
+
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   connect(addAction(help, tr("&Shortcuts"), tr("All shortcuts"), Qt::Key_F1), &QAction::triggered, this,
           &MainWindow::showShortcuts);
@@ -217,6 +251,14 @@ QWidget* MainWindow::makePlaceholder(const QString& title, const QString& words)
 void MainWindow::setPage(int page) {
   pages_->setCurrentIndex(page);
   tabs_[static_cast<std::size_t>(page)]->setChecked(true);
+  refreshStatus();
+}
+
+void MainWindow::refreshStatus() {
+  if (pages_->currentWidget() == experiment_)
+    status_->say(experimentLeft_, experimentRight_);
+  else
+    status_->follow();
 }
 
 void MainWindow::refresh() {

@@ -4,6 +4,7 @@
 
 #include <QMainWindow>
 
+#include "ui/experiment.h"
 #include "ui/run_bar.h"
 
 class QAbstractButton;
@@ -12,17 +13,26 @@ class QStackedWidget;
 
 namespace surefoot {
 
+class ExperimentPage;
 class LivePage;
 class MessageBar;
 class Session;
+class StatusLine;
 enum class Appearance;
+
+/// What the program gives its window.
+struct WindowSetup {
+  std::vector<PlanSource> plans;  ///< to choose from on the Experiment page
+  QString folder;                 ///< for results and what must survive a crash; empty: the user's data folder
+};
 
 class MainWindow final : public QMainWindow {
   Q_OBJECT
 
  public:
-  explicit MainWindow(Session& session, QWidget* parent = nullptr);
+  explicit MainWindow(Session& session, WindowSetup setup = {}, QWidget* parent = nullptr);
   LivePage& livePage() { return *live_; }
+  ExperimentPage& experimentPage() { return *experiment_; }
   MessageBar& messages() { return *messages_; }
   void setPage(int page);
 
@@ -38,6 +48,7 @@ class MainWindow final : public QMainWindow {
   void setAppearance(Appearance appearance);
   void restoreSettings();
   void refresh();
+  void refreshStatus();
   void showShortcuts();
   void showAbout();
 
@@ -47,6 +58,9 @@ class MainWindow final : public QMainWindow {
   MessageBar* messages_ = nullptr;
   QStackedWidget* pages_ = nullptr;
   LivePage* live_ = nullptr;
+  ExperimentPage* experiment_ = nullptr;
+  StatusLine* status_ = nullptr;
+  QString experimentLeft_, experimentRight_;
   std::vector<QAbstractButton*> tabs_;
   std::vector<QAction*> shortcuts_;
   QString troubleShown_;

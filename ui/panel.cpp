@@ -51,6 +51,12 @@ PanelHeader::PanelHeader(const QString& title, bool canFill, QWidget* parent) : 
   connect(button_, &QAbstractButton::clicked, this, &PanelHeader::fullSizeAsked);
 }
 
+void PanelHeader::setTitle(const QString& title) {
+  if (title == title_) return;
+  title_ = title;
+  update();
+}
+
 void PanelHeader::setNote(const QString& note) {
   if (note == note_) return;
   note_ = note;

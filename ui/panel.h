@@ -14,6 +14,7 @@ class PanelHeader final : public QWidget {
 
  public:
   PanelHeader(const QString& title, bool canFill, QWidget* parent = nullptr);
+  void setTitle(const QString& title);
   void setNote(const QString& note);
   void setFull(bool full);
   /// The world lies on paper, all else on the panel's colour.

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/text.h"
+#include "ui/bar_button.h"
 #include "ui/combo.h"
 #include "ui/icons.h"
 #include "ui/session.h"
@@ -29,75 +30,6 @@ double paceAt(int position) {
 int positionOf(double pace) {
   return static_cast<int>(std::lround(Slider::kSteps * std::log(pace / kSlowest) / std::log(kFastest / kSlowest)));
 }
-
-/// 32 px high; filled with ink (the main one), framed with a text (turbo), or quiet.
-class BarButton final : public QAbstractButton {
- public:
-  enum class Look { Main, Quiet, Framed };
-  BarButton(QAction* action, Icon icon, Look look, QWidget* parent)
-      : QAbstractButton(parent),
-        action_(action),
-        icon_(icon),
-        look_(look) {
-    setFocusPolicy(Qt::TabFocus);  // a click needs no focus ring
-    resize(look == Look::Framed ? 80 : kButton, kButton);
-    connect(this, &QAbstractButton::clicked, action, &QAction::trigger);
-    connect(action, &QAction::changed, this, [this] { refresh(); });
-    refresh();
-  }
-  void setIcon(Icon icon) {
-    icon_ = icon;
-    update();
-  }
-
- protected:
-  void paintEvent(QPaintEvent*) override {
-    const Theme& t = themeOf(*this);
-    QPainter p(this);
-    p.setRenderHint(QPainter::Antialiasing);
-    const QRectF frame = QRectF(rect()).adjusted(1, 1, -1, -1);
-    const bool pressed = isDown() || (look_ == Look::Framed && action_->isChecked());
-    QColor ink = isEnabled() ? t.ink : t.outline;
-    p.setPen(Qt::NoPen);
-    p.setBrush(Qt::NoBrush);
-    if (look_ == Look::Main) {
-      p.setBrush(isEnabled() ? t.ink : t.track);
-      ink = t.panel;
-    } else if (look_ == Look::Framed) {
-      p.setPen(QPen(pressed ? t.ink : t.outline, pressed ? 1.75 : 1));
-      if (pressed || underMouse()) p.setBrush(t.fill);
-    } else if (underMouse()) {
-      p.setBrush(t.fill);
-    }
-    p.drawRoundedRect(frame, 4, 4);
-    if (hasFocus()) {
-      p.setPen(QPen(t.accent, 2));
-      p.setBrush(Qt::NoBrush);
-      p.drawRoundedRect(frame, 4, 4);
-    }
-    if (look_ == Look::Framed) {
-      drawIcon(p, icon_, QRectF(4, 0, 24, height()), ink);
-      p.setFont(textFont(13, 500));
-      p.setPen(ink);
-      p.drawText(QRectF(28, 0, width() - 32, height()), Qt::AlignVCenter | Qt::AlignLeft, tr("Turbo"));
-    } else {
-      drawIcon(p, icon_, rect(), ink);
-    }
-  }
-
- private:
-  void refresh() {
-    setEnabled(action_->isEnabled());
-    setAccessibleName(action_->text().remove('&'));
-    const QString shortcut = action_->shortcut().toString(QKeySequence::NativeText);
-    setToolTip(shortcut.isEmpty() ? action_->toolTip() : QStringLiteral("%1 (%2)").arg(action_->toolTip(), shortcut));
-    update();
-  }
-
-  QAction* action_;
-  Icon icon_;
-  Look look_;
-};
 
 QIcon markerIcon(const std::string& policy, const Theme& t) {
   QPixmap pixmap(32, 32);

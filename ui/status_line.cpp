@@ -54,7 +54,20 @@ QString StatusLine::state() const {
   return text;
 }
 
+void StatusLine::say(const QString& left, const QString& right) {
+  following_ = false;
+  segments_ = {left};
+  state_ = right;
+  update();
+}
+
+void StatusLine::follow() {
+  following_ = true;
+  refresh();
+}
+
 void StatusLine::refresh() {
+  if (!following_) return;
   const QStringList now = segments();
   const QString nowState = state();
   if (now == segments_ && nowState == state_) return;

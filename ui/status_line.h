@@ -18,7 +18,13 @@ class StatusLine final : public QWidget {
  protected:
   void paintEvent(QPaintEvent*) override;
 
+ public:
+  /// Shows these instead of the life's state, until follow().
+  void say(const QString& left, const QString& right);
+  void follow();
+
  private:
+  bool following_ = true;
   void refresh();
   QStringList segments() const;
   QString state() const;

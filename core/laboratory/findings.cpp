@@ -97,7 +97,8 @@ Comparison compare(const Evidence& reference, const Evidence& other, bool paired
   c.welch = welchTest(a, b);
   if ((paired || shared) && a.size() == b.size()) c.paired = pairedTest(a, b);
   c.effect = effectSize(a, b);
-  c.minutes = differenceInterval(valuesOf(reference, "minutes"), valuesOf(other, "minutes"));
+  if (reference.record.condition.stepTime > 0)
+    c.minutes = differenceInterval(valuesOf(reference, "minutes"), valuesOf(other, "minutes"));
   if (const double sd = std::sqrt((varianceOf(a) + varianceOf(b)) / 2); sd > 0)
     c.livesNeeded = livesNeeded(sd, meanOf(b) - meanOf(a));
   if (const auto equal = brownForsytheTest({a, b}); equal && equal->p < 0.01)
@@ -110,11 +111,14 @@ Comparison compare(const Evidence& reference, const Evidence& other, bool paired
 Result<Findings> findingsOf(const Store& store) {
   auto plan = store.plan();
   if (!plan) return plan.error();
-  Findings findings{.plan = std::move(*plan), .complete = true, .conditions = {}};
+  const auto evidence = readEvidence(store);
+  if (!evidence) return evidence.error();
+  return findingsOf(std::move(*plan), *evidence);
+}
+
+Findings findingsOf(StoredPlan plan, const std::vector<Evidence>& measured) {
+  Findings findings{.plan = std::move(plan), .complete = true, .conditions = {}};
   const auto& conditions = findings.plan.conditions;
-  const auto read = readEvidence(store);
-  if (!read) return read.error();
-  const std::vector<Evidence>& measured = *read;
   for (const Evidence& e : measured) {
     findings.conditions.push_back(describe(e));
     warn(findings.conditions.back(), e);

@@ -45,10 +45,15 @@ struct Findings {
   std::vector<Finding> conditions;
 };
 
-/// Reads the whole store; the bootstrap's random numbers depend on the plan's seed only.
+/// The bootstrap's random numbers depend on the plan's seed only.
+Findings findingsOf(StoredPlan plan, const std::vector<Evidence>& evidence);
+/// Of a whole store.
 Result<Findings> findingsOf(const Store& store);
 
 nlohmann::ordered_json findingsAsJson(const Findings& findings);
+/// A row a condition, for other programs.
+std::string findingsAsCsv(const Findings& findings);
+std::string findingsAsLatex(const Findings& findings);
 /// A table for people, with the warnings below it.
 std::string findingsAsTable(const Findings& findings);
 

@@ -72,6 +72,9 @@ class Laboratory {
       LabProgress p{.work = sum(meters_), .livesThere = before, .livesPlanned = result_.livesPlanned};
       p.work.livesDone = livesDone_;
       options_.progress(p);
+      if (!options_.look) return;
+      const std::lock_guard lock(mutex_);
+      options_.look(store_);
     };
     const Status s = pool_.run(
         static_cast<std::int64_t>(tasks_.size()), [&](std::int64_t i) { return work(i); },

@@ -19,6 +19,7 @@ struct LabOptions {
   int shard = 1, shards = 1;  ///< life number k (of all, in order) belongs to shard k mod shards + 1
   const std::atomic<bool>* interrupted = nullptr;      ///< lives in hand are given up
   std::function<void(const LabProgress&)> progress{};  ///< about four times a second, on the calling thread
+  std::function<void(const Store&)> look{};            ///< after `progress`; no life is written meanwhile
 };
 
 struct LabResult {

@@ -114,7 +114,9 @@ std::optional<TestResult> oneWayAnova(const std::vector<Sample>& groups) {
 
 std::optional<TestResult> welchTest(Sample a, Sample b) {
   if (a.size() < 2 || b.size() < 2) return std::nullopt;
-  const double t = (meanOf(b) - meanOf(a)) / std::sqrt(squaredStandardErrors(a, b).sum());
+  const double squaredError = squaredStandardErrors(a, b).sum();
+  if (squaredError == 0) return TestResult{0.0, 0.0, 0.0, meanOf(a) == meanOf(b) ? 1.0 : 0.0};
+  const double t = (meanOf(b) - meanOf(a)) / std::sqrt(squaredError);
   const double degrees = welchDegrees(a, b);
   return TestResult{t, degrees, 0.0, twoTailsOfT(t, degrees)};
 }
@@ -122,7 +124,9 @@ std::optional<TestResult> welchTest(Sample a, Sample b) {
 std::optional<Interval> differenceInterval(Sample a, Sample b) {
   if (a.size() < 2 || b.size() < 2) return std::nullopt;
   const double difference = meanOf(b) - meanOf(a);
-  const double half = tQuantile(welchDegrees(a, b)) * std::sqrt(squaredStandardErrors(a, b).sum());
+  const double squaredError = squaredStandardErrors(a, b).sum();
+  if (squaredError == 0) return Interval{difference, difference, difference};
+  const double half = tQuantile(welchDegrees(a, b)) * std::sqrt(squaredError);
   return Interval{difference, difference - half, difference + half};
 }
 

@@ -39,7 +39,7 @@ struct TestResult {
 /// One-way analysis of variance (Fisher): do all groups have one mean? Empty with fewer than two groups, an empty
 /// group, or one value a group. Groups without any variance: p is 1 for equal means, else 0.
 std::optional<TestResult> oneWayAnova(const std::vector<Sample>& groups);
-/// Welch's t test (1947): the same for two groups whose variances may differ.
+/// Welch's t test (1947): the same for two groups whose variances may differ. Without any variance as above.
 std::optional<TestResult> welchTest(Sample a, Sample b);
 /// Interval of mean(b) − mean(a), after Welch.
 std::optional<Interval> differenceInterval(Sample a, Sample b);

@@ -88,6 +88,110 @@ TEST(ValueMaps, ShowLearnedValuesAndHatchTheRest) {
   EXPECT_GT(colours.size(), 100);
 }
 
+TEST(ValueMaps, TheCursorShowsWhatTheRobotWouldDoThere) {
+  Learned w;
+  auto* maps = w.window->findChild<ValueMaps*>();
+  QTest::mouseMove(maps, {140, 110});
+  ASSERT_TRUE(w.waitFor([&] { return !w.session->examined().empty(); }));
+  EXPECT_TRUE(maps->spoken().contains("α")) << maps->spoken().toStdString();
+  EXPECT_EQ(maps->accessibleDescription(), maps->spoken());
+  QTest::mousePress(maps, Qt::LeftButton, Qt::ShiftModifier, {140, 110});
+  QTest::mouseMove(maps, {4, 4});
+  EXPECT_TRUE(w.session->pinned());
+  QTest::keyClick(maps, Qt::Key_Escape);
+  EXPECT_TRUE(w.session->examined().empty());
+}
+
+TEST(ValueMaps, TheKeyboardMovesTheCursor) {
+  Learned w;
+  auto* maps = w.window->findChild<ValueMaps*>();
+  maps->setFocus();
+  const std::int64_t steps = w.session->snapshot().steps;
+  QTest::keyClick(maps, Qt::Key_Right);
+  ASSERT_FALSE(w.session->examined().empty());
+  const auto first = w.session->examined();
+  QTest::keyClick(maps, Qt::Key_Right);
+  QTest::keyClick(maps, Qt::Key_Up);
+  EXPECT_GT(w.session->examined()[0], first[0]);
+  EXPECT_GT(w.session->examined()[1], first[1]);
+  EXPECT_DOUBLE_EQ(w.session->examined()[2], first[2]);
+  QTest::qWait(100);
+  EXPECT_EQ(w.session->snapshot().steps, steps) << "the arrow is no single step here";
+}
+
+TEST(ValueMaps, AClickPutsThePausedBodyIntoThatState) {
+  Learned w;
+  auto* maps = w.window->findChild<ValueMaps*>();
+  const std::int64_t episodes = w.session->snapshot().totals.episodes;
+  QTest::mouseMove(maps, {140, 110});
+  ASSERT_TRUE(w.waitFor([&] { return !w.session->examined().empty(); }));
+  const auto state = w.session->examined();
+  QTest::mouseClick(maps, Qt::LeftButton, {}, {140, 110});
+  ASSERT_TRUE(w.waitFor([&] { return std::abs(w.session->snapshot().state[0] - state[0]) < 1e-6; }));
+  EXPECT_NEAR(w.session->snapshot().state[1], state[1], 1e-5);
+  EXPECT_EQ(w.session->snapshot().totals.episodes, episodes) << "the episode given up is not counted";
+}
+
+TEST(ValueMaps, EveryQuantityAndEveryPairOfAxesCanBeShown) {
+  Learned w;
+  auto* maps = w.window->findChild<ValueMaps*>();
+  QSet<QByteArray> pictures;
+  for (const MapQuantity quantity : {MapQuantity::BestAction, MapQuantity::OneAction, MapQuantity::GreedyAction,
+                                     MapQuantity::Visits, MapQuantity::Eligibility})
+    for (const auto& [x, y] : {std::pair{0, 1}, {1, 0}, {2, 0}, {1, 2}}) {
+      MapChoice choice = maps->choice();
+      choice.quantity = quantity;
+      choice.x = x, choice.y = y;
+      maps->setChoice(choice);
+      const QImage image = maps->grab().toImage();
+      pictures.insert(
+          QByteArray(reinterpret_cast<const char*>(image.constBits()), static_cast<int>(image.sizeInBytes())));
+      EXPECT_TRUE(QString::fromStdString(maps->asCsv())
+                      .startsWith(QString::fromStdString(w.session->task().state[static_cast<std::size_t>(x)].key)));
+    }
+  EXPECT_EQ(pictures.size(), 20);
+}
+
+TEST(ValueMaps, AProjectionLiesBetweenLeastAndMost) {
+  Learned w;
+  const Task& task = w.session->task();
+  MapChoice choice;
+  choice.fit(task);
+  choice.across[2] = Across::Projected;
+  const ValueMap::Quantity rate = [](std::span<const double> s) { return s[2]; };
+  const std::vector<double> state(3, 0.0);
+  const auto of = [&](Projection projection) {
+    choice.projection = projection;
+    return choice.projected(task, rate)(state);
+  };
+  EXPECT_LT(of(Projection::Least), of(Projection::Mean));
+  EXPECT_LT(of(Projection::Mean), of(Projection::Most));
+  const ValueMap::Quantity never = [](std::span<const double>) { return std::nan(""); };
+  EXPECT_TRUE(std::isnan(choice.projected(task, never)(state)));
+}
+
+TEST(WorldView, TheBodyIsHeldByTheMouse) {
+  Window w;
+  auto* world = w.window->findChild<WorldView*>();
+  ASSERT_TRUE(w.waitFor([&] { return !w.session->shown().pose.empty(); }));
+  QTest::qWait(50);
+  QPoint tip;
+  for (int y = 10; y < world->height() && tip.isNull(); y += 10) {
+    QTest::mouseMove(world, {world->width() / 2, y});
+    if (world->cursor().shape() == Qt::OpenHandCursor) tip = {world->width() / 2, y};
+  }
+  ASSERT_FALSE(tip.isNull());
+  QTest::mousePress(world, Qt::LeftButton, {}, tip);
+  ASSERT_TRUE(world->held());
+  w.session->setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] {  // the next change is a push
+    return w.session->values() && !w.session->values()->changes.empty();
+  }));
+  EXPECT_EQ(w.session->values()->changes.back().key, "push");
+  QTest::mouseRelease(world, Qt::LeftButton, {}, tip);
+  EXPECT_FALSE(world->held());
+}
+
 TEST(LearningCharts, DrawTheCurveInThePolicysColour) {
   Learned w;
   for (auto* chart : w.window->findChildren<LearningChart*>())

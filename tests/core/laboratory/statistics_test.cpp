@@ -168,4 +168,12 @@ TEST(Statistics, ChangeInPerCent) {
   EXPECT_DOUBLE_EQ(changeInPerCent(0, 0), 0);
 }
 
+TEST(Statistics, WithoutVarianceTheMeansDecide) {
+  const std::vector<double> three = {3, 3, 3}, four = {4, 4};
+  EXPECT_EQ(welchTest(three, three)->p, 1.0);
+  EXPECT_EQ(welchTest(three, four)->p, 0.0);
+  EXPECT_EQ(differenceInterval(three, four)->low, 1.0);
+  EXPECT_EQ(differenceInterval(three, four)->high, 1.0);
+}
+
 }  // namespace surefoot

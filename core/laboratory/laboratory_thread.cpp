@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/laboratory/laboratory_thread.h"
+
+#include <chrono>
+
+namespace surefoot {
+
+namespace {
+using Clock = std::chrono::steady_clock;
+constexpr auto kFirstLook = std::chrono::seconds(1);
+constexpr int kShare = 10;  // measuring takes one part of the time in so many
+}  // namespace
+
+Result<LabView> viewOf(const Store& store) {
+  auto plan = store.plan();
+  if (!plan) return plan.error();
+  auto evidence = readEvidence(store);
+  if (!evidence) return evidence.error();
+  LabView view{.evidence = std::move(*evidence), .findings = {}};
+  view.findings = findingsOf(std::move(*plan), view.evidence);
+  return view;
+}
+
+LaboratoryThread::LaboratoryThread(const Registry& registry, Plan plan, Store store, int jobs)
+    : registry_(registry),
+      plan_(std::move(plan)),
+      thread_([this, jobs, store = std::move(store)]() mutable { run(std::move(store), jobs); }) {}
+
+LaboratoryThread::~LaboratoryThread() {
+  stop();
+  thread_.join();
+}
+
+LabProgress LaboratoryThread::progress() const {
+  const std::lock_guard lock(mutex_);
+  return progress_;
+}
+
+std::shared_ptr<const LabView> LaboratoryThread::view() const {
+  const std::lock_guard lock(mutex_);
+  return view_;
+}
+
+std::string LaboratoryThread::trouble() const {
+  const std::lock_guard lock(mutex_);
+  return trouble_;
+}
+
+void LaboratoryThread::look(const Store& store) {
+  auto view = viewOf(store);
+  const std::lock_guard lock(mutex_);
+  if (view)
+    view_ = std::make_shared<const LabView>(std::move(*view));
+  else
+    trouble_ = view.error().message;
+}
+
+void LaboratoryThread::run(Store store, int jobs) {
+  auto next = Clock::now() + kFirstLook;
+  LabOptions options;
+  options.jobs = jobs;
+  options.interrupted = &interrupted_;
+  options.progress = [&](const LabProgress& p) {
+    const std::lock_guard lock(mutex_);
+    progress_ = p;
+  };
+  options.look = [&](const Store& s) {
+    const auto before = Clock::now();
+    if (before < next) return;
+    look(s);
+    next = Clock::now() + std::max<Clock::duration>(kFirstLook, kShare * (Clock::now() - before));
+  };
+  const auto result = runPlan(registry_, plan_, store, options);
+  if (result) {
+    complete_ = result->complete();
+    look(store);
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    if (!result) trouble_ = result.error().message;
+  }
+  over_ = true;
+}
+
+}  // namespace surefoot

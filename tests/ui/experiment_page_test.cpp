@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/experiment_page.h"
+
+#include <QClipboard>
+#include <QFile>
+#include <QGuiApplication>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QTemporaryDir>
+
+#include "core/files/whole_file.h"
+#include "tests/ui/window_setup.h"
+#include "ui/figure_panel.h"
+#include "ui/plan_editor.h"
+
+namespace surefoot {
+
+namespace {
+
+using State = Experiment::State;
+
+const std::string kPlan =
+    "title = \"Two walks\"\nlives = 6\nreference = \"one\"\n[base]\nenvironment = \"cliff\"\nfeatures = \"table\"\n"
+    "episodes = 200\n[[condition]]\nname = \"one\"\n[[condition]]\nname = \"two\"\npolicy = \"softmax\"\n";
+
+/// A window at its Experiment page, with a plan in a folder of its own.
+struct Page : Window {
+  explicit Page(const std::string& plan = kPlan) : page(window->experimentPage()) {
+    path = folder.filePath("plan.toml");
+    EXPECT_TRUE(writeWhole("plan", path.toStdString(), plan));
+    window->setPage(1);
+    page.open(path);
+  }
+  void runToTheEnd() {
+    page.runOrPause();
+    EXPECT_TRUE(waitFor([&] { return experiment().state() == State::Complete; }, 60'000));
+  }
+  Experiment& experiment() { return page.experiment(); }
+
+  QTemporaryDir folder;
+  QString path;
+  ExperimentPage& page;
+};
+
+}  // namespace
+
+TEST(ExperimentPage, RunsAPlanAndShowsWhatCameOfIt) {
+  Page p;
+  ASSERT_TRUE(p.experiment().plan());
+  EXPECT_EQ(p.experiment().livesPlanned(), 12);
+  p.runToTheEnd();
+  EXPECT_EQ(p.experiment().livesDone(), 12);
+  EXPECT_DOUBLE_EQ(p.experiment().share(), 1.0);
+  auto* table = p.named<QTableWidget>("Results");
+  ASSERT_EQ(table->rowCount(), 2);
+  EXPECT_EQ(table->item(1, 0)->text(), "two");
+  EXPECT_EQ(table->item(1, 1)->text(), "6");
+  for (const FigurePanel* figure : p.page.figures())
+    EXPECT_NE(figure->asCsv().find("two"), std::string::npos) << figure->asCsv();
+}
+
+TEST(ExperimentPage, TheResultsAreThoseOfAHeadlessRun) {
+  Page p;
+  p.runToTheEnd();
+  const auto plan = parsePlan(p.registry, kPlan, "plan.toml", {});
+  const std::string other = p.folder.filePath("headless.sqlite").toStdString();
+  auto store = Store::create(other, *planToStore(p.registry, *plan));
+  ASSERT_TRUE(runPlan(p.registry, *plan, *store, {}));
+  const auto shown = Store::open(p.experiment().storePath());
+  ASSERT_TRUE(shown) << shown.error().message;
+  EXPECT_EQ(*shown->contentHash(), *store->contentHash());
+}
+
+TEST(ExperimentPage, PausesAndGoesOnToTheSameEnd) {
+  std::string plan = kPlan;
+  plan.replace(plan.find("lives = 6"), 9, "lives = 40");
+  plan.replace(plan.find("episodes = 200"), 14, "episodes = 1000");
+  Page p(plan);
+  p.page.runOrPause();
+  ASSERT_TRUE(p.waitFor([&] { return p.experiment().livesDone() > 2; }, 30'000));
+  p.page.runOrPause();
+  ASSERT_TRUE(p.waitFor([&] { return p.experiment().state() == State::Paused; }, 5'000));
+  const int done = p.experiment().livesDone();
+  EXPECT_LT(done, 80);
+  p.runToTheEnd();
+  EXPECT_EQ(p.experiment().livesDone(), 80);
+}
+
+TEST(ExperimentPage, OpensResultsMadeWithoutAWindow) {
+  Page p;
+  p.runToTheEnd();
+  const QString results = p.folder.filePath("results.sqlite");
+  ASSERT_TRUE(QFile::copy(QString::fromStdString(p.experiment().storePath()), results));
+  p.page.startAgain();
+  EXPECT_FALSE(p.experiment().view());
+  p.page.open(results);
+  ASSERT_TRUE(p.experiment().view());
+  EXPECT_EQ(p.experiment().state(), State::Complete);
+  EXPECT_EQ(p.experiment().title(), "Two walks");
+  EXPECT_FALSE(p.experiment().canRun()) << "a store does not hold its plan's text";
+}
+
+TEST(ExperimentPage, AWrongPlanIsRefusedInASentence) {
+  Page p;
+  QString said;
+  QObject::connect(&p.page, &ExperimentPage::refused, [&](const QString& s) { said = s; });
+  const QString wrong = p.folder.filePath("wrong.toml");
+  ASSERT_TRUE(writeWhole("plan", wrong.toStdString(), "lives = 0\n" + kPlan.substr(kPlan.find("reference"))));
+  p.page.open(wrong);
+  EXPECT_TRUE(said.contains("wrong.toml, line 1")) << said.toStdString();
+  EXPECT_EQ(p.experiment().title(), "Two walks") << "the plan before stays";
+  p.page.open(p.folder.filePath("nowhere.toml"));
+  EXPECT_TRUE(said.contains("nowhere.toml")) << said.toStdString();
+}
+
+TEST(ExperimentPage, ThePlanIsEditedAsTextAndChecked) {
+  Page p;
+  p.page.showPlan(true);
+  auto* edit = p.named<QPlainTextEdit>("Plan");
+  auto* editor = p.window->findChild<PlanEditor*>();
+  EXPECT_TRUE(edit->toPlainText().contains("Two walks"));
+  editor->setText(edit->toPlainText() + "[[condition]]\nname = \"three\"\npolicy = \"nobody\"\n");
+  QPushButton* use = nullptr;
+  for (auto* button : editor->findChildren<QPushButton*>())
+    if (button->text() == "Use this plan") use = button;
+  ASSERT_TRUE(use);
+  EXPECT_FALSE(use->isEnabled()) << "there is no such policy";
+  editor->setText(QString::fromStdString(kPlan));
+  Q_EMIT editor->liveConditionAsked();
+  EXPECT_TRUE(edit->toPlainText().contains("live: trl"));
+  ASSERT_TRUE(use->isEnabled());
+  QTest::mouseClick(use, Qt::LeftButton);
+  EXPECT_EQ(p.experiment().storedPlan().conditions.size(), 3u);
+}
+
+TEST(ExperimentPage, TheTableIsCopied) {
+  Page p;
+  QString said;
+  QObject::connect(&p.page, &ExperimentPage::refused, [&](const QString& s) { said = s; });
+  p.page.copyCsv();
+  EXPECT_TRUE(said.contains("nothing to copy")) << said.toStdString();
+  p.runToTheEnd();
+  p.page.copyCsv();
+  EXPECT_TRUE(QGuiApplication::clipboard()->text().startsWith("condition,reference,lives"));
+  p.page.copyLatex();
+  EXPECT_TRUE(QGuiApplication::clipboard()->text().startsWith("\\begin{tabular}"));
+}
+
+}  // namespace surefoot

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The conditions of an experiment with how many lives each has lived, and below them its design.
+#pragma once
+
+#include <QWidget>
+
+namespace surefoot {
+
+class Experiment;
+
+class ConditionList final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ConditionList(Experiment& experiment, QWidget* parent = nullptr);
+  QSize sizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+
+ private:
+  /// What all conditions share: name and value.
+  std::vector<std::pair<QString, QString>> design() const;
+  Experiment& experiment_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the Experiment page is about: a plan as text, the run that carries it out, and the newest results.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <memory>
+#include <optional>
+
+#include "core/laboratory/laboratory_thread.h"
+#include "core/laboratory/recipe.h"
+
+namespace surefoot {
+
+/// A plan or recipe that can be chosen by its title.
+struct PlanSource {
+  std::string title, path;
+  bool recipe = false;
+};
+
+class Experiment final : public QObject {
+  Q_OBJECT
+
+ public:
+  enum class State { Ready, Running, Paused, Complete };
+
+  Experiment(const Registry& registry, std::vector<PlanSource> sources, QString folder, QObject* parent = nullptr);
+
+  const std::vector<PlanSource>& sources() const { return sources_; }
+  /// Loads a plan, a recipe or a store of results. What ran is given up; what it lived is kept in its store.
+  Status open(const std::string& path);
+  /// What a text would give, without taking it over.
+  Result<Plan> parse(const std::string& text) const;
+  /// A text in place of the plan's; refused with the line that is wrong. What was lived under the old one is left.
+  Status setText(const std::string& text);
+  const std::string& text() const { return text_; }
+  /// The file of the plan or results; a new text has none.
+  const std::string& path() const { return path_; }
+  const std::string& title() const { return title_; }
+
+  /// Empty until something is opened; of a store of results without its plan it holds no configurations to run.
+  const std::optional<Plan>& plan() const { return plan_; }
+  const StoredPlan& storedPlan() const { return stored_; }
+  const std::vector<FigureSpec>& figures() const { return figures_; }
+  const std::shared_ptr<const LabView>& view() const { return view_; }
+  /// The claims of the thesis that a recipe bears on, judged on what is there; empty for other plans.
+  std::vector<Judgement> judgements() const;
+  /// Draws one of the figures from the newest results; nothing until there are any.
+  std::optional<Figure> figure(const FigureSpec& spec) const;
+
+  State state() const { return state_; }
+  bool canRun() const { return plan_.has_value() && state_ != State::Complete; }
+  /// Runs what is missing; into a store of its own beside the program's data.
+  Status run();
+  /// Gives up the lives in hand; run() goes on.
+  void pause();
+  /// Forgets what was lived; the store stays on the disk.
+  void reset();
+
+  int livesDone() const;
+  int livesPlanned() const;
+  double share() const { return share_; }
+  std::int64_t falls() const { return falls_; }
+  double elapsed() const;  ///< [s], of running
+  /// [s]; nothing: cannot be told yet.
+  std::optional<double> left() const;
+  int livesOf(const std::string& condition) const;
+  const std::string& storePath() const { return storePath_; }
+
+ Q_SIGNALS:
+  void planChanged();
+  void progressed();
+  void resultsChanged();
+  void stateChanged();
+  void failed(const QString& sentence);
+
+ private:
+  void tick();
+  void take();
+  Status openStore(const std::string& path);
+  Status readText(const std::string& text, const std::string& path);
+  void setState(State state);
+  std::vector<FigureSpec> standardFigures() const;
+
+  const Registry& registry_;
+  std::vector<PlanSource> sources_;
+  QString folder_;
+  std::string text_, path_, title_, storePath_;
+  std::optional<Plan> plan_;
+  StoredPlan stored_;
+  std::vector<FigureSpec> figures_;
+  std::vector<Claim> claims_;
+  std::unique_ptr<LaboratoryThread> thread_;
+  std::shared_ptr<const LabView> view_;
+  State state_ = State::Ready;
+  QTimer timer_;
+  QElapsedTimer running_;
+  double before_ = 0, share_ = 0, shareAtStart_ = 0;
+  int livesDone_ = 0;
+  std::int64_t falls_ = 0;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/experiment_page.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "core/files/whole_file.h"
+#include "core/laboratory/csv_export.h"
+#include "core/text.h"
+#include "ui/ask_for_file.h"
+#include "ui/bar_button.h"
+#include "ui/combo.h"
+#include "ui/condition_list.h"
+#include "ui/figure_panel.h"
+#include "ui/figure_view.h"
+#include "ui/findings_table.h"
+#include "ui/link_button.h"
+#include "ui/panel.h"
+#include "ui/plan_editor.h"
+#include "ui/session.h"
+#include "ui/symbol_text.h"
+#include "ui/theme.h"
+
+namespace surefoot {
+
+/// "228 of 240 lives", a bar, elapsed and left.
+class ProgressView final : public QWidget {
+ public:
+  explicit ProgressView(Experiment& experiment) : experiment_(experiment) {
+    setFixedSize(420, 40);
+    setAccessibleName(tr("Progress"));
+    connect(&experiment_, &Experiment::progressed, this, qOverload<>(&QWidget::update));
+    connect(&experiment_, &Experiment::stateChanged, this, qOverload<>(&QWidget::update));
+    connect(&experiment_, &Experiment::planChanged, this, qOverload<>(&QWidget::update));
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    const Theme& t = themeOf(*this);
+    QPainter p(this);
+    const int planned = experiment_.livesPlanned();
+    if (planned == 0) return;
+    p.setFont(textFont(13, 500));
+    p.setPen(t.ink);
+    p.drawText(QRectF(0, 2, 180, 20), Qt::AlignVCenter,
+               tr("%1 of %2 lives").arg(toText(countText(experiment_.livesDone())), toText(countText(planned))));
+    p.setFont(textFont(13));
+    p.drawText(QRectF(0, 2, 240, 20), Qt::AlignRight | Qt::AlignVCenter,
+               tr("%1 %").arg(static_cast<int>(std::floor(100 * experiment_.share()))));
+    p.fillRect(QRectF(0, 27, 240, 4), t.track);
+    p.fillRect(QRectF(0, 27, 240 * experiment_.share(), 4), t.ink);
+    p.setFont(textFont(11));
+    p.setPen(t.quiet);
+    const auto time = [](double s) {
+      return s < 99.5 ? tr("%1 s").arg(std::lround(s)) : tr("%1 min").arg(std::lround(s / 60));
+    };
+    const double elapsed = experiment_.elapsed();
+    if (elapsed > 0) p.drawText(QRectF(256, 2, 160, 18), Qt::AlignVCenter, tr("elapsed %1").arg(time(elapsed)));
+    QString second;
+    if (const auto left = experiment_.left())
+      second = tr("about %1 left").arg(time(*left));
+    else if (experiment_.state() == Experiment::State::Paused)
+      second = tr("paused");
+    else if (experiment_.state() == Experiment::State::Complete)
+      second = tr("complete");
+    p.drawText(QRectF(256, 19, 160, 18), Qt::AlignVCenter, second);
+  }
+
+ private:
+  Experiment& experiment_;
+};
+
+ExperimentPage::ExperimentPage(Session& session, std::vector<PlanSource> sources, const QString& folder,
+                               QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      experiment_(session.registry(), std::move(sources), folder) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  setStyleSheet(QStringLiteral("QSplitter::handle { background: palette(midlight); }"));
+  column->addWidget(makeBar());
+  auto* line = new QWidget;
+  line->setFixedHeight(1);
+  line->setAutoFillBackground(true);
+  line->setBackgroundRole(QPalette::Midlight);
+  column->addWidget(line);
+  auto* splitter = new QSplitter(Qt::Horizontal);
+  splitter->setHandleWidth(1);
+  splitter->setChildrenCollapsible(false);
+  splitter->addWidget(makeColumn());
+  stack_ = new QStackedWidget;
+  stack_->addWidget(makeResults());
+  editor_ = new PlanEditor(experiment_);
+  stack_->addWidget(editor_);
+  splitter->addWidget(stack_);
+  splitter->setStretchFactor(1, 1);
+  splitter->setSizes({264, 1016});
+  column->addWidget(splitter, 1);
+
+  connect(editor_, &PlanEditor::used, this, [this] { showPlan(false); });
+  connect(editor_, &PlanEditor::liveConditionAsked, this, [this] {
+    const auto defaults = configure(session_.registry(), session_.configuration().names, {});
+    if (defaults) editor_->addCondition(conditionToml(session_.configuration(), *defaults));
+  });
+  connect(&experiment_, &Experiment::failed, this, &ExperimentPage::refused);
+  for (auto signal :
+       {&Experiment::stateChanged, &Experiment::planChanged, &Experiment::progressed, &Experiment::resultsChanged})
+    connect(&experiment_, signal, this, &ExperimentPage::refresh);
+  if (!experiment_.sources().empty()) choose(0);
+  refresh();
+}
+
+QWidget* ExperimentPage::makeBar() {
+  auto* bar = new QWidget;
+  bar->setFixedHeight(48);
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(9, 0, 12, 0);
+  row->setSpacing(8);
+  run_ = new BarButton(Icon::Run, BarButton::Look::Main, tr("Run the experiment"));
+  stop_ = new BarButton(Icon::Restart, BarButton::Look::Quiet, tr("Start again: forget what was lived"));
+  connect(run_, &QAbstractButton::clicked, this, &ExperimentPage::runOrPause);
+  connect(stop_, &QAbstractButton::clicked, this, &ExperimentPage::startAgain);
+  source_ = new Combo(tr("Experiment"));
+  source_->setFixedSize(380, 32);
+  for (const PlanSource& s : experiment_.sources()) source_->addItem(toText(s.title), toText(s.path));
+  source_->addItem(tr("Open a plan or results …"));
+  connect(source_, &QComboBox::activated, this, &ExperimentPage::choose);
+  auto* csv = new QPushButton(tr("CSV"));
+  auto* latex = new QPushButton(tr("LaTeX"));
+  csv->setAccessibleName(tr("Copy the table as CSV"));
+  latex->setAccessibleName(tr("Copy the table as LaTeX"));
+  connect(csv, &QPushButton::clicked, this, &ExperimentPage::copyCsv);
+  connect(latex, &QPushButton::clicked, this, &ExperimentPage::copyLatex);
+  auto* copy = new QLabel(tr("Copy as"));
+  copy->setFont(textFont(11));
+  copy->setForegroundRole(QPalette::PlaceholderText);
+  progress_ = new ProgressView(experiment_);
+  row->addWidget(run_);
+  row->addWidget(stop_);
+  row->addSpacing(8);
+  row->addWidget(source_);
+  row->addSpacing(8);
+  row->addWidget(progress_);
+  row->addStretch(1);
+  row->addWidget(copy);
+  row->addWidget(csv);
+  row->addWidget(latex);
+  return bar;
+}
+
+QWidget* ExperimentPage::makeColumn() {
+  auto* column = new QWidget;
+  column->setMinimumWidth(240);
+  auto* layout = new QVBoxLayout(column);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  auto* header = new PanelHeader(tr("Conditions"), false);
+  header->setNote(tr("lives done"));
+  edit_ = new LinkButton(tr("Edit the plan"));
+  connect(edit_, &QToolButton::clicked, this, [this] { showPlan(stack_->currentIndex() == 0); });
+  header->addWidget(edit_);
+  layout->addWidget(header);
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(new ConditionList(experiment_));
+  layout->addWidget(scroll, 1);
+  return column;
+}
+
+QWidget* ExperimentPage::makeResults() {
+  auto* upper = new QSplitter(Qt::Horizontal);
+  upper->setHandleWidth(1);
+  upper->setChildrenCollapsible(false);
+  for (const std::size_t first : {0, 1}) {
+    figures_.push_back(new FigurePanel(experiment_, first));
+    upper->addWidget(figures_.back());
+  }
+  for (FigurePanel* panel : figures_)
+    connect(&panel->header(), &PanelHeader::fullSizeAsked, this, [this, panel] {
+      FigurePanel* other = panel == figures_[0] ? figures_[1] : figures_[0];
+      other->setVisible(!other->isVisible());
+      panel->header().setFull(!other->isVisible());
+    });
+  auto* lower = new QSplitter(Qt::Horizontal);
+  lower->setHandleWidth(1);
+  lower->addWidget(new FindingsTable(experiment_));
+  auto* claims = new ClaimsTable(experiment_);
+  lower->addWidget(claims);
+  lower->setSizes({620, 400});
+  connect(&experiment_, &Experiment::resultsChanged, claims, [claims] { claims->setVisible(claims->rowCount() > 0); });
+  claims->hide();
+  auto* whole = new QSplitter(Qt::Vertical);
+  whole->setHandleWidth(1);
+  whole->setChildrenCollapsible(false);
+  whole->addWidget(upper);
+  auto* table = new QWidget;
+  auto* column = new QVBoxLayout(table);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  auto* header = new PanelHeader(tr("Table"), false);
+  header->setNote(tr("falls during learning, against the reference of each condition"));
+  summary_ = new QLabel;
+  summary_->setContentsMargins(12, 6, 12, 10);
+  summary_->setWordWrap(true);
+  column->addWidget(header);
+  column->addWidget(lower, 1);
+  column->addWidget(summary_);
+  whole->addWidget(table);
+  whole->setSizes({380, 300});
+  return whole;
+}
+
+void ExperimentPage::choose(int index) {
+  if (index == source_->count() - 1) return openWithDialog();
+  open(source_->itemData(index).toString());
+}
+
+void ExperimentPage::open(const QString& path) {
+  if (const Status s = experiment_.open(path.toStdString()); !s) {
+    Q_EMIT refused(toText(s.error().message));
+    return;
+  }
+  const int known = source_->findData(path);
+  if (known < 0) source_->insertItem(source_->count() - 1, toText(experiment_.title()), path);
+  source_->setCurrentIndex(source_->findData(path));
+  if (!experiment_.plan()) showPlan(false);
+}
+
+void ExperimentPage::openWithDialog() {
+  source_->setCurrentIndex(source_->findData(toText(experiment_.path())));
+  askForFile(this, tr("Open a plan or results"), tr("Plans and results (*.toml *.sqlite);;All files (*)"),
+             [this](const QString& path) { open(path); });
+}
+
+void ExperimentPage::savePlanAs() {
+  askForNewFile(this, tr("Save the plan"), QStringLiteral("plan.toml"), tr("Plans (*.toml)"), QStringLiteral("toml"),
+                [this](const QString& path) {
+                  const std::string text =
+                      editor_->text().isEmpty() ? experiment_.text() : editor_->text().toStdString();
+                  if (const Status s = writeWhole("plan", path.toStdString(), text); !s)
+                    Q_EMIT refused(toText(s.error().message));
+                  else
+                    Q_EMIT told(tr("The plan is in %1.").arg(path));
+                });
+}
+
+void ExperimentPage::showPlan(bool shown) {
+  stack_->setCurrentIndex(shown ? 1 : 0);
+  edit_->setText(shown ? tr("Show the results") : tr("Edit the plan"));
+  edit_->updateGeometry();
+  if (shown && editor_->text().isEmpty()) editor_->setText(toText(experiment_.text()));
+}
+
+void ExperimentPage::runOrPause() {
+  if (experiment_.state() == Experiment::State::Running) return experiment_.pause();
+  if (const Status s = experiment_.run(); !s) Q_EMIT refused(toText(s.error().message));
+}
+
+void ExperimentPage::startAgain() {
+  if (experiment_.plan()) static_cast<void>(static_cast<bool>(experiment_.setText(std::string(experiment_.text()))));
+}
+
+void ExperimentPage::copyCsv() {
+  if (!experiment_.view()) return Q_EMIT refused(tr("There is nothing to copy yet; run the experiment first."));
+  QGuiApplication::clipboard()->setText(toText(findingsAsCsv(experiment_.view()->findings)));
+  Q_EMIT told(tr("The table is on the clipboard, as CSV."));
+}
+
+void ExperimentPage::copyLatex() {
+  if (!experiment_.view()) return Q_EMIT refused(tr("There is nothing to copy yet; run the experiment first."));
+  QGuiApplication::clipboard()->setText(toText(findingsAsLatex(experiment_.view()->findings)));
+  Q_EMIT told(tr("The table is on the clipboard, as LaTeX."));
+}
+
+void ExperimentPage::exportCsv() {
+  if (experiment_.storePath().empty() || experiment_.state() == Experiment::State::Running)
+    return Q_EMIT refused(tr("Results can be exported when the experiment is complete or paused."));
+  askForFolder(this, tr("Folder for the tables"), [this](const QString& folder) {
+    const auto store = Store::open(experiment_.storePath());
+    const Status written = store ? surefoot::exportCsv(*store, folder.toStdString(), "folder") : store.error();
+    if (!written)
+      Q_EMIT refused(toText(written.error().message));
+    else
+      Q_EMIT told(tr("conditions.csv, lives.csv and episodes.csv are in %1.").arg(folder));
+  });
+}
+
+void ExperimentPage::exportCharts() {
+  if (!experiment_.view()) return Q_EMIT refused(tr("There is no chart yet; run the experiment first."));
+  askForFolder(this, tr("Folder for the charts"), [this](const QString& folder) { writeCharts(folder); });
+}
+
+void ExperimentPage::writeCharts(const QString& folder) {
+  for (const FigureSpec& spec : experiment_.figures()) {
+    const auto figure = experiment_.figure(spec);
+    if (!figure) continue;
+    const std::string path = folder.toStdString() + "/" + figure->name;
+    Status s = FigureView(*figure).save(path);
+    if (s) s = writeWhole("chart", path + ".csv", figureAsCsv(*figure));
+    if (!s) return Q_EMIT refused(toText(s.error().message));
+  }
+  Q_EMIT told(tr("Every chart is in %1, as PNG, PDF and CSV.").arg(folder));
+}
+
+QString ExperimentPage::summary() const {
+  if (!experiment_.view()) return tr("The finding in one sentence appears here.");
+  const bool running = experiment_.state() == Experiment::State::Running;
+  const Finding* best = nullptr;
+  for (const Finding& f : experiment_.view()->findings.conditions)
+    if (f.comparison && f.comparison->significant() &&
+        (!best || f.comparison->change.value < best->comparison->change.value))
+      best = &f;
+  if (!best || best->comparison->change.value >= 0)
+    return running ? tr("So far no condition falls significantly less than its reference (p < .01).")
+                   : tr("No condition falls significantly less than its reference (p < .01).");
+  const Interval& i = best->comparison->change;
+  QString text =
+      tr("<b>%1 falls %2 % less than %3</b> (95 % interval %4 to %5 %).")
+          .arg(toText(best->name).toHtmlEscaped(), toText(fixedText(-i.value, 0)),
+               toText(best->reference).toHtmlEscaped(), toText(fixedText(-i.high, 0)), toText(fixedText(-i.low, 0)));
+  if (best->betweenQFunctions)
+    text +=
+        tr(" Q-functions carry %1 % of the variance.").arg(toText(fixedText(100 * best->betweenQFunctions->share, 0)));
+  return text;
+}
+
+void ExperimentPage::refresh() {
+  const bool running = experiment_.state() == Experiment::State::Running;
+  auto* run = static_cast<BarButton*>(run_);
+  run->setIcon(running ? Icon::Pause : Icon::Run);
+  run->setEnabled(running || experiment_.canRun());
+  run->setTip(running ? tr("Pause: lives in hand are given up, the others kept") : tr("Run the experiment"));
+  stop_->setEnabled(experiment_.plan().has_value() && experiment_.livesDone() > 0);
+  edit_->setEnabled(experiment_.plan().has_value());
+  summary_->setText(summary());
+  const QString left = experiment_.storePath().empty()
+                           ? tr("nothing lived yet")
+                           : tr("%1, saved after every life").arg(toText(experiment_.storePath()));
+  Q_EMIT statusChanged(left, tr("%1 falls").arg(toText(countText(static_cast<double>(experiment_.falls())))));
+}
+
+}  // namespace surefoot

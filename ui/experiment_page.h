@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The Experiment page: batches of lives with their statistics.
+#pragma once
+
+#include <QWidget>
+
+#include "ui/experiment.h"
+
+class QAbstractButton;
+class QComboBox;
+class QLabel;
+class QSplitter;
+class QStackedWidget;
+
+namespace surefoot {
+
+class FigurePanel;
+class LinkButton;
+class PlanEditor;
+class Session;
+
+class ExperimentPage final : public QWidget {
+  Q_OBJECT
+
+ public:
+  ExperimentPage(Session& session, std::vector<PlanSource> sources, const QString& folder, QWidget* parent = nullptr);
+  Experiment& experiment() { return experiment_; }
+  /// A plan, a recipe or a store of results.
+  void open(const QString& path);
+  void showPlan(bool shown);
+  const std::vector<FigurePanel*>& figures() const { return figures_; }
+
+ public Q_SLOTS:
+  void runOrPause();
+  void startAgain();
+  void copyCsv();
+  void copyLatex();
+  void exportCsv();
+  void exportCharts();
+  void openWithDialog();
+  void savePlanAs();
+
+ Q_SIGNALS:
+  void refused(const QString& sentence);
+  void told(const QString& sentence);
+  /// Names in the status line, as the page shows it.
+  void statusChanged(const QString& left, const QString& right);
+
+ private:
+  QWidget* makeBar();
+  QWidget* makeColumn();
+  QWidget* makeResults();
+  void refresh();
+  void choose(int index);
+  QString summary() const;
+  void writeCharts(const QString& folder);
+
+  Session& session_;
+  Experiment experiment_;
+  QComboBox* source_ = nullptr;
+  QAbstractButton *run_ = nullptr, *stop_ = nullptr;
+  class ProgressView* progress_ = nullptr;
+  QStackedWidget* stack_ = nullptr;
+  PlanEditor* editor_ = nullptr;
+  LinkButton* edit_ = nullptr;
+  QLabel* summary_ = nullptr;
+  std::vector<FigurePanel*> figures_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/figure_panel.h"
+
+#include <QMenu>
+#include <QVBoxLayout>
+
+#include "ui/experiment.h"
+#include "ui/figure_view.h"
+#include "ui/link_button.h"
+#include "ui/panel.h"
+#include "ui/symbol_text.h"
+
+namespace surefoot {
+
+FigurePanel::FigurePanel(Experiment& experiment, std::size_t first, QWidget* parent)
+    : QWidget(parent),
+      experiment_(experiment),
+      header_(new PanelHeader(tr("Figure"), true, this)),
+      choose_(new LinkButton(tr("Another figure"))),
+      view_(new FigureView({}, this)),
+      first_(first) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(header_);
+  column->addWidget(view_, 1);
+  view_->setTitleShown(false);
+  auto* menu = new QMenu(choose_);
+  choose_->setMenu(menu);
+  choose_->setPopupMode(QToolButton::InstantPopup);
+  header_->addWidget(choose_);
+  connect(menu, &QMenu::aboutToShow, this, &FigurePanel::fillMenu);
+  connect(&experiment_, &Experiment::planChanged, this, [this] {
+    chosen_.clear();
+    refresh();
+  });
+  connect(&experiment_, &Experiment::resultsChanged, this, &FigurePanel::refresh);
+  refresh();
+}
+
+void FigurePanel::fillMenu() {
+  choose_->menu()->clear();
+  for (const FigureSpec& spec : experiment_.figures()) {
+    QAction* action = choose_->menu()->addAction(toText(spec.title));
+    action->setCheckable(true);
+    action->setChecked(spec.name == chosen_);
+    connect(action, &QAction::triggered, this, [this, name = spec.name] {
+      chosen_ = name;
+      refresh();
+    });
+  }
+}
+
+void FigurePanel::refresh() {
+  const auto& figures = experiment_.figures();
+  if (chosen_.empty() && figures.size() > first_) chosen_ = figures[first_].name;
+  const auto spec = std::find_if(figures.begin(), figures.end(), [&](const auto& f) { return f.name == chosen_; });
+  choose_->setEnabled(!figures.empty());
+  if (spec == figures.end()) {
+    header_->setTitle(tr("Figure"));
+    return view_->setFigure({}, tr("Choose a plan, and run it."));
+  }
+  header_->setTitle(toText(spec->title));
+  header_->setNote(spec->kind == "bars" ? tr("mean of a life, 95 % interval; X: p < .01")
+                                        : tr("mean of the lives, 95 % band"));
+  const auto figure = experiment_.figure(*spec);
+  if (figure)
+    view_->setFigure(*figure, {});
+  else
+    view_->setFigure({}, experiment_.state() == Experiment::State::Running ? tr("Appears with the first lives.")
+                                                                           : tr("Appears when the plan runs."));
+}
+
+std::string FigurePanel::asCsv() const {
+  return view_->figure().series.empty() && !view_->figure().scene ? "" : figureAsCsv(view_->figure());
+}
+
+}  // namespace surefoot

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/findings_table.h"
+
+#include <QHeaderView>
+#include <cmath>
+
+#include "core/text.h"
+#include "ui/experiment.h"
+#include "ui/symbol_text.h"
+#include "ui/theme.h"
+
+namespace surefoot {
+
+namespace {
+
+QString signedText(double value) {
+  return (value > 0 ? QStringLiteral("+") : QString()) + toText(fixedText(value, std::abs(value) < 9.95 ? 1 : 0));
+}
+
+QString pText(double p) {
+  if (p < 1e-10) return QStringLiteral("< 1e−10");
+  if (p >= 0.001) return toText(fixedText(p, 3));
+  return QString::number(p, 'e', 1).replace('-', QChar(0x2212));
+}
+
+QString plusMinus(const Interval& i, int decimals) {
+  if (!std::isfinite(i.value)) return QStringLiteral("–");
+  const QString value = toText(fixedText(i.value, decimals));
+  return std::isfinite(i.low) ? QStringLiteral("%1 ± %2").arg(value, toText(fixedText((i.high - i.low) / 2, decimals)))
+                              : value;
+}
+
+void setUp(QTableWidget& table, const QStringList& heads) {
+  table.setColumnCount(static_cast<int>(heads.size()));
+  table.setHorizontalHeaderLabels(heads);
+  table.verticalHeader()->hide();
+  table.verticalHeader()->setDefaultSectionSize(28);
+  table.setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table.setSelectionBehavior(QAbstractItemView::SelectRows);
+  table.setSelectionMode(QAbstractItemView::SingleSelection);
+  table.setShowGrid(false);
+  table.setFrameShape(QFrame::NoFrame);
+  table.setWordWrap(false);
+  table.setTabKeyNavigation(false);
+  table.horizontalHeader()->setHighlightSections(false);
+  table.horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table.horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
+  table.horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  table.horizontalHeader()->setFont(textFont(11, 500));
+  table.horizontalHeaderItem(0)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  table.setStyleSheet(QStringLiteral(
+      "QHeaderView::section { border: none; border-bottom: 1px solid palette(mid); background: palette(base);"
+      " padding: 0 10px; }"
+      "QTableView::item { border-bottom: 1px solid palette(midlight); padding: 0 10px; }"
+      "QTableView::item:selected { background: palette(alternate-base); color: palette(text); }"));
+}
+
+void put(QTableWidget& table, int row, int column, const QString& text, bool strong = false, bool left = false) {
+  auto* item = table.item(row, column);
+  if (!item) table.setItem(row, column, item = new QTableWidgetItem);
+  item->setText(text);
+  item->setTextAlignment((left ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+  item->setFont(textFont(13, strong ? 500 : 400));
+}
+
+}  // namespace
+
+FindingsTable::FindingsTable(Experiment& experiment, QWidget* parent) : QTableWidget(parent), experiment_(experiment) {
+  setAccessibleName(tr("Results"));
+  setUp(*this, {tr("Condition"), tr("Lives"), tr("Falls ± 95 %"), tr("Change %"), tr("95 % interval"), tr("p ANOVA"),
+                tr("p Holm"), tr("X"), tr("Time min")});
+  connect(&experiment_, &Experiment::resultsChanged, this, &FindingsTable::refresh);
+}
+
+void FindingsTable::refresh() {
+  const auto& view = experiment_.view();
+  const int selected = currentRow();
+  setRowCount(view ? static_cast<int>(view->findings.conditions.size()) : 0);
+  if (!view) return;
+  int row = 0;
+  for (const Finding& f : view->findings.conditions) {
+    const bool strong = f.comparison && f.comparison->significant();
+    put(*this, row, 0, toText(f.name), strong, true);
+    item(row, 0)->setToolTip(toText(f.name));
+    QStringList warnings;
+    for (const std::string& w : f.warnings) warnings << toText(w);
+    put(*this, row, 1, QString::number(f.lives));
+    put(*this, row, 2, f.lives > 0 ? plusMinus(f.falls, 1) : QString(), strong);
+    if (!warnings.isEmpty()) item(row, 2)->setToolTip(warnings.join('\n'));
+    const auto& c = f.comparison;
+    put(*this, row, 3, c ? signedText(c->change.value) : QStringLiteral("–"), strong);
+    put(*this, row, 4, c ? tr("%1 … %2").arg(signedText(c->change.low), signedText(c->change.high)) : QString());
+    put(*this, row, 5, c ? pText(c->p()) : QString());
+    put(*this, row, 6, c ? pText(c->holm) : QString());
+    put(*this, row, 7, strong ? QStringLiteral("✕") : QString(), true);
+    put(*this, row, 8,
+        f.lives > 0 && std::isfinite(f.minutes.value) ? toText(fixedText(f.minutes.value, 2)) : QString());
+    ++row;
+  }
+  if (selected >= 0 && selected < rowCount()) setCurrentCell(selected, 0);
+}
+
+ClaimsTable::ClaimsTable(Experiment& experiment, QWidget* parent) : QTableWidget(parent), experiment_(experiment) {
+  setAccessibleName(tr("Claims of the thesis"));
+  setUp(*this, {tr("Claim of the thesis"), tr("Thesis"), tr("Ours"), tr("p"), tr("Verdict")});
+  connect(&experiment_, &Experiment::resultsChanged, this, &ClaimsTable::refresh);
+}
+
+void ClaimsTable::refresh() {
+  const auto judgements = experiment_.judgements();
+  setRowCount(static_cast<int>(judgements.size()));
+  int row = 0;
+  for (const Judgement& j : judgements) {
+    const QString says = QStringLiteral("%1  %2").arg(toText(j.id), toText(j.says));
+    put(*this, row, 0, says, false, true);
+    item(row, 0)->setToolTip(says + (j.note.empty() ? QString() : QStringLiteral("\n") + toText(j.note)));
+    put(*this, row, 1,
+        j.thesis.is_number()   ? toText(fixedText(j.thesis.get<double>(), 0))
+        : j.thesis.is_string() ? toText(j.thesis.get<std::string>())
+                               : QString());
+    QString ours = j.ours ? toText(fixedText(*j.ours, std::abs(*j.ours) < 10 ? 2 : 0)) : QString();
+    if (j.low && j.high)
+      ours += QStringLiteral("  (%1 … %2)").arg(toText(fixedText(*j.low, 1)), toText(fixedText(*j.high, 1)));
+    put(*this, row, 2, ours);
+    put(*this, row, 3, j.p ? pText(*j.p) : QString());
+    put(*this, row, 4, QString::fromLatin1(nameOf(j.verdict)), j.verdict == Verdict::Differs);
+    ++row;
+  }
+}
+
+}  // namespace surefoot
