@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/action_rows.h"
 
+#include <fmt/format.h>
+
 #include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
@@ -78,6 +80,19 @@ void ActionRows::takeValues() {
   if (!v->values->split()) return;
   v->values->evaluate(state, Layer::Positive, positive_);
   v->values->evaluate(state, Layer::Negative, negative_);
+}
+
+std::string ActionRows::asCsv() const {
+  std::string csv = positive_.empty() ? "action,q" : "action,q,q_positive,q_negative";
+  for (const Column& column : columns_) csv += "," + column.name;
+  csv += '\n';
+  for (std::size_t a = 0; a < q_.size(); ++a) {
+    csv += fmt::format("{},{:.9g}", session_.task().actions[a], q_[a]);
+    if (!positive_.empty()) csv += fmt::format(",{:.9g},{:.9g}", positive_[a], negative_[a]);
+    for (const Column& column : columns_) csv += fmt::format(",{:.9g}", column.pi[a]);
+    csv += '\n';
+  }
+  return q_.empty() ? "" : csv;
 }
 
 ActionRows::Geometry ActionRows::geometry() const {

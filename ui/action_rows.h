@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/policy.h"
+#include "ui/exporting.h"
 
 class QPainter;
 
@@ -17,13 +18,15 @@ namespace surefoot {
 class Session;
 struct Theme;
 
-class ActionRows final : public QWidget {
+class ActionRows final : public QWidget, public CsvSource {
   Q_OBJECT
 
  public:
   explicit ActionRows(Session& session, QWidget* parent = nullptr);
   QSize sizeHint() const override { return {576, 240}; }
   QSize minimumSizeHint() const override { return {480, 200}; }
+  /// A row an action: its value, the parts of it, its probability under each policy.
+  std::string asCsv() const override;
 
  protected:
   void paintEvent(QPaintEvent*) override;

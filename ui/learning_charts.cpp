@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/learning_charts.h"
 
+#include <fmt/format.h>
+
 #include <QChart>
 #include <QEvent>
 #include <QGraphicsLayout>
@@ -53,6 +55,21 @@ double LearningChart::xOf(const CurvePoint& point) const {
 
 double LearningChart::yOf(const CurvePoint& point) const {
   return shows_ == Shows::Falls ? static_cast<double>(point.falls) : point.averageReward;
+}
+
+std::string LearningChart::asCsv() const {
+  const RunCurves& curves = session_.curves();
+  if (curves.live().points.empty() && curves.earlier().empty()) return "";
+  std::string csv = fmt::format("life,policy,{},{}\n", session_.task().stepTime ? "minutes" : "episode",
+                                shows_ == Shows::Falls ? "falls" : "average_reward");
+  const auto add = [&](std::size_t life, const RunCurve& curve) {
+    for (const CurvePiece& piece : curve.pieces)
+      for (const CurvePoint& point : piece.points)
+        csv += fmt::format("{},{},{:.9g},{:.9g}\n", life, piece.policy, xOf(point), yOf(point));
+  };
+  add(0, curves.live());
+  for (std::size_t i = 0; i < curves.earlier().size(); ++i) add(curves.earlier().size() - i, curves.earlier()[i]);
+  return csv;
 }
 
 void LearningChart::drawPiece(std::size_t index, const std::vector<CurvePoint>& piece, const QPen& pen) {

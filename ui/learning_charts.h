@@ -5,6 +5,8 @@
 #include <QChartView>
 #include <vector>
 
+#include "ui/exporting.h"
+
 class QLineSeries;
 
 namespace surefoot {
@@ -20,7 +22,7 @@ double niceAbove(double value);
 
 /// One chart. Qt Charts draws the curves; grid, axes, marks and the list at the right are drawn here, because the
 /// chart's own axes have a hyphen for the minus sign and do not line up from chart to chart.
-class LearningChart final : public QChartView {
+class LearningChart final : public QChartView, public CsvSource {
   Q_OBJECT
 
  public:
@@ -28,6 +30,8 @@ class LearningChart final : public QChartView {
   LearningChart(Session& session, Shows shows, QWidget* parent = nullptr);
   QSize sizeHint() const override { return {440, shows_ == Shows::Falls ? 152 : 168}; }
   QSize minimumSizeHint() const override { return {240, 110}; }
+  /// A row a point: life (0 the one that runs, 1 the one before …), policy, x, value.
+  std::string asCsv() const override;
 
  protected:
   void drawBackground(QPainter* painter, const QRectF& rect) override;

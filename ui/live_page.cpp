@@ -114,6 +114,10 @@ QString LivePage::actionsNote() const {
                                                 : tr("in the live state; its next action is marked");
 }
 
+void LivePage::resetParameters() {
+  form_->resetAll();
+}
+
 QString LivePage::worldNote() const {
   if (session_.runFinished()) return tr("the life is complete");
   if (!session_.running())

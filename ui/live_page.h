@@ -19,6 +19,7 @@ class LivePage final : public QMainWindow {
   explicit LivePage(Session& session, QWidget* parent = nullptr);
   const std::vector<Panel*>& panels() const { return panels_; }
   WorldView& world() { return *world_; }
+  void resetParameters();
   /// The widths and heights of the first start.
   void resetLayout();
   QByteArray layoutState() const { return saveState(kLayoutVersion); }

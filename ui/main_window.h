@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <functional>
 
 #include "ui/experiment.h"
 #include "ui/run_bar.h"
@@ -13,12 +14,14 @@ class QStackedWidget;
 
 namespace surefoot {
 
+class Autosave;
 class ExperimentPage;
 class LivePage;
 class MessageBar;
 class Session;
 class StatusLine;
 enum class Appearance;
+enum class SavedAs;
 
 /// What the program gives its window.
 struct WindowSetup {
@@ -35,14 +38,33 @@ class MainWindow final : public QMainWindow {
   ExperimentPage& experimentPage() { return *experiment_; }
   MessageBar& messages() { return *messages_; }
   void setPage(int page);
+  /// Whatever it is: a session, a Q-function, a journal, a plan, results.
+  void openFile(const QString& path);
+  void saveTo(SavedAs what, const QString& path);
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
  private:
   QAction* addAction(QMenu* menu, const QString& text, const QString& tip, const QKeySequence& key);
   void makeActions();
   void makeMenus();
+  void makeFileMenu();
+  void makeEditMenu();
+  void fillRecent();
+  void fillPreLearning();
+  void askForSeed();
+  void begin(const std::function<Status()>& what);
+  void openWithDialog();
+  void saveSession();
+  void saveSessionAs();
+  void saveWithDialog(SavedAs what, const QString& title, const QString& name, const QString& ending);
+  void exportWithDialog(QWidget* view, const QString& title);
+  void setSessionPath(const QString& path);
+  void remember(const QString& path);
+  void offerToRestore();
   QWidget* makeTabs();
   QWidget* makePlaceholder(const QString& title, const QString& words);
   void setAppearance(Appearance appearance);
@@ -63,6 +85,9 @@ class MainWindow final : public QMainWindow {
   QString experimentLeft_, experimentRight_;
   std::vector<QAbstractButton*> tabs_;
   std::vector<QAction*> shortcuts_;
+  QMenu *recent_ = nullptr, *preLearn_ = nullptr;
+  Autosave* autosave_ = nullptr;
+  QString sessionPath_;  // where Save writes; empty: not saved yet
   QString troubleShown_;
 };
 

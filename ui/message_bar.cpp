@@ -14,20 +14,22 @@ namespace surefoot {
 MessageBar::MessageBar(QWidget* parent)
     : QWidget(parent),
       text_(new QLabel),
-      answer_(new QPushButton),
+      answers_{new QPushButton, new QPushButton},
       dismiss_(new QPushButton(tr("Dismiss"))) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(15, 4, 12, 5);
   row->setSpacing(8);
   text_->setWordWrap(true);
   row->addWidget(text_, 1);
-  row->addWidget(answer_);
+  for (std::size_t i = 0; i < answers_.size(); ++i) {
+    row->addWidget(answers_[i]);
+    connect(answers_[i], &QPushButton::clicked, this, [this, i] {
+      const auto then = std::move(then_[i]);
+      dismiss();
+      if (then) then();
+    });
+  }
   row->addWidget(dismiss_);
-  connect(answer_, &QPushButton::clicked, this, [this] {
-    const auto then = std::move(then_);
-    dismiss();
-    if (then) then();
-  });
   connect(dismiss_, &QPushButton::clicked, this, &MessageBar::dismiss);
   parent->installEventFilter(this);
   hide();
@@ -45,23 +47,26 @@ bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
 void MessageBar::say(const QString& sentence) {
   text_->setText(sentence);
   setAccessibleName(sentence);
-  answer_->hide();
+  for (QPushButton* answer : answers_) answer->hide();
+  then_ = {};
   dismiss_->setText(tr("Dismiss"));
   place();
   show();
   raise();
 }
 
-void MessageBar::ask(const QString& sentence, const QString& answer, std::function<void()> then) {
+void MessageBar::ask(const QString& sentence, std::vector<Answer> answers) {
   say(sentence);
-  then_ = std::move(then);
-  answer_->setText(answer);
-  answer_->show();
+  for (std::size_t i = 0; i < std::min(answers.size(), answers_.size()); ++i) {
+    then_[i] = std::move(answers[i].then);
+    answers_[i]->setText(answers[i].text);
+    answers_[i]->show();
+  }
   dismiss_->setText(tr("Cancel"));
 }
 
 void MessageBar::dismiss() {
-  then_ = nullptr;
+  then_ = {};
   hide();
 }
 

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
 #include <functional>
+#include <vector>
 
 class QLabel;
 class QPushButton;
@@ -19,8 +21,13 @@ class MessageBar final : public QWidget {
   explicit MessageBar(QWidget* parent);
   /// Shows a sentence with only Dismiss.
   void say(const QString& sentence);
-  /// Shows a question; `answer` is the text of the button that calls `then`.
-  void ask(const QString& sentence, const QString& answer, std::function<void()> then);
+  /// A button that answers a question, and what it does.
+  struct Answer {
+    QString text;
+    std::function<void()> then;
+  };
+  /// Shows a question with one or two answers.
+  void ask(const QString& sentence, std::vector<Answer> answers);
   void dismiss();
 
  protected:
@@ -31,8 +38,9 @@ class MessageBar final : public QWidget {
   void place();
 
   QLabel* text_;
-  QPushButton *answer_, *dismiss_;
-  std::function<void()> then_;
+  std::array<QPushButton*, 2> answers_;
+  QPushButton* dismiss_;
+  std::array<std::function<void()>, 2> then_;
 };
 
 }  // namespace surefoot

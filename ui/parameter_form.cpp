@@ -161,8 +161,10 @@ void ParameterForm::edit(const QString& key, double value) {
 
 void ParameterForm::resetAll() {
   const Parameters before = session_.configuration().parameters;
+  session_.undo().beginMacro(tr("all parameters"));
   for (const auto& entry : before.all())
     if (entry.parameter.when != When::NewTable) edit(toText(entry.parameter.key), session_.base(entry.parameter.key));
+  session_.undo().endMacro();
 }
 
 }  // namespace surefoot

@@ -59,14 +59,9 @@ RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
   buttons_.push_back(new BarButton(actions.turbo, Icon::Turbo, BarButton::Look::Framed, this));
 
   scenario_ = new Combo(tr("Scenario"), this);
-  for (const auto& entry : session.registry().scenarios)
-    if (entry.environment == session.configuration().names.environment) {
-      scenario_->addItem(toText(entry.title), toText(entry.name));
-      scenario_->setItemData(scenario_->count() - 1, toText(entry.help), Qt::ToolTipRole);
-    }
+  fillScenarios();
   connect(scenario_, &QComboBox::activated, this,
           [this](int i) { session_.setScenario(scenario_->itemData(i).toString().toStdString()); });
-  scenario_->setVisible(scenario_->count() > 0);
   scenario_->setPlaceholderText(tr("Changed model"));
   agent_ = new Combo(tr("Learning rule"), this);
   for (const auto& entry : session.registry().agents) {
@@ -90,10 +85,25 @@ RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
     run->setIcon(session_.running() ? Icon::Pause : Icon::Run);
     refresh();
   });
+  connect(&session_, &Session::parametersReplaced, this, [this] {
+    fillScenarios();
+    layOut();
+  });
   connect(&session_, &Session::configurationChanged, this, &RunBar::refresh);
   connect(&session_, &Session::frame, this, [this] { update(); });
   setMarkers();
   refresh();
+}
+
+void RunBar::fillScenarios() {
+  const QSignalBlocker blocker(scenario_);
+  scenario_->clear();
+  for (const auto& entry : session_.registry().scenarios)
+    if (entry.environment == session_.configuration().names.environment) {
+      scenario_->addItem(toText(entry.title), toText(entry.name));
+      scenario_->setItemData(scenario_->count() - 1, toText(entry.help), Qt::ToolTipRole);
+    }
+  scenario_->setVisible(scenario_->count() > 0);
 }
 
 void RunBar::setMarkers() {

@@ -38,6 +38,7 @@ class RunBar final : public QWidget {
  private:
   void layOut();
   void refresh();
+  void fillScenarios();
   void setMarkers();
 
   Session& session_;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <chrono>
 #include <cmath>
 #include <new>
 
@@ -20,6 +21,7 @@ Session::Session(const Registry& registry, Configuration configuration, bool kee
     : QObject(parent),
       registry_(registry),
       configuration_(std::move(configuration)),
+      began_(configuration_),
       keepRows_(keepRows) {
   base_ = baseOf(configuration_.names);
   auto life = makeLifeOf(configuration_);
@@ -37,7 +39,9 @@ Session::~Session() = default;
 
 Result<std::unique_ptr<Life>> Session::makeLifeOf(const Configuration& configuration) const {
   try {
-    return makeLife(registry_, configuration, 0, keepRows_);
+    auto life = makeLife(registry_, configuration, 0, keepRows_);
+    if (life) (*life)->keepInputs();  // so that it can be saved in the middle of an episode
+    return life;
   } catch (const std::bad_alloc&) {
     return Error{"There is not enough memory for this; take fewer tiles or tilings."};
   }
@@ -231,11 +235,59 @@ void Session::adopt(std::unique_ptr<Life> life) {
 Status Session::restart() {
   auto life = makeLifeOf(configuration_);
   if (!life) return life.error();
+  began_ = configuration_;
   adopt(std::move(*life));
   return Done{};
 }
 
+namespace {
+
+/// One parameter, changed by hand. Changes of one that follow each other are one.
+class Edit final : public QUndoCommand {
+ public:
+  using Apply = std::function<Status(const std::string&, double)>;
+  Edit(Apply apply, const Parameter& parameter, double before, double after)
+      : QUndoCommand(QString::fromStdString(parameter.title)),
+        apply_(std::move(apply)),
+        key_(parameter.key),
+        before_(before),
+        after_(after) {}
+  void undo() override { static_cast<void>(static_cast<bool>(apply_(key_, before_))); }
+  void redo() override {
+    if (done_) static_cast<void>(static_cast<bool>(apply_(key_, after_)));
+    done_ = true;  // the first time it was done already
+  }
+  int id() const override { return 1; }
+  bool mergeWith(const QUndoCommand* other) override {
+    const auto& next = static_cast<const Edit&>(*other);
+    if (next.key_ != key_ || next.when_ - when_ > std::chrono::seconds(1)) return false;
+    after_ = next.after_;
+    when_ = next.when_;
+    return true;
+  }
+
+ private:
+  Apply apply_;
+  std::string key_;
+  double before_, after_;
+  bool done_ = false;
+  std::chrono::steady_clock::time_point when_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
 Status Session::setParameter(const std::string& key, double value) {
+  const Parameters::Entry* found = configuration_.parameters.find(key);
+  if (!found) return apply(key, value);  // which says so
+  const Parameters::Entry before = *found;
+  const Status s = apply(key, value);
+  if (s && before.parameter.when != When::NewTable && before.value != value)
+    undo_.push(new Edit([this](const std::string& k, double v) { return apply(k, v); }, before.parameter, before.value,
+                        value));
+  return s;
+}
+
+Status Session::apply(const std::string& key, double value) {
   Configuration changed = configuration_;
   if (const Status s = changed.parameters.set(key, value); !s) return s;
   const Parameters::Entry* entry = configuration_.parameters.find(key);
@@ -258,7 +310,7 @@ Status Session::setParameterAndRestart(const std::string& key, double value) {
   if (const Status s = changed.parameters.set(key, value); !s) return s;
   auto life = makeLifeOf(changed);
   if (!life) return life.error();
-  configuration_ = std::move(changed);
+  began_ = configuration_ = std::move(changed);
   adopt(std::move(*life));
   Q_EMIT configurationChanged();
   return Done{};
@@ -286,14 +338,7 @@ Status Session::setAgent(const std::string& name) {
   changed->seed = configuration_.seed;
   changed->minutes = configuration_.minutes;
   changed->episodes = configuration_.episodes;
-  auto life = makeLifeOf(*changed);
-  if (!life) return life.error();
-  configuration_ = std::move(*changed);
-  base_ = baseOf(names);
-  adopt(std::move(*life));
-  Q_EMIT parametersReplaced();
-  Q_EMIT configurationChanged();
-  return Done{};
+  return begin(std::move(*changed));
 }
 
 void Session::setScenario(const std::string& name) {
@@ -301,8 +346,10 @@ void Session::setScenario(const std::string& name) {
   if (!entry) return;
   configuration_.names.scenario = name;
   base_ = baseOf(configuration_.names);
+  undo_.beginMacro(QString::fromStdString((*entry)->title));
   for (const auto& [key, value] : (*entry)->values)
-    if (!setParameter(key, value)) return;
+    if (!setParameter(key, value)) break;
+  undo_.endMacro();
   Q_EMIT configurationChanged();
 }
 

@@ -6,11 +6,14 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
+#include <QUndoStack>
+#include <functional>
 #include <memory>
 #include <optional>
 
 #include "core/experiment/configuration.h"
 #include "core/experiment/learner_thread.h"
+#include "ui/background.h"
 #include "ui/run_curves.h"
 #include "ui/viewer.h"
 
@@ -23,6 +26,9 @@ struct Shown {
   Action action = kNoAction;
   bool flash = false;  ///< it fell within the last 200 ms
 };
+
+/// What a life can be saved as: to go on exactly, what it learned, or a small text by which it can be lived again.
+enum class SavedAs { Session, QFunction, Journal };
 
 class Session final : public QObject {
   Q_OBJECT
@@ -90,6 +96,22 @@ class Session final : public QObject {
   Status setAgent(const std::string& name);
   void setScenario(const std::string& name);
 
+  /// Writes the life to a file; `then` is called when it is written, or could not be.
+  void save(SavedAs what, const std::string& path, std::function<void(const Status&)> then);
+  /// A saved session goes on, a Q-function is what a new life begins with, a journal is lived again.
+  Status open(const std::string& path);
+  /// A new life under another configuration.
+  Status begin(Configuration configuration);
+  /// … in another environment, with its usual parameters.
+  Status beginEnvironment(const std::string& name);
+  Status setSeed(std::uint64_t seed);
+  /// A new life with a parameter that needs a new table, which begins with what was learned, fitted anew.
+  void carryOver(const std::string& key, double value, std::function<void(const Status&)> then);
+  /// Learns with ε-greedy on a scenario until the average reward is reached, then begins a life here with that.
+  void preLearn(const std::string& scenario, double until, std::function<void(const Status&)> then);
+  Background& background() { return background_; }
+  QUndoStack& undo() { return undo_; }
+
   /// Ends the learner's thread; the life as it is.
   std::unique_ptr<Life> finish();
 
@@ -109,13 +131,17 @@ class Session final : public QObject {
   void fillParts(const ActionValueFunction& values);
   void measureSpeed();
   void restartMeasuring();
+  Status openJournal(const std::string& text, const std::string& path);
+  Status beginWithLife(Configuration began, std::unique_ptr<Life> life);
+  Status apply(const std::string& key, double value);
   void makeViewer();
   Result<std::unique_ptr<Life>> makeLifeOf(const Configuration& configuration) const;
   Parameters baseOf(const Names& names) const;
   void adopt(std::unique_ptr<Life> life);
 
   const Registry& registry_;
-  Configuration configuration_;
+  Configuration configuration_;  // as it is now
+  Configuration began_;          // as the life began
   Parameters base_;
   bool keepRows_, lookedAt_ = true;
   std::unique_ptr<LearnerThread> learner_;
@@ -123,6 +149,8 @@ class Session final : public QObject {
   Shown shown_;
   std::vector<double> hovered_, pinned_;
   RunCurves curves_;
+  QUndoStack undo_;
+  Background background_;
   QTimer timer_;
   QElapsedTimer clock_, sinceValues_, sinceFall_;
   bool running_ = false, turbo_ = false;

@@ -6,6 +6,7 @@
 
 #include <QWidget>
 
+#include "ui/exporting.h"
 #include "ui/map_choice.h"
 #include "ui/value_map.h"
 
@@ -13,7 +14,7 @@ namespace surefoot {
 
 class Session;
 
-class ValueMaps final : public QWidget {
+class ValueMaps final : public QWidget, public CsvSource {
   Q_OBJECT
 
  public:
@@ -25,7 +26,7 @@ class ValueMaps final : public QWidget {
   void setChoice(const MapChoice& choice);
   /// What is under the cursor, or fixed, in words; empty: nothing.
   QString spoken() const;
-  std::string asCsv() const;
+  std::string asCsv() const override;
 
  Q_SIGNALS:
   /// The choice, or a number in it, changed.

@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -40,14 +41,17 @@ struct SetHand {
 };  ///< where the body's tip is held [m]; nothing lets go
 struct Place {
   std::vector<double> state;
-};                     ///< a new episode there
+};  ///< a new episode there
+struct Visit {
+  std::function<void(const Life&)> look;
+};                     ///< called on the learner's thread, between two steps
 struct SingleStep {};  ///< one step of a paused life
 struct ReplaceLife {
   std::unique_ptr<Life> life;
 };
 
-using Command =
-    std::variant<SetParameter, SetPolicy, SetRunning, SetPace, SetTurbo, SetHand, Place, SingleStep, ReplaceLife>;
+using Command = std::variant<SetParameter, SetPolicy, SetRunning, SetPace, SetTurbo, SetHand, Place, Visit, SingleStep,
+                             ReplaceLife>;
 
 /// send(), wantSnapshot(), takeSnapshot() … belong to one thread, the window's; the life to the thread in here.
 class LearnerThread {

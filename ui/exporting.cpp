@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/exporting.h"
+
+#include <QBuffer>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QSvgGenerator>
+
+#include "core/files/whole_file.h"
+#include "ui/theme.h"
+
+namespace surefoot {
+
+namespace {
+
+constexpr int kPixelsPerInch = 96, kPointsPerInch = 72;
+
+QByteArray asPng(QWidget& view) {
+  QImage image(view.size() * 2, QImage::Format_RGB32);
+  image.setDevicePixelRatio(2);
+  image.fill(themeOf(view).panel);
+  view.render(&image);
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  image.save(&buffer, "PNG");
+  return bytes;
+}
+
+QByteArray asSvg(QWidget& view) {
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  QSvgGenerator generator;
+  generator.setOutputDevice(&buffer);
+  generator.setSize(view.size());
+  generator.setViewBox(QRect({0, 0}, view.size()));
+  generator.setTitle(view.accessibleName());
+  generator.setResolution(kPixelsPerInch);
+  view.render(&generator);
+  return bytes;
+}
+
+QByteArray asPdf(QWidget& view) {
+  QByteArray bytes;
+  QBuffer buffer(&bytes);
+  buffer.open(QIODevice::WriteOnly);
+  QPdfWriter writer(&buffer);
+  writer.setResolution(kPixelsPerInch);
+  writer.setPageSize(QPageSize(QSizeF(view.size()) * kPointsPerInch / kPixelsPerInch, QPageSize::Point));
+  writer.setPageMargins({});
+  writer.setTitle(view.accessibleName());
+  view.render(&writer);
+  return bytes;
+}
+
+}  // namespace
+
+Status exportView(QWidget& view, const std::string& path) {
+  const auto write = [&](const QByteArray& bytes) {
+    return writeWhole("picture", path, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+  };
+  if (path.ends_with(".png")) return write(asPng(view));
+  if (path.ends_with(".svg")) return write(asSvg(view));
+  if (path.ends_with(".pdf")) return write(asPdf(view));
+  if (!path.ends_with(".csv")) return Error{path + ": the ending says the format; it takes .png, .svg, .pdf or .csv."};
+  const auto* source = dynamic_cast<const CsvSource*>(&view);
+  if (!source) return Error{path + ": this view has no table; it can be exported as .png, .svg or .pdf."};
+  const std::string csv = source->asCsv();
+  if (csv.empty()) return Error{path + ": there is nothing to write yet."};
+  return writeWhole("table", path, csv);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The menus of the window, what they do, and its page tabs.
+#include <QAbstractButton>
+#include <QActionGroup>
+#include <QApplication>
+#include <QDialog>
+#include <QGridLayout>
+#include <QInputDialog>
+#include <QLabel>
+#include <QMenuBar>
+#include <QPainter>
+#include <QSettings>
+#include <QVBoxLayout>
+
+#include "core/text.h"
+#include "ui/ask_for_file.h"
+#include "ui/experiment_page.h"
+#include "ui/live_page.h"
+#include "ui/main_window.h"
+#include "ui/message_bar.h"
+#include "ui/panel.h"
+#include "ui/session.h"
+#include "ui/symbol_text.h"
+#include "ui/theme.h"
+#include "ui/world_view.h"
+
+namespace surefoot {
+
+namespace {
+
+/// A page's name at the right end of the menu; a line below the one that is shown.
+class PageTab final : public QAbstractButton {
+ public:
+  PageTab(const QString& text, QWidget* parent) : QAbstractButton(parent) {
+    setText(text);
+    setAccessibleName(text);
+    setCheckable(true);
+    setAutoExclusive(true);
+    setFocusPolicy(Qt::TabFocus);
+    setCursor(Qt::PointingHandCursor);
+    setFixedSize(static_cast<int>(QFontMetricsF(textFont(13, 500)).horizontalAdvance(text)) + 20, 24);
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    const Theme& t = themeOf(*this);
+    QPainter p(this);
+    p.setFont(textFont(13, isChecked() ? 500 : 400));
+    p.setPen(isChecked() || underMouse() ? t.ink : t.quiet);
+    p.drawText(rect().adjusted(0, 0, 0, -2), Qt::AlignCenter, text());
+    if (isChecked()) p.fillRect(QRect(10, height() - 3, width() - 20, 2), t.ink);
+    if (hasFocus()) {
+      p.setPen(QPen(t.accent, 2));
+      p.drawRect(rect().adjusted(1, 1, -1, -1));
+    }
+  }
+};
+
+}  // namespace
+
+QAction* MainWindow::addAction(QMenu* menu, const QString& text, const QString& tip, const QKeySequence& key) {
+  auto* action = new QAction(text, this);
+  action->setToolTip(tip);
+  action->setShortcut(key);
+  if (menu) menu->addAction(action);
+  QMainWindow::addAction(action);
+  if (!key.isEmpty()) shortcuts_.push_back(action);
+  return action;
+}
+
+void MainWindow::makeActions() {
+  run_.run = addAction(nullptr, tr("&Run"), tr("Run or pause"), Qt::Key_Space);
+  run_.step = addAction(nullptr, tr("&Step"), tr("One step of the paused world"), {});
+  run_.step->setShortcuts({Qt::Key_Period, Qt::Key_Right});
+  shortcuts_.push_back(run_.step);
+  run_.restart = addAction(nullptr, tr("Re&start"), tr("Start the life again with the same seed"), Qt::Key_R);
+  run_.turbo = addAction(nullptr, tr("&Turbo"), tr("Learn flat out"), Qt::Key_T);
+  run_.turbo->setCheckable(true);
+  run_.faster = addAction(nullptr, tr("&Faster"), tr("A notch faster"), {});
+  run_.faster->setShortcuts({Qt::Key_Plus, Qt::Key_Equal});
+  run_.slower = addAction(nullptr, tr("S&lower"), tr("A notch slower"), Qt::Key_Minus);
+  shortcuts_.push_back(run_.faster);
+  connect(run_.run, &QAction::triggered, &session_, [this] { session_.setRunning(!session_.running()); });
+  connect(run_.step, &QAction::triggered, &session_, &Session::stepOnce);
+  connect(run_.restart, &QAction::triggered, this, [this] {
+    if (const Status s = session_.restart(); !s) messages_->say(toText(s.error().message));
+  });
+  connect(run_.turbo, &QAction::toggled, &session_, &Session::setTurbo);
+  connect(run_.faster, &QAction::triggered, this, [this] { bar_->changePace(+1); });
+  connect(run_.slower, &QAction::triggered, this, [this] { bar_->changePace(-1); });
+}
+
+void MainWindow::makeFileMenu() {
+  QMenu* file = menuBar()->addMenu(tr("&File"));
+  QMenu* fresh = file->addMenu(tr("&New session in"));
+  for (const EnvironmentEntry& entry : session_.registry().environments)
+    connect(addAction(fresh, toText(entry.title), toText(entry.help), {}), &QAction::triggered, this,
+            [this, name = entry.name] { begin([this, name] { return session_.beginEnvironment(name); }); });
+  const auto item = [&](QMenu* menu, const QString& text, const QString& tip, const QKeySequence& key, auto slot) {
+    connect(addAction(menu, text, tip, key), &QAction::triggered, this, slot);
+  };
+  item(file, tr("&Open …"), tr("Open a session, a Q-function, a journal, a plan or results"), QKeySequence::Open,
+       &MainWindow::openWithDialog);
+  recent_ = file->addMenu(tr("Open &recent"));
+  connect(recent_, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
+  file->addSeparator();
+  item(file, tr("&Save"), tr("Save the session: it goes on where it was"), QKeySequence::Save,
+       &MainWindow::saveSession);
+  item(file, tr("Save &as …"), tr("Save the session under another name"),
+       QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), &MainWindow::saveSessionAs);
+  item(file, tr("Save the Q-&function …"), tr("What was learned, to load it elsewhere"), {},
+       [this] { saveWithDialog(SavedAs::QFunction, tr("Save the Q-function"), "learned.safetensors", "safetensors"); });
+  item(file, tr("Save the &journal …"), tr("A small text by which the life can be lived again"), {},
+       [this] { saveWithDialog(SavedAs::Journal, tr("Save the journal"), "life.jsonl", "jsonl"); });
+  QMenu* exporting = file->addMenu(tr("&Export"));
+  for (Panel* panel : live_->panels())
+    item(exporting, panel->windowTitle() + QStringLiteral(" …"), tr("As PNG, SVG, PDF or CSV"), {},
+         [this, panel] { exportWithDialog(panel->widget(), panel->windowTitle()); });
+  item(exporting, tr("World …"), tr("As PNG, SVG or PDF"), {},
+       [this] { exportWithDialog(&live_->world(), tr("World")); });
+  item(exporting, tr("The whole window …"), tr("As PNG, SVG or PDF"), {},
+       [this] { exportWithDialog(this, tr("Surefoot")); });
+  file->addSeparator();
+  item(file, tr("&Quit"), tr("Leave the program"), QKeySequence(Qt::CTRL | Qt::Key_Q), &QWidget::close);
+}
+
+void MainWindow::makeEditMenu() {
+  QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+  for (QAction* action :
+       {session_.undo().createUndoAction(this, tr("&Undo")), session_.undo().createRedoAction(this, tr("&Redo"))})
+    edit->addAction(action);
+  edit->actions()[0]->setShortcut(QKeySequence::Undo);
+  edit->actions()[1]->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
+  edit->actions()[0]->setToolTip(tr("Take the last change of a parameter back"));
+  edit->actions()[1]->setToolTip(tr("Make the change again"));
+  for (QAction* action : edit->actions()) shortcuts_.push_back(action);
+  edit->addSeparator();
+  connect(addAction(edit, tr("Reset all &parameters"), tr("To what preset and scenario say"), {}), &QAction::triggered,
+          live_, &LivePage::resetParameters);
+  connect(addAction(edit, tr("Another &seed …"), tr("Begin again with other random numbers"), {}), &QAction::triggered,
+          this, &MainWindow::askForSeed);
+}
+
+void MainWindow::askForSeed() {
+  auto* dialog = new QInputDialog(this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("Another seed"));
+  dialog->setLabelText(tr("The life begins again with this seed, a whole number from 0 on:"));
+  dialog->setTextValue(QString::number(session_.configuration().seed));
+  connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& text) {
+    bool good = false;
+    const qulonglong seed = text.trimmed().toULongLong(&good);
+    if (!good) return messages_->say(tr("seed: \"%1\" is no whole number from 0 on.").arg(text));
+    begin([this, seed] { return session_.setSeed(seed); });
+  });
+  dialog->open();
+}
+
+void MainWindow::fillRecent() {
+  recent_->clear();
+  const QStringList files = QSettings().value("recent").toStringList();
+  for (const QString& path : files)
+    connect(recent_->addAction(path), &QAction::triggered, this, [this, path] { openFile(path); });
+  if (files.isEmpty()) recent_->addAction(tr("Nothing yet"))->setEnabled(false);
+}
+
+void MainWindow::fillPreLearning() {
+  preLearn_->clear();
+  const Names& names = session_.configuration().names;
+  const double goal = session_.task().goalReward.value_or(0.0);
+  for (const auto& entry : session_.registry().scenarios) {
+    if (entry.environment != names.environment) continue;
+    for (const auto& [share, words] : {std::pair{0.99, tr("until it has converged")}, {0.8, tr("not to the end")}}) {
+      const double until = share * goal;
+      const QString text =
+          tr("on %1, %2 (average reward %3)").arg(toText(entry.title), words, toText(fixedText(until, 0)));
+      connect(preLearn_->addAction(text), &QAction::triggered, this, [this, name = entry.name, until] {
+        messages_->say(tr("Pre-learning on scenario %1; the world goes on meanwhile.").arg(toText(name)));
+        session_.preLearn(name, until, [this](const Status& s) {
+          messages_->say(s ? tr("Pre-learned: this life begins with what was learned there.")
+                           : toText(s.error().message));
+        });
+      });
+    }
+  }
+  if (preLearn_->isEmpty()) preLearn_->addAction(tr("This environment has no scenarios"))->setEnabled(false);
+}
+
+void MainWindow::makeMenus() {
+  makeFileMenu();
+  makeEditMenu();
+
+  QMenu* view = menuBar()->addMenu(tr("&View"));
+  for (Panel* panel : live_->panels()) view->addAction(panel->toggleViewAction());
+  view->addSeparator();
+  connect(addAction(view, tr("Reset &layout"), tr("Put every panel back in its place"), {}), &QAction::triggered, live_,
+          &LivePage::resetLayout);
+  connect(addAction(view, tr("&Fit the world"), tr("The zoom that shows the whole world"), Qt::Key_Home),
+          &QAction::triggered, this, [this] { live_->world().fit(); });
+  view->addSeparator();
+  auto* group = new QActionGroup(this);
+  const int saved = QSettings().value("appearance", 0).toInt();
+  for (const auto& [text, appearance] :
+       {std::pair{tr("Colours of the &system"), Appearance::System}, std::pair{tr("L&ight"), Appearance::Light},
+        std::pair{tr("&Dark"), Appearance::Dark}}) {
+    QAction* action = addAction(view, text, text, {});
+    action->setCheckable(true);
+    action->setChecked(saved == static_cast<int>(appearance));
+    group->addAction(action);
+    connect(action, &QAction::triggered, this, [this, appearance = appearance] { setAppearance(appearance); });
+  }
+  view->addSeparator();
+  QAction* fullScreen = addAction(view, tr("F&ull screen"), tr("The whole screen"), Qt::Key_F11);
+  fullScreen->setCheckable(true);
+  connect(fullScreen, &QAction::toggled, this, [this](bool on) { on ? showFullScreen() : showNormal(); });
+
+  QMenu* run = menuBar()->addMenu(tr("&Run"));
+  for (QAction* action : {run_.run, run_.step, run_.restart}) run->addAction(action);
+  run->addSeparator();
+  for (QAction* action : {run_.turbo, run_.faster, run_.slower}) run->addAction(action);
+  run->addSeparator();
+  preLearn_ = run->addMenu(tr("&Pre-learn, then transfer"));
+  connect(preLearn_, &QMenu::aboutToShow, this, &MainWindow::fillPreLearning);
+
+  QMenu* experiment = menuBar()->addMenu(tr("&Experiment"));
+  const auto item = [&](const QString& text, const QString& tip, void (ExperimentPage::*slot)()) {
+    QAction* action = addAction(experiment, text, tip, {});
+    connect(action, &QAction::triggered, this, [this, slot] {
+      setPage(1);
+      (experiment_->*slot)();
+    });
+  };
+  item(tr("&Open a plan or results …"), tr("A plan, a recipe or a store of results"), &ExperimentPage::openWithDialog);
+  item(tr("Save the &plan as …"), tr("The plan as a file"), &ExperimentPage::savePlanAs);
+  experiment->addSeparator();
+  item(tr("&Run or pause"), tr("Run the experiment, or pause it"), &ExperimentPage::runOrPause);
+  item(tr("Start &again"), tr("Forget what was lived"), &ExperimentPage::startAgain);
+  experiment->addSeparator();
+  item(tr("&Copy the table as CSV"), tr("To the clipboard"), &ExperimentPage::copyCsv);
+  item(tr("Copy the table as &LaTeX"), tr("To the clipboard"), &ExperimentPage::copyLatex);
+  item(tr("E&xport all lives as CSV …"), tr("Conditions, lives and episodes"), &ExperimentPage::exportCsv);
+  item(tr("Export all c&harts …"), tr("PNG, PDF and CSV"), &ExperimentPage::exportCharts);
+
+  QMenu* help = menuBar()->addMenu(tr("&Help"));
+  connect(addAction(help, tr("&Shortcuts"), tr("All shortcuts"), Qt::Key_F1), &QAction::triggered, this,
+          &MainWindow::showShortcuts);
+  connect(addAction(help, tr("&About Surefoot"), tr("What this is"), {}), &QAction::triggered, this,
+          &MainWindow::showAbout);
+  menuBar()->setCornerWidget(makeTabs());
+}
+
+QWidget* MainWindow::makeTabs() {
+  auto* box = new QWidget;
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 2, 0);
+  row->setSpacing(0);
+  for (const QString& title : {tr("Live"), tr("Experiment"), tr("Lessons")}) {
+    auto* tab = new PageTab(title, box);
+    const int page = static_cast<int>(tabs_.size());
+    connect(tab, &QAbstractButton::clicked, this, [this, page] { setPage(page); });
+    row->addWidget(tab);
+    tabs_.push_back(tab);
+  }
+  tabs_.front()->setChecked(true);
+  return box;
+}
+
+void MainWindow::showShortcuts() {
+  auto* dialog = new QDialog(this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("Shortcuts"));
+  auto* grid = new QGridLayout(dialog);
+  grid->setContentsMargins(24, 20, 24, 20);
+  grid->setHorizontalSpacing(32);
+  int row = 0;
+  for (const QAction* action : shortcuts_) {
+    QStringList keys;
+    for (const QKeySequence& key : action->shortcuts()) keys << key.toString(QKeySequence::NativeText);
+    auto* label = new QLabel(keys.join(tr(" or ")));
+    label->setFont(textFont(13, 500));
+    grid->addWidget(label, row, 0);
+    grid->addWidget(new QLabel(action->toolTip()), row++, 1);
+  }
+  dialog->show();
+}
+
+void MainWindow::showAbout() {
+  auto* dialog = new QDialog(this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("About Surefoot"));
+  auto* column = new QVBoxLayout(dialog);
+  column->setContentsMargins(24, 20, 24, 20);
+  auto* text = new QLabel(
+      tr("<p style='font-size:18px'>Surefoot %1</p><p>Reinforcement learning that avoids falling.</p>"
+         "<p>The methods are those of M. van Diepen's thesis<br><i>Avoiding failure states during Reinforcement "
+         "Learning</i>, Delft.</p><p>Free software under the GNU General Public License, version 3 or later.</p>")
+          .arg(QApplication::applicationVersion()));
+  column->addWidget(text);
+  dialog->show();
+}
+
+}  // namespace surefoot

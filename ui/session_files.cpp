@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of Session that begins lives anew: from files, with what was learned before, or in another environment.
+#include <new>
+
+#include "core/experiment/checkpoint.h"
+#include "core/experiment/experiment.h"
+#include "core/experiment/journal.h"
+#include "core/experiment/q_file.h"
+#include "core/experiment/resample.h"
+#include "core/files/whole_file.h"
+#include "ui/session.h"
+
+namespace surefoot {
+
+namespace {
+
+/// A journal longer than this is left to `surefoot replay`: about ten seconds.
+constexpr std::int64_t kMostReplayed = 10'000'000;  // [steps]
+
+/// The bytes of a file that holds the life.
+std::string bytesOf(const Life& life, const Configuration& began, const Configuration& now, SavedAs what) {
+  switch (what) {
+    case SavedAs::Session:
+      return checkpointOf(life, began, false).write();
+    case SavedAs::QFunction:
+      return qFileOf(life, now).write();
+    case SavedAs::Journal:
+      break;
+  }
+  return journalOf(began, summarise(life, 0, 0.0));
+}
+
+}  // namespace
+
+// Written on the learner's thread, between two steps: the life stands still meanwhile.
+void Session::save(SavedAs what, const std::string& path, std::function<void(const Status&)> then) {
+  learner_->send(
+      Visit{[this, what, path, then = std::move(then), began = began_, now = configuration_](const Life& life) {
+        Status status = Done{};
+        if (life.changesLeftOut() && what == SavedAs::Journal)
+          status = Error{"More was changed than a journal holds; save the session instead."};
+        else if (life.diverged() && what != SavedAs::Journal)
+          status = Error{"The action values diverged; there is nothing worth keeping."};
+        else
+          status = writeWhole("file", path, bytesOf(life, began, now, what));
+        QMetaObject::invokeMethod(
+            this, [then, status] { then(status); }, Qt::QueuedConnection);
+      }});
+}
+
+Status Session::open(const std::string& path) {
+  const auto text = readFile(path);
+  if (!text) return text.error();
+  if (text->starts_with("{")) return openJournal(*text, path);
+  auto file = readQFile(path);
+  if (!file) return file.error();
+  if ((*file)->about.value("kind", "") == "checkpoint") {
+    auto resumed = resume(registry_, *file, {});
+    if (!resumed) return resumed.error();
+    resumed->life->keepInputs();
+    return beginWithLife(std::move(resumed->configuration), std::move(resumed->life));
+  }
+  auto learned = configurationOf(registry_, **file);
+  if (!learned) return learned.error();
+  learned->seed = configuration_.seed;
+  learned->minutes = configuration_.minutes;
+  learned->episodes = configuration_.episodes;
+  beginWith(*learned, std::move(*file));
+  return begin(std::move(*learned));
+}
+
+Status Session::openJournal(const std::string& text, const std::string& path) {
+  auto journal = parseJournal(registry_, text, path);
+  if (!journal) return journal.error();
+  if (journal->steps > kMostReplayed)
+    return Error{path + ": the life in it is too long to be lived again while one waits; `surefoot replay` does it."};
+  auto life = makeLifeOf(journal->configuration);
+  if (!life) return life.error();
+  while ((*life)->steps() < journal->steps && !(*life)->finished()) (*life)->step();
+  return beginWithLife(std::move(journal->configuration), std::move(*life));
+}
+
+Status Session::begin(Configuration configuration) {
+  auto life = makeLifeOf(configuration);
+  if (!life) return life.error();
+  return beginWithLife(std::move(configuration), std::move(*life));
+}
+
+Status Session::beginWithLife(Configuration began, std::unique_ptr<Life> life) {
+  began_ = began;
+  configuration_ = std::move(began);
+  configuration_.commands.clear();
+  configuration_.parameters = life->parameters();
+  configuration_.names.policy = life->policyName();
+  base_ = baseOf(configuration_.names);
+  undo_.clear();
+  adopt(std::move(life));
+  Q_EMIT parametersReplaced();
+  Q_EMIT configurationChanged();
+  return Done{};
+}
+
+Status Session::beginEnvironment(const std::string& name) {
+  Names names;
+  names.environment = name;
+  names.policy = configuration_.names.policy;
+  const auto entry = findEntry(registry_.environments, "environment", name);
+  if (!entry) return entry.error();
+  auto configuration = configure(registry_, names, {});
+  if (!configuration) return configuration.error();
+  configuration->seed = configuration_.seed;
+  return begin(std::move(*configuration));
+}
+
+Status Session::setSeed(std::uint64_t seed) {
+  Configuration changed = configuration_;
+  changed.seed = seed;
+  return begin(std::move(changed));
+}
+
+void Session::carryOver(const std::string& key, double value, std::function<void(const Status&)> then) {
+  Configuration changed = configuration_;
+  if (const Status s = changed.parameters.set(key, value); !s) return then(s);
+  if (!values()) return then(Error{"Nothing is learned yet that could be carried over."});
+  struct Work {
+    std::shared_ptr<ActionValueFunction> from;
+    Configuration to;
+    Result<TensorFile> file = Error{"cancelled"};
+  };
+  auto work = std::make_shared<Work>();
+  work->from = values()->values->clone();
+  work->to = changed;
+  background_.start(
+      [work, &registry = registry_](const std::atomic<bool>& interrupted) {
+        const auto environment = makeEnvironment(registry, work->to);
+        if (!environment) return void(work->file = environment.error());
+        const Task& task = (*environment)->task();
+        const auto entry = findEntry(registry.agents, "agent", work->to.names.agent);
+        if (!entry) return void(work->file = entry.error());
+        try {
+          auto agent = (*entry)->make({task, work->to.names.features, work->to.parameters, 0});
+          if (!agent) return void(work->file = agent.error());
+          resample(*work->from, **agent, task, &interrupted);
+          work->file = qFileOf(**agent, task, work->to, Json{{"carried_over", true}});
+        } catch (const std::bad_alloc&) {
+          work->file = Error{"There is not enough memory for this; take fewer tiles or tilings."};
+        }
+      },
+      [this, work, then] {
+        if (!work->file) return then(work->file.error());
+        beginWith(work->to, std::make_shared<const TensorFile>(std::move(*work->file)));
+        then(begin(std::move(work->to)));
+      });
+}
+
+void Session::preLearn(const std::string& scenario, double until, std::function<void(const Status&)> then) {
+  constexpr std::int64_t kCap = 20'000;  // episodes (thesis, section 4.2.1; the cap is ours)
+  const auto entry = findEntry(registry_.scenarios, "scenario", scenario);
+  if (!entry) return then(entry.error());
+  Configuration before = configuration_;
+  for (const auto& [key, value] : (*entry)->values)
+    if (const Status s = before.parameters.set(key, value); !s) return then(s);
+  before.names.scenario = scenario;
+  before.names.policy = "epsilon-greedy";
+  before.until = until;
+  before.episodes = kCap;
+  before.minutes.reset();
+  before.start.reset();
+  struct Work {
+    Result<TensorFile> file = Error{"cancelled"};
+    double reached = 0;
+  };
+  auto work = std::make_shared<Work>();
+  background_.start(
+      [work, before, &registry = registry_](const std::atomic<bool>& interrupted) {
+        auto life = makeLife(registry, before, 0, false);
+        if (!life) return void(work->file = life.error());
+        while (!(*life)->finished() && !interrupted) (*life)->step();
+        work->reached = (*life)->log().averageReward();
+        if ((*life)->diverged()) return void(work->file = Error{(*life)->divergence()});
+        work->file = qFileOf(**life, before);
+      },
+      [this, work, until, then] {
+        if (!work->file) return then(work->file.error());
+        Configuration now = configuration_;
+        beginWith(now, std::make_shared<const TensorFile>(std::move(*work->file)));
+        const Status s = begin(std::move(now));
+        if (s && work->reached < until)
+          return then(
+              Error{"The average reward that was asked for was not reached; what was learned is used as it is."});
+        then(s);
+      });
+}
+
+}  // namespace surefoot
