@@ -118,39 +118,51 @@ Status Session::setSeed(std::uint64_t seed) {
   return begin(std::move(changed));
 }
 
+namespace {
+
+/// What carrying a function over needs, and gives.
+struct CarriedOver {
+  std::shared_ptr<const ActionValueFunction> from;
+  Configuration to;
+  Result<TensorFile> file = Error{"cancelled"};
+};
+
+Result<TensorFile> fitted(const Registry& registry, const CarriedOver& work, const std::atomic<bool>& interrupted) {
+  const auto environment = makeEnvironment(registry, work.to);
+  if (!environment) return environment.error();
+  const Task& task = (*environment)->task();
+  const auto entry = findEntry(registry.agents, "agent", work.to.names.agent);
+  if (!entry) return entry.error();
+  try {
+    auto agent = (*entry)->make({task, work.to.names.features, work.to.parameters, 0});
+    if (!agent) return agent.error();
+    resample(*work.from, **agent, task, &interrupted);
+    return qFileOf(**agent, task, work.to, Json{{"carried_over", true}});
+  } catch (const std::bad_alloc&) {
+    return Error{"There is not enough memory for this; take fewer tiles or tilings."};
+  }
+}
+
+}  // namespace
+
 void Session::carryOver(const std::string& key, double value, std::function<void(const Status&)> then) {
-  Configuration changed = configuration_;
-  if (const Status s = changed.parameters.set(key, value); !s) return then(s);
-  if (!values()) return then(Error{"Nothing is learned yet that could be carried over."});
-  struct Work {
-    std::shared_ptr<ActionValueFunction> from;
-    Configuration to;
-    Result<TensorFile> file = Error{"cancelled"};
+  auto work = std::make_shared<CarriedOver>();
+  work->to = configuration_;
+  if (const Status s = work->to.parameters.set(key, value); !s) return then(s);
+  const auto end = [this, work, then] {
+    if (!work->file) return then(work->file.error());
+    beginWith(work->to, std::make_shared<const TensorFile>(std::move(*work->file)));
+    then(begin(std::move(work->to)));
   };
-  auto work = std::make_shared<Work>();
-  work->from = values()->values->clone();
-  work->to = changed;
-  background_.start(
-      [work, &registry = registry_](const std::atomic<bool>& interrupted) {
-        const auto environment = makeEnvironment(registry, work->to);
-        if (!environment) return void(work->file = environment.error());
-        const Task& task = (*environment)->task();
-        const auto entry = findEntry(registry.agents, "agent", work->to.names.agent);
-        if (!entry) return void(work->file = entry.error());
-        try {
-          auto agent = (*entry)->make({task, work->to.names.features, work->to.parameters, 0});
-          if (!agent) return void(work->file = agent.error());
-          resample(*work->from, **agent, task, &interrupted);
-          work->file = qFileOf(**agent, task, work->to, Json{{"carried_over", true}});
-        } catch (const std::bad_alloc&) {
-          work->file = Error{"There is not enough memory for this; take fewer tiles or tilings."};
-        }
-      },
-      [this, work, then] {
-        if (!work->file) return then(work->file.error());
-        beginWith(work->to, std::make_shared<const TensorFile>(std::move(*work->file)));
-        then(begin(std::move(work->to)));
-      });
+  const auto fit = [this, work, end] {
+    background_.start([work, &registry = registry_](
+                          const std::atomic<bool>& interrupted) { work->file = fitted(registry, *work, interrupted); },
+                      end);
+  };
+  learner_->send(Visit{[this, work, fit](const Life& life) {  // a copy of what is learned up to now
+    work->from = life.agent().values().clone();
+    QMetaObject::invokeMethod(this, fit, Qt::QueuedConnection);
+  }});
 }
 
 void Session::preLearn(const std::string& scenario, double until, std::function<void(const Status&)> then) {
