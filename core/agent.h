@@ -11,6 +11,7 @@
 #include "core/policy.h"
 #include "core/random.h"
 #include "core/types.h"
+#include "core/values/learned_step.h"
 
 namespace surefoot {
 
@@ -33,6 +34,8 @@ class Agent : public Scheduling {
   virtual const ActionValueFunction& values() const = 0;
   /// z for every weight, for those who look. `z` is resized.
   virtual void eligibility(std::vector<float>& z) const = 0;
+  /// What each estimate learned in the last step.
+  virtual std::vector<NamedStep> lastSteps() const = 0;
   /// The values have left any sensible range; the life should stop.
   virtual bool diverged() const = 0;
   /// How many states so far lay outside the range that the features cover.

@@ -75,11 +75,11 @@ void ActionRows::takeValues() {
   }
   const auto n = static_cast<std::size_t>(v->values->actions());
   q_.resize(n);
-  v->values->evaluate(state, Layer::Sum, q_);
-  for (auto* part : {&positive_, &negative_}) part->resize(v->values->split() ? n : 0);
-  if (!v->values->split()) return;
-  v->values->evaluate(state, Layer::Positive, positive_);
-  v->values->evaluate(state, Layer::Negative, negative_);
+  session_.valuesShown()->evaluate(state, Layer::Sum, q_);
+  for (auto* part : {&positive_, &negative_}) part->resize(session_.valuesShown()->split() ? n : 0);
+  if (!session_.valuesShown()->split()) return;
+  session_.valuesShown()->evaluate(state, Layer::Positive, positive_);
+  session_.valuesShown()->evaluate(state, Layer::Negative, negative_);
 }
 
 std::string ActionRows::asCsv() const {

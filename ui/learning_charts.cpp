@@ -7,9 +7,11 @@
 #include <QEvent>
 #include <QGraphicsLayout>
 #include <QLineSeries>
+#include <QMouseEvent>
 #include <QValueAxis>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "ui/session.h"
 #include "ui/symbol_text.h"
@@ -164,6 +166,23 @@ void LearningChart::changeEvent(QEvent* event) {
 QPointF LearningChart::toPixel(double x, double y) const {
   return {plot_.left() + x / xMost_ * plot_.width(),
           plot_.bottom() - (y - yLeast_) / (yMost_ - yLeast_) * plot_.height()};
+}
+
+// A click on the marks of falls replays the one nearest to it that is still kept.
+void LearningChart::mousePressEvent(QMouseEvent* event) {
+  constexpr double kNear = 5;  // [px]
+  if (shows_ != Shows::Falls || std::abs(event->position().y() - (plot_.bottom() - 4)) > 8) return;
+  const auto& stepTime = session_.task().stepTime;
+  double least = kNear;
+  std::optional<std::size_t> nearest;
+  for (std::size_t i = 0; i < session_.falls().size(); ++i) {
+    const Fall& fall = session_.falls()[i];
+    const double x =
+        stepTime ? static_cast<double>(fall.lifeSteps) * *stepTime / 60.0 : static_cast<double>(fall.episode);
+    const double distance = std::abs(toPixel(x, 0).x() - event->position().x());
+    if (distance <= least) least = distance, nearest = i;
+  }
+  if (nearest) session_.replayFall(*nearest);
 }
 
 }  // namespace surefoot

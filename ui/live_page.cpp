@@ -3,17 +3,22 @@
 
 #include <QPainter>
 #include <QProxyStyle>
+#include <QSplitter>
 #include <QStyleOption>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "ui/action_rows.h"
+#include "ui/falls_list.h"
 #include "ui/learning_charts.h"
 #include "ui/link_button.h"
 #include "ui/map_bar.h"
 #include "ui/panel.h"
 #include "ui/parameter_form.h"
+#include "ui/rival.h"
+#include "ui/scrubber.h"
 #include "ui/session.h"
+#include "ui/step_view.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
 #include "ui/value_maps.h"
@@ -84,8 +89,14 @@ LivePage::LivePage(Session& session, QWidget* parent) : QMainWindow(parent), ses
   reward->header().setNote(tr("last 80 episodes"));
   Panel* falls =
       addPanel(tr("Falls"), "falls", new LearningChart(session_, LearningChart::Shows::Falls), Qt::RightDockWidgetArea);
-  falls->header().setNote(tr("cumulative; each mark on the axis is one"));
+  falls->header().setNote(tr("cumulative; each mark is one, click it to replay"));
 
+  steps_ = addPanel(tr("This step"), "step", new StepView(session_), Qt::BottomDockWidgetArea);
+  steps_->header().setNote(tr("what the last one taught"));
+  rule_ = addPanel(tr("Rule of thumb"), "rule", new RuleView(session_), Qt::BottomDockWidgetArea);
+  rule_->header().setNote(tr("TRL's threshold"));
+  list_ = addPanel(tr("List of falls"), "list", new FallsList(session_), Qt::RightDockWidgetArea);
+  list_->header().setNote(tr("a click shows one again"));
   connect(&session_, &Session::frame, this, [this, actions] {
     actions->header().setNote(actionsNote());
     worldHeader_->setNote(worldNote());
@@ -119,6 +130,9 @@ void LivePage::resetParameters() {
 }
 
 QString LivePage::worldNote() const {
+  if (const Playback* p = session_.playback())
+    return p->rate > 0 ? tr("%1, at half speed; Escape: back to live").arg(p->title)
+                       : tr("%1; ← → move, Escape: back to live").arg(p->title);
   if (session_.runFinished()) return tr("the life is complete");
   if (!session_.running())
     return session_.turbo() ? tr("the learner's own, paused; turbo is on") : tr("the learner's own, paused");
@@ -139,7 +153,12 @@ QWidget* LivePage::makeCentre() {
   worldHeader_->setOnPaper(true);
   world_ = new WorldView(session_, centre);
   column->addWidget(worldHeader_);
-  column->addWidget(world_, 1);
+  worlds_ = new QSplitter(Qt::Horizontal);
+  worlds_->setHandleWidth(1);
+  worlds_->setChildrenCollapsible(false);
+  worlds_->addWidget(world_);
+  column->addWidget(worlds_, 1);
+  column->addWidget(new Scrubber(session_, centre));
   connect(worldHeader_, &PanelHeader::fullSizeAsked, this, [this] { toggleFull(centralWidget()); });
   return centre;
 }
@@ -167,6 +186,45 @@ void LivePage::toggleFull(QWidget* panel) {
   for (Panel* p : panels_) p->header().setFull(full_ == p);
 }
 
+void LivePage::setComparing(bool comparing) {
+  if (comparing == (rival_ != nullptr)) return;
+  if (comparing) {
+    rival_ = new Rival(session_);
+    connect(rival_, &Rival::refused, this, &LivePage::refused);
+    worlds_->addWidget(rival_);
+    worlds_->setSizes({1, 1});
+  } else {
+    delete rival_;
+    rival_ = nullptr;
+  }
+}
+
+// Named layouts: the usual one, one that explains, one of maps.
+void LivePage::useLayout(Layout layout) {
+  resetLayout();
+  const auto panel = [this](const char* name) { return findChild<Panel*>(QLatin1String(name)); };
+  switch (layout) {
+    case Layout::Usual:
+      return;
+    case Layout::Teaching:
+      for (const char* name : {"parameters", "reward"}) panel(name)->hide();
+      for (Panel* p : {steps_, rule_}) p->show();
+      splitDockWidget(panel("actions"), steps_, Qt::Vertical);
+      addDockWidget(Qt::RightDockWidgetArea, rule_);
+      resizeDocks({panel("maps")}, {440}, Qt::Horizontal);
+      break;
+    case Layout::Falls:
+      panel("parameters")->hide();
+      list_->show();
+      break;
+    case Layout::Maps:
+      for (const char* name : {"parameters", "reward", "falls"}) panel(name)->hide();
+      resizeDocks({panel("maps")}, {width() * 6 / 10}, Qt::Horizontal);
+      break;
+  }
+  untouched_ = false;
+}
+
 void LivePage::resetLayout() {
   if (full_) toggleFull(full_);
   const auto panel = [this](const char* name) { return findChild<Panel*>(QLatin1String(name)); };
@@ -179,6 +237,10 @@ void LivePage::resetLayout() {
   addDockWidget(Qt::RightDockWidgetArea, panel("maps"));
   addDockWidget(Qt::RightDockWidgetArea, panel("reward"));
   addDockWidget(Qt::RightDockWidgetArea, panel("falls"));
+  addDockWidget(Qt::BottomDockWidgetArea, panel("step"));
+  addDockWidget(Qt::BottomDockWidgetArea, panel("rule"));
+  addDockWidget(Qt::RightDockWidgetArea, panel("list"));
+  for (Panel* extra : {steps_, rule_, list_}) extra->hide();
   untouched_ = true;
   shareSpace();
 }

@@ -5,9 +5,12 @@
 #include <QMainWindow>
 #include <vector>
 
+class QSplitter;
+
 namespace surefoot {
 
 class Panel;
+class Rival;
 class ParameterForm;
 class Session;
 class WorldView;
@@ -19,7 +22,12 @@ class LivePage final : public QMainWindow {
   explicit LivePage(Session& session, QWidget* parent = nullptr);
   const std::vector<Panel*>& panels() const { return panels_; }
   WorldView& world() { return *world_; }
+  /// A second learner beside the first; nullptr: there is none.
+  Rival* rival() { return rival_; }
+  void setComparing(bool comparing);
   void resetParameters();
+  enum class Layout { Usual, Teaching, Falls, Maps };
+  void useLayout(Layout layout);
   /// The widths and heights of the first start.
   void resetLayout();
   QByteArray layoutState() const { return saveState(kLayoutVersion); }
@@ -34,7 +42,7 @@ class LivePage final : public QMainWindow {
   void mousePressEvent(QMouseEvent* event) override;
 
  private:
-  static constexpr int kLayoutVersion = 1;
+  static constexpr int kLayoutVersion = 2;
 
   Panel* addPanel(const QString& title, const QString& name, QWidget* content, Qt::DockWidgetArea area);
   QWidget* makeCentre();
@@ -48,9 +56,12 @@ class LivePage final : public QMainWindow {
   WorldView* world_ = nullptr;
   class PanelHeader* worldHeader_ = nullptr;
   ParameterForm* form_ = nullptr;
+  QSplitter* worlds_ = nullptr;
+  Rival* rival_ = nullptr;
   std::vector<Panel*> panels_;
-  QWidget* full_ = nullptr;  // the panel that has the whole page
-  QByteArray before_;        // the layout to come back to
+  Panel *steps_ = nullptr, *rule_ = nullptr, *list_ = nullptr;  // hidden at first
+  QWidget* full_ = nullptr;                                     // the panel that has the whole page
+  QByteArray before_;                                           // the layout to come back to
   bool laidOut_ = false;
   bool untouched_ = true;  // no one has moved a separator: the columns follow the width of the window
 };

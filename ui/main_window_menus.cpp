@@ -80,6 +80,15 @@ void MainWindow::makeActions() {
   run_.faster->setShortcuts({Qt::Key_Plus, Qt::Key_Equal});
   run_.slower = addAction(nullptr, tr("S&lower"), tr("A notch slower"), Qt::Key_Minus);
   shortcuts_.push_back(run_.faster);
+  run_.back = addAction(nullptr, tr("Look &back"), tr("A frame back in what was shown; with Shift a second"), {});
+  run_.back->setShortcuts({Qt::Key_Left, QKeySequence(Qt::SHIFT | Qt::Key_Left)});
+  run_.live = addAction(nullptr, tr("Back to &live"), tr("Leave what was shown before"), Qt::Key_Escape);
+  shortcuts_.push_back(run_.back);
+  connect(run_.back, &QAction::triggered, &session_, [this] {
+    const bool far = QApplication::keyboardModifiers() & Qt::ShiftModifier;
+    session_.lookBack(far ? -60 : -1);
+  });
+  connect(run_.live, &QAction::triggered, &session_, &Session::backToLive);
   connect(run_.run, &QAction::triggered, &session_, [this] { session_.setRunning(!session_.running()); });
   connect(run_.step, &QAction::triggered, &session_, &Session::stepOnce);
   connect(run_.restart, &QAction::triggered, this, [this] {
@@ -193,8 +202,14 @@ void MainWindow::makeMenus() {
   QMenu* view = menuBar()->addMenu(tr("&View"));
   for (Panel* panel : live_->panels()) view->addAction(panel->toggleViewAction());
   view->addSeparator();
-  connect(addAction(view, tr("Reset &layout"), tr("Put every panel back in its place"), {}), &QAction::triggered, live_,
-          &LivePage::resetLayout);
+  QMenu* layouts = view->addMenu(tr("La&youts"));
+  for (const auto& [text, tip, layout] :
+       {std::tuple{tr("&Usual"), tr("Every panel back in its place"), LivePage::Layout::Usual},
+        {tr("&Teaching"), tr("What a step teaches, and the rule of thumb"), LivePage::Layout::Teaching},
+        {tr("&Falls"), tr("The list of falls beside the charts"), LivePage::Layout::Falls},
+        {tr("&Maps"), tr("The value maps large"), LivePage::Layout::Maps}})
+    connect(addAction(layouts, text, tip, {}), &QAction::triggered, live_,
+            [this, layout = layout] { live_->useLayout(layout); });
   connect(addAction(view, tr("&Fit the world"), tr("The zoom that shows the whole world"), Qt::Key_Home),
           &QAction::triggered, this, [this] { live_->world().fit(); });
   view->addSeparator();
@@ -218,6 +233,12 @@ void MainWindow::makeMenus() {
   for (QAction* action : {run_.run, run_.step, run_.restart}) run->addAction(action);
   run->addSeparator();
   for (QAction* action : {run_.turbo, run_.faster, run_.slower}) run->addAction(action);
+  run->addSeparator();
+  for (QAction* action : {run_.back, run_.live}) run->addAction(action);
+  QAction* compare = addAction(run, tr("&Compare with a second learner"),
+                               tr("Another method with the same seed, side by side"), Qt::Key_C);
+  compare->setCheckable(true);
+  connect(compare, &QAction::toggled, live_, &LivePage::setComparing);
   run->addSeparator();
   preLearn_ = run->addMenu(tr("&Pre-learn, then transfer"));
   connect(preLearn_, &QMenu::aboutToShow, this, &MainWindow::fillPreLearning);

@@ -85,6 +85,8 @@ void PanelHeader::resizeEvent(QResizeEvent*) {
   if (extra_) {
     extra_->adjustSize();
     extra_->move(right - extra_->width(), (kHeight - extra_->height()) / 2);
+    const double title = kPadding + QFontMetricsF(textFont(13, 500)).horizontalAdvance(title_);
+    extra_->setVisible(extra_->x() > title + 8);  // a panel that is too narrow shows its title
   }
 }
 

@@ -14,7 +14,7 @@ struct Theme;
 
 /// The actions that toolbar, menu and shortcuts share.
 struct RunActions {
-  QAction *run, *step, *restart, *turbo, *faster, *slower;
+  QAction *run, *step, *restart, *turbo, *faster, *slower, *back, *live;
 };
 
 class RunBar final : public QWidget {

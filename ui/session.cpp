@@ -106,7 +106,11 @@ void Session::tick() {
   }
   speedSeconds_ += seconds;
   measureSpeed();
-  show(seconds);
+  takeFalls();
+  if (playback_)
+    showPlayback(seconds);
+  else
+    show(seconds);
   Q_EMIT frame();
 }
 
@@ -153,6 +157,73 @@ void Session::show(double seconds) {
   shown_.flash = sinceFall_.isValid() && sinceFall_.elapsed() < kFlash;
   // The next episode has begun already, but a fall wants to be seen: the fallen pose stays for as long as the flash.
   if (shown_.flash && !viewing && !snapshot().fallenPose.empty()) shown_.pose = snapshot().fallenPose;
+  if (running_ || recording_.size() == 0) recording_.add(shown_);
+}
+
+void Session::takeFalls() {
+  constexpr std::size_t kMostValues = 20;
+  auto fresh = learner_->takeFalls();
+  std::erase_if(fresh, [this](const Fall& f) { return f.life != lifeSent_; });
+  if (fresh.empty()) return;
+  // The values as they were, as nearly as the window has them: a tenth of a second old at most.
+  if (values()) valuesThen_.emplace_back(fresh.back().number, values()->values->clone());
+  if (valuesThen_.size() > kMostValues) valuesThen_.pop_front();
+  for (Fall& fall : fresh) falls_.push_back(std::move(fall));
+  while (falls_.size() > kMostFalls) falls_.pop_front();
+  Q_EMIT fallsArrived();
+}
+
+void Session::replayFall(std::size_t index) {
+  if (index >= falls_.size()) return;
+  const Fall& fall = falls_[index];
+  std::shared_ptr<const ActionValueFunction> then;
+  for (const auto& [number, values] : valuesThen_)
+    if (number >= fall.number && !then) then = values;
+  if (!then && values()) then = values()->values->clone();
+  Playback playback = playbackOf(fall, registry_, configuration_.names.environment, std::move(then));
+  if (playback.frames.empty()) return;
+  playback_ = std::move(playback);
+  playbackRest_ = 0;
+  Q_EMIT playbackChanged();
+}
+
+void Session::lookBack(int frames) {
+  if (!playback_) {
+    if (recording_.size() < 2 || frames > 0) return;
+    playback_ = recording_.playback();
+  }
+  playback_->rate = 0;
+  seek(playback_->position + frames);
+}
+
+void Session::seek(double position) {
+  if (!playback_) return;
+  const double last = static_cast<double>(playback_->frames.size()) - 1.0;
+  if (position > last + 0.5 && playback_->rate == 0) return backToLive();
+  playback_->position = std::clamp(position, 0.0, last);
+  playbackRest_ = 0;
+  Q_EMIT playbackChanged();
+}
+
+void Session::backToLive() {
+  if (!playback_) return;
+  playback_.reset();
+  Q_EMIT playbackChanged();
+}
+
+const ActionValueFunction* Session::valuesShown() const {
+  if (playback_ && playback_->values) return playback_->values.get();
+  return values() ? values()->values.get() : nullptr;
+}
+
+void Session::showPlayback(double seconds) {
+  constexpr double kRest = 1.2;  // at the end of a fall [s]
+  Playback& p = *playback_;
+  if (p.rate > 0) {
+    if (p.atEnd() && (playbackRest_ += seconds) > kRest) return backToLive();
+    p.position = std::min(p.position + p.rate * seconds, static_cast<double>(p.frames.size()) - 1.0);
+  }
+  shown_ = p.frames[static_cast<std::size_t>(p.position)];
 }
 
 void Session::fillParts(const ActionValueFunction& values) {
@@ -180,6 +251,7 @@ double Session::threshold() const {
 
 void Session::setRunning(bool running) {
   if (running && runFinished()) return;
+  backToLive();
   restartMeasuring();
   running_ = running;
   learner_->send(SetRunning{running});
@@ -216,6 +288,7 @@ Status Session::place(const std::vector<double>& state) {
 }
 
 void Session::stepOnce() {
+  if (playback_ && playback_->rate == 0) return lookBack(+1);
   if (running_) setRunning(false);
   learner_->send(SingleStep{});
 }
@@ -225,6 +298,11 @@ void Session::adopt(std::unique_ptr<Life> life) {
   curves_.archive();
   hovered_.clear();
   pinned_.clear();
+  falls_.clear();
+  valuesThen_.clear();
+  recording_.clear();
+  backToLive();
+  Q_EMIT fallsArrived();
   makeViewer();
   learner_->send(ReplaceLife{std::move(life)});
   ++lifeSent_;

@@ -7,6 +7,7 @@
 #include <QObject>
 #include <QTimer>
 #include <QUndoStack>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -14,18 +15,11 @@
 #include "core/experiment/configuration.h"
 #include "core/experiment/learner_thread.h"
 #include "ui/background.h"
+#include "ui/playback.h"
 #include "ui/run_curves.h"
 #include "ui/viewer.h"
 
 namespace surefoot {
-
-/// What the panels show: the learner's world, or in turbo the viewer's.
-struct Shown {
-  std::vector<double> state, pose, q;
-  std::vector<double> qPositive, qNegative;  ///< empty where the agent keeps one estimate
-  Action action = kNoAction;
-  bool flash = false;  ///< it fell within the last 200 ms
-};
 
 /// What a life can be saved as: to go on exactly, what it learned, or a small text by which it can be lived again.
 enum class SavedAs { Session, QFunction, Journal };
@@ -46,6 +40,18 @@ class Session final : public QObject {
   /// nullptr until the first has come.
   const ValueSnapshot* values() const;
   const Shown& shown() const { return shown_; }
+  /// The falls of this life, the newest last; the last kMostFalls of them.
+  const std::deque<Fall>& falls() const { return falls_; }
+  /// Shows the last seconds of one of them again.
+  void replayFall(std::size_t index);
+  /// So many frames back (or forth) in what the window has shown; past the end it is live again.
+  void lookBack(int frames);
+  /// Something that was seen before is shown; the learner goes on meanwhile.
+  const Playback* playback() const { return playback_ ? &*playback_ : nullptr; }
+  void seek(double position);
+  void backToLive();
+  /// The values that maps show: the newest, or those of the playback. nullptr: none yet.
+  const ActionValueFunction* valuesShown() const;
   /// Curves of this life and of those before it.
   const RunCurves& curves() const { return curves_; }
 
@@ -120,6 +126,8 @@ class Session final : public QObject {
   void valuesArrived();  ///< at most ten times a second
   void stateChanged();   ///< running, turbo, pace
   void examinedChanged();
+  void fallsArrived();
+  void playbackChanged();
   void configurationChanged();
   void lifeReplaced();
   void parametersReplaced();  ///< another agent: other parameters
@@ -128,6 +136,8 @@ class Session final : public QObject {
  private:
   void tick();
   void show(double seconds);
+  void showPlayback(double seconds);
+  void takeFalls();
   void fillParts(const ActionValueFunction& values);
   void measureSpeed();
   void restartMeasuring();
@@ -149,6 +159,12 @@ class Session final : public QObject {
   Shown shown_;
   std::vector<double> hovered_, pinned_;
   RunCurves curves_;
+  std::deque<Fall> falls_;
+  /// Of the newest falls, by their numbers.
+  std::deque<std::pair<std::int64_t, std::shared_ptr<const ActionValueFunction>>> valuesThen_;
+  Recording recording_;
+  std::optional<Playback> playback_;
+  double playbackRest_ = 0;  // standing at its end for so long [s]
   QUndoStack undo_;
   Background background_;
   QTimer timer_;

@@ -53,7 +53,7 @@ bool ValueMaps::valued() const {
 
 /// q̂ of the best action or of the chosen one, or the number of the greedy action.
 ValueMap::Quantity ValueMaps::quantity(Layer layer) const {
-  const ActionValueFunction& values = *session_.values()->values;
+  const ActionValueFunction& values = *session_.valuesShown();
   return [this, layer, &values,
           q = std::vector<double>(static_cast<std::size_t>(values.actions()))](std::span<const double> s) mutable {
     if (values.familiarity(s) < kFamiliar) return kNever;
@@ -67,7 +67,7 @@ ValueMap::Quantity ValueMaps::quantity(Layer layer) const {
 // Both parts of the action that is best by their sum, so that the large map is the sum of the small ones.
 ValueMap::Quantity ValueMaps::partOf(Layer layer) const {
   if (choice_.quantity == MapQuantity::OneAction) return quantity(layer);
-  const ActionValueFunction& values = *session_.values()->values;
+  const ActionValueFunction& values = *session_.valuesShown();
   const auto n = static_cast<std::size_t>(values.actions());
   return
       [layer, &values, q = std::vector<double>(n), part = std::vector<double>(n)](std::span<const double> s) mutable {
@@ -79,7 +79,7 @@ ValueMap::Quantity ValueMaps::partOf(Layer layer) const {
 }
 
 ValueMap::Quantity ValueMaps::visits() const {
-  const ActionValueFunction& values = *session_.values()->values;
+  const ActionValueFunction& values = *session_.valuesShown();
   return [&values](std::span<const double> s) { return values.familiarity(s) < kFamiliar ? kNever : values.visits(s); };
 }
 
@@ -190,7 +190,8 @@ void ValueMaps::focusOutEvent(QFocusEvent* event) {
 bool ValueMaps::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     const int key = static_cast<QKeyEvent*>(event)->key();
-    if (key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down) {
+    if (key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down ||
+        (key == Qt::Key_Escape && !session_.examined().empty())) {
       event->accept();
       return true;
     }
@@ -240,13 +241,14 @@ QString ValueMaps::spoken() const {
   QStringList words;
   for (std::size_t d = 0; d < state.size(); ++d)
     words << QStringLiteral("%1 %2").arg(symbolOf(task.state[d]), toText(fixedText(state[d], 2)));
-  if (v->values->familiarity(state) < kFamiliar) return words.join(QStringLiteral("  ")) + tr(", never visited");
+  if (session_.valuesShown()->familiarity(state) < kFamiliar)
+    return words.join(QStringLiteral("  ")) + tr(", never visited");
   std::vector<double> q(static_cast<std::size_t>(v->values->actions()));
-  v->values->evaluate(state, Layer::Sum, q);
+  session_.valuesShown()->evaluate(state, Layer::Sum, q);
   const auto best = static_cast<std::size_t>(std::max_element(q.begin(), q.end()) - q.begin());
   return tr("%1:  Q %2 for %3,  %4 visits")
       .arg(words.join(QStringLiteral("  ")), toText(fixedText(q[best], 1)), actionNameOf(task, best),
-           toText(countText(v->values->visits(state))));
+           toText(countText(session_.valuesShown()->visits(state))));
 }
 
 void ValueMaps::speak() {

@@ -195,10 +195,12 @@ void WorldView::drawReadOuts(QPainter& p, const Theme& t) const {
     p.setFont(textFont(13));
     p.setPen(t.quiet);
     drawSymbol(p, x, y, toText(list[i].symbol));
-    const double right = x + std::min(76.0, column - 50);
+    const bool narrow = column < 125;  // no room for the unit
+    const double right = x + std::min(76.0, column - (narrow ? 14 : 50));
     p.setFont(textFont(13, 500));
     p.setPen(t.ink);
     drawSymbol(p, QRectF(x, y - 14, right - x, 19), Qt::AlignRight, toText(fixedText(list[i].value, list[i].decimals)));
+    if (narrow) continue;
     p.setFont(textFont(11));
     p.setPen(t.quiet);
     p.drawText(QPointF(right + 4, y), toText(list[i].unit));

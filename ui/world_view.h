@@ -22,7 +22,7 @@ class WorldView final : public QWidget {
  public:
   explicit WorldView(Session& session, QWidget* parent = nullptr);
   QSize sizeHint() const override { return {576, 400}; }
-  QSize minimumSizeHint() const override { return {320, 240}; }
+  QSize minimumSizeHint() const override { return {240, 220}; }
   /// Somebody holds the body with the mouse.
   bool held() const { return hand_.has_value(); }
   void fit();  ///< the zoom that shows everything

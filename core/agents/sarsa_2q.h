@@ -62,6 +62,9 @@ class Sarsa2Q final : public Agent {
     positive_.eligibility(z);
     negative_.eligibility(z);
   }
+  std::vector<NamedStep> lastSteps() const override {
+    return {positive_.lastStep("positive"), negative_.lastStep("negative")};
+  }
   bool diverged() const override { return positive_.diverged() || negative_.diverged(); }
   std::int64_t statesOutside() const override { return std::max(positive_.statesOutside(), negative_.statesOutside()); }
 

@@ -63,6 +63,7 @@ class TdControl final : public Agent {
     z.clear();
     estimate_.eligibility(z);
   }
+  std::vector<NamedStep> lastSteps() const override { return {estimate_.lastStep("q")}; }
   bool diverged() const override { return estimate_.diverged(); }
   std::int64_t statesOutside() const override { return estimate_.statesOutside(); }
 

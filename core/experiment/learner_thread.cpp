@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <new>
+#include <utility>
 
 namespace surefoot {
 
@@ -81,12 +82,43 @@ void LearnerThread::wait() {
 void LearnerThread::step() {
   const std::int64_t before = life_->log().totals().episodes;
   if (hand_.holds() && !turbo_) life_->push(hand_.impulse(life_->environment(), stepTime_));
+  if (!turbo_ && life_->inEpisode()) {
+    const auto state = life_->environment().state();
+    stateBefore_.assign(state.begin(), state.end());
+    actionBefore_ = life_->nextAction();
+  }
   life_->step();
   const LifeTotals& totals = life_->log().totals();
   if (totals.episodes == before) return;
   curve_.add(life_->log().last(), totals.falls);
   curvePolicy_ = life_->policyName();
-  if (!turbo_ && life_->log().last().falls > 0) fallenPose_ = life_->environment().pose();
+  if (life_->log().last().falls == 0) return;
+  if (!turbo_) fallenPose_ = life_->environment().pose();
+  noteFall();
+}
+
+void LearnerThread::noteFall() {
+  // A change holds from the next episode on, so one look at the fall after it is not enough.
+  if (life_->changes().size() != changesSeen_) changesSeen_ = life_->changes().size(), looksLeft_ = 2;
+  if (!environment_ || looksLeft_ > 0) {
+    environment_ = std::make_shared<const std::vector<std::pair<std::string, double>>>(life_->environmentInForce());
+    --looksLeft_;
+  }
+  const EpisodeRow& row = life_->log().last();
+  const std::lock_guard lock(mutex_);
+  if (falls_.size() >= kMostFalls) falls_.erase(falls_.begin(), falls_.begin() + kMostFalls / 4);
+  falls_.push_back({.life = lifeNumber_,
+                    .number = life_->log().totals().falls,
+                    .episode = row.episode,
+                    .lifeSteps = row.lifeSteps,
+                    .policy = life_->policyName(),
+                    .inputs = life_->inputs(),
+                    .parameters = environment_});
+}
+
+std::vector<Fall> LearnerThread::takeFalls() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(falls_, {});
 }
 
 void LearnerThread::stepFlatOut() {
@@ -136,6 +168,8 @@ void LearnerThread::carryOut(Command& command) {
       ++t.lifeNumber_;
       t.curve_ = {};
       t.fallenPose_.clear();
+      t.stateBefore_.clear();
+      t.environment_.reset();
       t.hand_.hold(std::nullopt);
       t.outOfMemory_ = false;
       t.stepTime_ = stepTimeOf(*t.life_);
@@ -177,6 +211,9 @@ void LearnerThread::fill(Snapshot& s) const {
     values.evaluate(s.state, Layer::Positive, s.qPositive);
     values.evaluate(s.state, Layer::Negative, s.qNegative);
   }
+  s.learned = life_->agent().lastSteps();
+  s.stateBefore = turbo_ ? std::vector<double>() : stateBefore_;
+  s.actionBefore = actionBefore_;
   s.action = life_->inEpisode() ? life_->nextAction() : kNoAction;
   s.running = canStep();
   s.finished = life_->finished() && !life_->diverged();
@@ -199,6 +236,7 @@ void LearnerThread::fill(ValueSnapshot& s) const {
   s.policy = curvePolicy_;
   s.changes = life_->changes();
   s.endOfLearning = life_->log().endOfLearning().episode();
+  s.rule = ruleOfThumbOf(*life_);
   s.endOfLearningSteps = life_->log().endOfLearning().lifeSteps();
 }
 

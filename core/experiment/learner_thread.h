@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/experiment/fall.h"
 #include "core/experiment/hand.h"
 #include "core/experiment/snapshot.h"
 #include "core/experiment/triple_buffer.h"
@@ -70,6 +71,9 @@ class LearnerThread {
   const Snapshot& snapshot() const { return snapshots_.front(); }
   const ValueSnapshot& values() const { return values_.front(); }
 
+  /// The falls since the last call, the newest last; at most kMostFalls.
+  std::vector<Fall> takeFalls();
+
   /// Ends the thread and hands the life over, as it is.
   std::unique_ptr<Life> stop();
 
@@ -84,6 +88,7 @@ class LearnerThread {
   void stepFlatOut();
   void stepInPace();
   void step();
+  void noteFall();
   bool canStep() const { return running_ && !outOfMemory_ && !life_->finished(); }
   void want(std::atomic<bool>& flag);
   void answer();
@@ -97,6 +102,12 @@ class LearnerThread {
   std::string curvePolicy_;
   std::vector<double> fallenPose_;
   Hand hand_;
+  std::vector<double> stateBefore_;
+  Action actionBefore_ = kNoAction;
+  std::size_t changesSeen_ = 0;
+  int looksLeft_ = 0;
+  std::shared_ptr<const std::vector<std::pair<std::string, double>>>
+      environment_;  // parameters, as the last fall had them
   bool running_ = false, turbo_ = false, outOfMemory_ = false;
   double pace_ = 1.0;
   double stepTime_;  // [s]; tasks without a clock take 20 steps a second
@@ -106,6 +117,7 @@ class LearnerThread {
   std::mutex mutex_;
   std::condition_variable wake_;
   std::vector<Command> mailbox_;  // guarded by mutex_
+  std::vector<Fall> falls_;       // guarded by mutex_
   std::atomic<bool> mail_{false}, stop_{false};
   std::atomic<bool> snapshotWanted_{true}, valuesWanted_{true};
   TripleBuffer<Snapshot> snapshots_;

@@ -35,13 +35,11 @@ void Life::beginEpisode(const std::vector<double>& state) {
     environment_->parametersChanged();
     environmentChanged_ = false;
   }
-  episodeRandom_ = worldRandom_.state();
-  actions_.clear();
-  pushSteps_.clear();
-  pushImpulses_.clear();
+  inputs_.clear();
+  inputs_.random = worldRandom_.state();
   environment_->reset(worldRandom_);
-  start_ = state;
-  if (!start_.empty()) environment_->place(start_);
+  inputs_.start = state;
+  if (!state.empty()) environment_->place(state);
   tellTime();
   action_ = agent_->start(environment_->state(), policyRandom_);
   inEpisode_ = true;
@@ -58,7 +56,7 @@ void Life::step() {
   while (nextCommand_ < commands_.size() && commands_[nextCommand_].step <= steps_) obey(commands_[nextCommand_++]);
   if (!inEpisode_) beginEpisode();
   if (everyStep_) tellTime();
-  if (keepInputs_) actions_.push_back(static_cast<std::uint16_t>(action_));
+  if (keepInputs_) inputs_.actions.push_back(static_cast<std::uint16_t>(action_));
   const Outcome outcome = environment_->step(action_);
   ++steps_;
   log_.add(outcome);
@@ -118,8 +116,8 @@ bool Life::push(double impulse) {
   if (!inEpisode_) return true;  // nothing stands there between two episodes
   if (!environment_->push(impulse)) return false;
   if (keepInputs_) {
-    pushSteps_.push_back(static_cast<std::uint64_t>(log_.current().steps));
-    pushImpulses_.push_back(impulse);
+    inputs_.pushSteps.push_back(static_cast<std::uint64_t>(log_.current().steps));
+    inputs_.pushImpulses.push_back(impulse);
   }
   note("push", "", fmt::format("{}", impulse));
   return true;

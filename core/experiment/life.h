@@ -10,6 +10,7 @@
 
 #include "core/agent.h"
 #include "core/environment.h"
+#include "core/experiment/episode_inputs.h"
 #include "core/experiment/episode_log.h"
 #include "core/random.h"
 #include "core/result.h"
@@ -106,6 +107,8 @@ class Life {
   /// The action that the next step will carry out.
   Action nextAction() const { return action_; }
   bool inEpisode() const { return inEpisode_; }
+  /// Of the episode in hand, or of the last one when it is over; complete only if they are kept.
+  const EpisodeInputs& inputs() const { return inputs_; }
   /// Every row of the log and every weight, in 64 bits.
   std::uint64_t hash() const;
 
@@ -146,11 +149,7 @@ class Life {
   // What the environment was given since the beginning of the episode: everything that a resumed life needs to bring it
   // to the same state, whatever it is inside.
   bool keepInputs_ = false;
-  std::array<std::uint64_t, 4> episodeRandom_{};  // worldRandom_ before reset()
-  std::vector<std::uint16_t> actions_;            // of the episode in hand
-  std::vector<double> start_;                     // of the episode in hand, where it was placed
-  std::vector<std::uint64_t> pushSteps_;          // steps of the episode before each push
-  std::vector<double> pushImpulses_;              // [N s]
+  EpisodeInputs inputs_;  // of the episode in hand, or the last one
 };
 
 }  // namespace surefoot

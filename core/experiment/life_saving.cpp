@@ -39,7 +39,7 @@ void Life::save(Archive& archive) const {
 
 void Life::transfer(Archive& archive) {
   std::array<std::uint64_t, 4> policyRandom = policyRandom_.state();
-  archive.table("random.world", episodeRandom_);
+  archive.table("random.world", inputs_.random);
   archive.table("random.policy", policyRandom);
   policyRandom_ = Random(policyRandom);
   archive.value("steps", steps_, 0, kMostSteps);
@@ -47,38 +47,32 @@ void Life::transfer(Archive& archive) {
   archive.value("pre_learned", preLearned_, 0, 1);
   archive.value("in_episode", inEpisode_, 0, 1);
   archive.value("environment_changed", environmentChanged_, 0, 1);
-  archive.list("episode.actions", actions_, kMostInputs);
-  archive.list("episode.start", start_, environment_->task().state.size());
-  archive.list("episode.push_steps", pushSteps_, kMostInputs);
-  archive.list("episode.push_impulses", pushImpulses_, kMostInputs);
+  archive.list("episode.actions", inputs_.actions, kMostInputs);
+  archive.list("episode.start", inputs_.start, environment_->task().state.size());
+  archive.list("episode.push_steps", inputs_.pushSteps, kMostInputs);
+  archive.list("episode.push_impulses", inputs_.pushImpulses, kMostInputs);
   archive.under("log.", [&] { log_.transfer(archive); });
   if (!archive.reading()) agent_->transferValues(archive);  // when reading, the agent was made from them
   archive.under("learning.", [&] { agent_->transferLearning(archive); });
 }
 
 void Life::repeatEpisode(Archive& archive) {
-  const auto actions = static_cast<int>(environment_->task().actions.size());
-  if (std::any_of(actions_.begin(), actions_.end(), [=](int a) { return a >= actions; }))
+  const auto& [random, start, actions, pushSteps, pushImpulses] = inputs_;
+  const auto most = static_cast<int>(environment_->task().actions.size());
+  if (std::any_of(actions.begin(), actions.end(), [=](int a) { return a >= most; }))
     return archive.refuse("episode.actions", "names actions that there are not");
-  if (pushSteps_.size() != pushImpulses_.size())
+  if (pushSteps.size() != pushImpulses.size())
     return archive.refuse("episode.push_steps", "is not as long as the list of impulses");
-  worldRandom_ = Random(episodeRandom_);
+  if (!start.empty() && !checkState(environment_->task(), start))
+    return archive.refuse("episode.start", "is no state of the environment");
+  if (inEpisode_ && static_cast<std::int64_t>(actions.size()) != log_.current().steps)
+    return archive.refuse("episode.actions", "is not as long as the episode");
+  worldRandom_ = Random(random);
   environment_->reset(worldRandom_);
-  if (!start_.empty()) {
-    if (const Status s = checkState(environment_->task(), start_); !s)
-      return archive.refuse("episode.start", "is no state of the environment");
-    environment_->place(start_);
-  }
-  std::size_t push = 0;
-  for (std::size_t step = 0; step <= actions_.size(); ++step) {
-    for (; push < pushSteps_.size() && pushSteps_[push] == step; ++push) environment_->push(pushImpulses_[push]);
-    if (step == actions_.size()) break;
-    const bool last = step + 1 == actions_.size() && !inEpisode_;
-    if ((environment_->step(actions_[step]).ending != Ending::None) != last)
-      return archive.refuse("episode.actions", "does not lead to where the episode was");
-  }
-  if (inEpisode_ && static_cast<std::int64_t>(actions_.size()) != log_.current().steps)
-    archive.refuse("episode.actions", "is not as long as the episode");
+  Ending ending = Ending::None;
+  const bool whole = repeat(inputs_, *environment_, ending, [](Action) {});
+  if (!whole || (ending != Ending::None) == inEpisode_)
+    archive.refuse("episode.actions", "does not lead to where the episode was");
 }
 
 std::vector<std::pair<std::string, double>> Life::environmentInForce() const {

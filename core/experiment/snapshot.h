@@ -9,6 +9,7 @@
 #include "core/action_value.h"
 #include "core/experiment/learning_curve.h"
 #include "core/experiment/life.h"
+#include "core/experiment/rule_of_thumb.h"
 
 namespace surefoot {
 
@@ -23,6 +24,9 @@ struct Snapshot {
   std::vector<double> fallenPose;            ///< of the last fall, unless turbo was on
   std::vector<double> q;                     ///< q̂(s, ·) in that state
   std::vector<double> qPositive, qNegative;  ///< its two parts, where the agent keeps them apart; else empty
+  std::vector<NamedStep> learned;            ///< what the last step taught
+  std::vector<double> stateBefore;           ///< in which that step was made; empty in turbo
+  Action actionBefore = kNoAction;           ///< by which
   Action action = kNoAction;                 ///< that will be carried out in it; kNoAction between two episodes
   bool running = false;
   bool finished = false;  ///< the limit that was asked for is reached
@@ -40,6 +44,7 @@ struct ValueSnapshot {
   std::vector<Change> changes;
   std::int64_t endOfLearning = 0;       ///< episode, 0: not yet
   std::int64_t endOfLearningSteps = 0;  ///< of the life
+  std::optional<RuleOfThumb> rule;      ///< TRL's threshold by eq. 4.3
 };
 
 }  // namespace surefoot

@@ -11,6 +11,7 @@
 #include "core/schedule.h"
 #include "core/values/deferred_trace.h"
 #include "core/values/eligibility_trace.h"
+#include "core/values/learned_step.h"
 #include "core/values/linear_action_value.h"
 
 namespace surefoot {
@@ -47,6 +48,8 @@ class Estimate {
   std::int64_t statesOutside() const { return statesOutside_; }
   /// The last temporal-difference error was beyond any sensible size.
   bool diverged() const { return diverged_; }
+  /// The last step, by the name of this estimate.
+  NamedStep lastStep(const char* name) const { return {name, last_, settings_.stepSize.now(), settings_.traceDecay}; }
   /// z_k of every weight, written behind what is in `z` already.
   void eligibility(std::vector<float>& z) const;
 
@@ -68,7 +71,8 @@ class Estimate {
 
   /// Learns that (S, A) is worth R + next, where `next` is γ times the value of what follows, taken before this update.
   void learn(Action a, double reward, double next, double discount, const TraceSettings& traces) {
-    const double delta = reward + next - value(a);  // δ ← R + γ q̂(S′,·) − q̂(S,A)
+    last_ = {reward, next, value(a)};
+    const double delta = last_.delta();  // δ ← R + γ q̂(S′,·) − q̂(S,A)
     const double lambda = settings_.traceDecay;
     if (F::kBinary && traces.kind == TraceKind::Replacing)
       update(deferred_, a, alpha() * delta, discount * lambda, traces);
@@ -127,6 +131,7 @@ class Estimate {
   std::array<Active, 2> x_;  // active features of S and S′, taking turns
   std::size_t here_ = 0;
   bool diverged_ = false;
+  LearnedStep last_;
   std::int64_t statesOutside_ = 0;
 };
 

@@ -91,6 +91,7 @@ void Pendulum::draw(std::span<const double> pose, Scene& scene) const {
   scene.clear();
   scene.focus = {x, 0};
   scene.height = hinge.y + 1.24 * settings_.poleLength;
+  scene.width = 3.6 * settings_.poleLength;
   scene.tip = polar(hinge, settings_.poleLength, angle);
 
   drawProtractor(settings_, hinge, scene);

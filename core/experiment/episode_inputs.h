@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Everything that an environment was given in one episode. An environment that gets the same again goes through the
+// same states, whatever its physics engine holds inside: so an episode is a few hundred bytes.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/environment.h"
+
+namespace surefoot {
+
+struct EpisodeInputs {
+  std::array<std::uint64_t, 4> random{};  ///< the world's generator before reset()
+  std::vector<double> start;              ///< the state it was placed in; empty: where it began by itself
+  std::vector<std::uint16_t> actions;
+  std::vector<std::uint64_t> pushSteps;  ///< steps of the episode before each push
+  std::vector<double> pushImpulses;      ///< [N s]
+
+  void clear() {
+    start.clear();
+    actions.clear();
+    pushSteps.clear();
+    pushImpulses.clear();
+  }
+};
+
+/// Takes an environment through an episode again; `visit` is called in every state on the way, with the action that
+/// comes next (kNoAction in the last). `ending` is how the last step ended. False: it ended before the inputs did.
+template <class Visit>
+bool repeat(const EpisodeInputs& inputs, Environment& environment, Ending& ending, const Visit& visit) {
+  ending = Ending::None;
+  Random random(inputs.random);
+  environment.reset(random);
+  if (!inputs.start.empty()) environment.place(inputs.start);
+  std::size_t push = 0;
+  for (std::size_t step = 0;; ++step) {
+    for (; push < inputs.pushSteps.size() && inputs.pushSteps[push] == step; ++push)
+      environment.push(inputs.pushImpulses[push]);
+    const bool over = step == inputs.actions.size();
+    visit(over ? kNoAction : static_cast<Action>(inputs.actions[step]));
+    if (over) return true;
+    if (ending != Ending::None) return false;
+    ending = environment.step(inputs.actions[step]).ending;
+  }
+}
+
+}  // namespace surefoot

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/falls_list.h"
+
+#include <QAbstractTableModel>
+#include <QHeaderView>
+#include <QPainter>
+
+#include "core/text.h"
+#include "ui/session.h"
+#include "ui/symbol_text.h"
+#include "ui/theme.h"
+
+namespace surefoot {
+
+namespace {
+
+class FallsModel final : public QAbstractTableModel {
+ public:
+  FallsModel(Session& session, QObject* parent) : QAbstractTableModel(parent), session_(session) {
+    connect(&session_, &Session::fallsArrived, this, [this] {
+      beginResetModel();
+      endResetModel();
+    });
+  }
+  int rowCount(const QModelIndex&) const override { return static_cast<int>(session_.falls().size()); }
+  int columnCount(const QModelIndex&) const override { return 5; }
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override {
+    static const char* const kHeads[] = {QT_TR_NOOP("Fall"), QT_TR_NOOP("Episode"), QT_TR_NOOP("Time min"),
+                                         QT_TR_NOOP("Steps"), QT_TR_NOOP("Policy")};
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+    return QObject::tr(kHeads[section]);
+  }
+  QVariant data(const QModelIndex& index, int role) const override {
+    if (role == Qt::TextAlignmentRole)
+      return QVariant::fromValue(Qt::AlignVCenter | (index.column() == 4 ? Qt::AlignLeft : Qt::AlignRight));
+    if (role == Qt::ToolTipRole) return QObject::tr("Click to see the last seconds of this fall again");
+    if (role != Qt::DisplayRole) return {};
+    const Fall& fall = session_.falls()[session_.falls().size() - 1 - static_cast<std::size_t>(index.row())];
+    const double perStep = session_.task().stepTime.value_or(0.0) / 60.0;
+    switch (index.column()) {
+      case 0:
+        return toText(countText(static_cast<double>(fall.number)));
+      case 1:
+        return toText(countText(static_cast<double>(fall.episode)));
+      case 2:
+        return perStep > 0 ? toText(fixedText(static_cast<double>(fall.lifeSteps) * perStep, 2)) : QStringLiteral("–");
+      case 3:
+        return toText(countText(static_cast<double>(fall.inputs.actions.size())));
+      default: {
+        const auto entry = findEntry(session_.registry().policies, "policy", fall.policy);
+        return toText(entry ? (*entry)->title : fall.policy);
+      }
+    }
+  }
+
+ private:
+  Session& session_;
+};
+
+}  // namespace
+
+FallsList::FallsList(Session& session, QWidget* parent) : QTableView(parent), session_(session) {
+  setModel(new FallsModel(session, this));
+  verticalHeader()->hide();
+  verticalHeader()->setDefaultSectionSize(24);
+  horizontalHeader()->setFont(textFont(11, 500));
+  horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  horizontalHeader()->setHighlightSections(false);
+  setSelectionBehavior(SelectRows);
+  setSelectionMode(SingleSelection);
+  setShowGrid(false);
+  setFrameShape(QFrame::NoFrame);
+  setTabKeyNavigation(false);
+  setStyleSheet(QStringLiteral(
+      "QHeaderView::section { border: none; border-bottom: 1px solid palette(mid); background: palette(base);"
+      " padding: 0 6px; }"
+      "QTableView::item:selected { background: palette(alternate-base); color: palette(text); }"));
+  connect(this, &QTableView::clicked, this, &FallsList::replay);
+  connect(this, &QTableView::activated, this, &FallsList::replay);
+}
+
+void FallsList::replay(const QModelIndex& index) {
+  session_.replayFall(session_.falls().size() - 1 - static_cast<std::size_t>(index.row()));
+}
+
+void FallsList::paintEvent(QPaintEvent* event) {
+  QTableView::paintEvent(event);
+  if (!session_.falls().empty()) return;
+  const Theme& t = themeOf(*this);
+  QPainter p(viewport());
+  p.setFont(textFont(11));
+  p.setPen(t.quiet);
+  p.drawText(viewport()->rect(), Qt::AlignCenter, tr("Falls appear here. None so far."));
+}
+
+}  // namespace surefoot

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The falls of the life, the newest first; a click on one shows its last seconds again, with the values as they were.
+#pragma once
+
+#include <QTableView>
+
+namespace surefoot {
+
+class Session;
+
+class FallsList final : public QTableView {
+  Q_OBJECT
+
+ public:
+  explicit FallsList(Session& session, QWidget* parent = nullptr);
+  QSize sizeHint() const override { return {440, 190}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void replay(const QModelIndex& index);
+  Session& session_;
+};
+
+}  // namespace surefoot
