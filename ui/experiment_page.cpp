@@ -86,7 +86,6 @@ ExperimentPage::ExperimentPage(Session& session, std::vector<PlanSource> sources
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  setStyleSheet(QStringLiteral("QSplitter::handle { background: palette(midlight); }"));
   column->addWidget(makeBar());
   auto* line = new QWidget;
   line->setFixedHeight(1);

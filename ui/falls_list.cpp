@@ -71,10 +71,6 @@ FallsList::FallsList(Session& session, QWidget* parent) : QTableView(parent), se
   setShowGrid(false);
   setFrameShape(QFrame::NoFrame);
   setTabKeyNavigation(false);
-  setStyleSheet(QStringLiteral(
-      "QHeaderView::section { border: none; border-bottom: 1px solid palette(mid); background: palette(base);"
-      " padding: 0 6px; }"
-      "QTableView::item:selected { background: palette(alternate-base); color: palette(text); }"));
   connect(this, &QTableView::clicked, this, &FallsList::replay);
   connect(this, &QTableView::activated, this, &FallsList::replay);
 }

@@ -48,11 +48,6 @@ void setUp(QTableWidget& table, const QStringList& heads) {
   table.horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
   table.horizontalHeader()->setFont(textFont(11, 500));
   table.horizontalHeaderItem(0)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  table.setStyleSheet(QStringLiteral(
-      "QHeaderView::section { border: none; border-bottom: 1px solid palette(mid); background: palette(base);"
-      " padding: 0 10px; }"
-      "QTableView::item { border-bottom: 1px solid palette(midlight); padding: 0 10px; }"
-      "QTableView::item:selected { background: palette(alternate-base); color: palette(text); }"));
 }
 
 void put(QTableWidget& table, int row, int column, const QString& text, bool strong = false, bool left = false) {

@@ -57,7 +57,7 @@ LivePage::LivePage(Session& session, QWidget* parent) : QMainWindow(parent), ses
   auto* style = new HairlineStyle;
   style->setParent(this);
   setStyle(style);
-  setDockOptions(AnimatedDocks | AllowNestedDocks | AllowTabbedDocks);
+  setDockOptions(AllowNestedDocks | AllowTabbedDocks);
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   setCentralWidget(makeCentre());
@@ -171,14 +171,25 @@ Panel* LivePage::addPanel(const QString& title, const QString& name, QWidget* co
   return panel;
 }
 
+// Not by saveState() and restoreState(): they break while a dock is on its way.
 void LivePage::toggleFull(QWidget* panel) {
   const bool back = full_ != nullptr;
   if (back) {
     centralWidget()->show();
-    restoreState(before_, kLayoutVersion);
+    QList<QDockWidget*> docks;
+    QList<int> widths, heights;
+    for (const auto& [shown, size] : before_) {
+      shown->show();
+      docks << shown, widths << size.width(), heights << size.height();
+    }
+    resizeDocks(docks, widths, Qt::Horizontal);
+    resizeDocks(docks, heights, Qt::Vertical);
   } else {
-    before_ = layoutState();
-    for (Panel* other : panels_) other->setVisible(other == panel);
+    before_.clear();
+    for (Panel* other : panels_) {
+      if (other->isVisible()) before_.emplace_back(other, other->size());
+      other->setVisible(other == panel);
+    }
     centralWidget()->setVisible(panel == centralWidget());
   }
   full_ = back ? nullptr : panel;
@@ -253,6 +264,11 @@ void LivePage::shareSpace() {
   resizeDocks({panel("actions")}, {268}, Qt::Vertical);
   resizeDocks({panel("maps"), panel("reward"), panel("falls")}, {wide ? 440 : 300, wide ? 288 : 196, wide ? 274 : 190},
               Qt::Vertical);
+}
+
+QByteArray LivePage::layoutState() {
+  if (full_) toggleFull(full_);
+  return saveState(kLayoutVersion);
 }
 
 bool LivePage::restoreLayout(const QByteArray& state) {

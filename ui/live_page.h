@@ -3,6 +3,8 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QSize>
+#include <utility>
 #include <vector>
 
 class QSplitter;
@@ -30,7 +32,8 @@ class LivePage final : public QMainWindow {
   void useLayout(Layout layout);
   /// The widths and heights of the first start.
   void resetLayout();
-  QByteArray layoutState() const { return saveState(kLayoutVersion); }
+  /// With all panels, whichever has the whole page now.
+  QByteArray layoutState();
   bool restoreLayout(const QByteArray& state);
 
  Q_SIGNALS:
@@ -61,7 +64,7 @@ class LivePage final : public QMainWindow {
   std::vector<Panel*> panels_;
   Panel *steps_ = nullptr, *rule_ = nullptr, *list_ = nullptr;  // hidden at first
   QWidget* full_ = nullptr;                                     // the panel that has the whole page
-  QByteArray before_;                                           // the layout to come back to
+  std::vector<std::pair<Panel*, QSize>> before_;                // what was visible before that
   bool laidOut_ = false;
   bool untouched_ = true;  // no one has moved a separator: the columns follow the width of the window
 };

@@ -56,7 +56,7 @@ MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent) : Q
 
   connect(live_, &LivePage::refused, messages_, &MessageBar::say);
   connect(experiment_, &ExperimentPage::refused, messages_, &MessageBar::say);
-  connect(experiment_, &ExperimentPage::told, messages_, &MessageBar::say);
+  connect(experiment_, &ExperimentPage::told, messages_, &MessageBar::tell);
   connect(experiment_, &ExperimentPage::statusChanged, this, [this](const QString& left, const QString& right) {
     experimentLeft_ = left;
     experimentRight_ = right;

@@ -84,7 +84,7 @@ void MainWindow::saveTo(SavedAs what, const QString& path) {
     const QString again = what == SavedAs::Journal     ? tr("surefoot replay %1").arg(path)
                           : what == SavedAs::QFunction ? tr("surefoot train --load %1 --minutes 9").arg(path)
                                                        : tr("surefoot train --resume %1 --minutes …").arg(path);
-    messages_->say(tr("%1 is written. Without a window: %2").arg(QFileInfo(path).fileName(), again));
+    messages_->tell(tr("%1 is written. Without a window: %2").arg(QFileInfo(path).fileName(), again));
   });
 }
 
@@ -95,7 +95,7 @@ void MainWindow::exportWithDialog(QWidget* view, const QString& title) {
                 tr("Picture (*.png);;Vector graphics (*.svg);;Document (*.pdf);;Table (*.csv)"), QStringLiteral("png"),
                 [this, view](const QString& path) {
                   const Status s = exportView(*view, path.toStdString());
-                  messages_->say(s ? tr("%1 is written.").arg(path) : toText(s.error().message));
+                  s ? messages_->tell(tr("%1 is written.").arg(path)) : messages_->say(toText(s.error().message));
                 });
 }
 

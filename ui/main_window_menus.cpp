@@ -243,7 +243,7 @@ void MainWindow::makeMenus() {
   preLearn_ = run->addMenu(tr("&Pre-learn, then transfer"));
   connect(preLearn_, &QMenu::aboutToShow, this, &MainWindow::fillPreLearning);
 
-  QMenu* experiment = menuBar()->addMenu(tr("&Experiment"));
+  QMenu* experiment = menuBar()->addMenu(tr("E&xperiment"));
   const auto item = [&](const QString& text, const QString& tip, void (ExperimentPage::*slot)()) {
     QAction* action = addAction(experiment, text, tip, {});
     connect(action, &QAction::triggered, this, [this, slot] {

@@ -31,6 +31,8 @@ MessageBar::MessageBar(QWidget* parent)
   }
   row->addWidget(dismiss_);
   connect(dismiss_, &QPushButton::clicked, this, &MessageBar::dismiss);
+  leaving_.setSingleShot(true);
+  connect(&leaving_, &QTimer::timeout, this, &MessageBar::dismiss);
   parent->installEventFilter(this);
   hide();
 }
@@ -44,7 +46,14 @@ bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
+void MessageBar::tell(const QString& sentence) {
+  constexpr int kStays = 8000;  // [ms]
+  say(sentence);
+  leaving_.start(kStays);
+}
+
 void MessageBar::say(const QString& sentence) {
+  leaving_.stop();
   text_->setText(sentence);
   setAccessibleName(sentence);
   for (QPushButton* answer : answers_) answer->hide();

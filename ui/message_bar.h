@@ -2,6 +2,7 @@
 // One sentence over the panels, with what can be done about it. No dialog boxes; nothing below it moves.
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 #include <array>
 #include <functional>
@@ -21,6 +22,8 @@ class MessageBar final : public QWidget {
   explicit MessageBar(QWidget* parent);
   /// Shows a sentence with only Dismiss.
   void say(const QString& sentence);
+  /// The same for good news, which goes away by itself.
+  void tell(const QString& sentence);
   /// A button that answers a question, and what it does.
   struct Answer {
     QString text;
@@ -40,6 +43,7 @@ class MessageBar final : public QWidget {
   QLabel* text_;
   std::array<QPushButton*, 2> answers_;
   QPushButton* dismiss_;
+  QTimer leaving_;
   std::array<std::function<void()>, 2> then_;
 };
 

@@ -115,6 +115,11 @@ QScrollArea { border: none; background: transparent; }
 QScrollBar:vertical { background: transparent; width: 8px; margin: 0; }
 QScrollBar::handle:vertical { background: %6; border-radius: 3px; min-height: 24px; margin: 1px; }
 QScrollBar::add-line, QScrollBar::sub-line { height: 0; }
+QToolButton#flat { border: none; background: transparent; padding: 0; }
+QSplitter::handle { background: %4; }
+QHeaderView::section { border: none; border-bottom: 1px solid %4; background: %1; padding: 0 10px; }
+QTableView::item { border-bottom: 1px solid %4; padding: 0 10px; }
+QTableView::item:selected { background: %3; color: %2; }
 )")
       .arg(t.panel.name(), t.ink.name(), t.fill.name(), t.hairline.name(), t.quiet.name(), t.outline.name(),
            t.accent.name());
@@ -127,7 +132,8 @@ void applyAppearance(QApplication& application, Appearance appearance) {
   const bool dark = appearance == Appearance::Dark || (appearance == Appearance::System && systemIsDark);
   const Theme& theme = dark ? darkTheme() : lightTheme();
   if (application.style()->name() != QLatin1String("fusion")) QApplication::setStyle(QStyleFactory::create("Fusion"));
-  QApplication::setFont(textFont(13));
+  if (QApplication::font() != textFont(13)) QApplication::setFont(textFont(13));
+  application.setStyleSheet({});  // or every widget would be styled twice
   QApplication::setPalette(paletteOf(theme));
   application.setStyleSheet(styleSheetOf(theme));
 }
