@@ -36,7 +36,8 @@ void addTrainOptions(CLI::App& app, TrainOptions& o) {
   app.add_flag("--json", o.json, "print the result as one JSON object");
   addOption(app, "--log", o.log, "write a row an episode to this file, which must not exist yet", "FILE.csv");
   addOption(app, "--load", o.load, "begin with what another life has learned", "FILE");
-  app.add_option("--at", o.at, "do this when the life has taken so many steps: a parameter, policy=NAME, push=IMPULSE")
+  app.add_option("--at", o.at,
+                 "do this when the life has taken so many steps: a parameter, policy=NAME, push=IMPULSE, place=STATE")
       ->type_name("STEP:KEY=VALUE")
       ->expected(1)
       ->allow_extra_args(false)

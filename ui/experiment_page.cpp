@@ -1,26 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/experiment_page.h"
 
-#include <QClipboard>
-#include <QGuiApplication>
 #include <QLabel>
-#include <QPainter>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSplitter>
 #include <QStackedWidget>
 #include <QVBoxLayout>
-#include <cmath>
 
-#include "core/files/whole_file.h"
-#include "core/laboratory/csv_export.h"
 #include "core/text.h"
-#include "ui/ask_for_file.h"
 #include "ui/bar_button.h"
 #include "ui/combo.h"
 #include "ui/condition_list.h"
+#include "ui/experiment_progress.h"
 #include "ui/figure_panel.h"
-#include "ui/figure_view.h"
 #include "ui/findings_table.h"
 #include "ui/link_button.h"
 #include "ui/panel.h"
@@ -30,53 +23,6 @@
 #include "ui/theme.h"
 
 namespace surefoot {
-
-/// "228 of 240 lives", a bar, elapsed and left.
-class ProgressView final : public QWidget {
- public:
-  explicit ProgressView(Experiment& experiment) : experiment_(experiment) {
-    setFixedSize(420, 40);
-    setAccessibleName(tr("Progress"));
-    connect(&experiment_, &Experiment::progressed, this, qOverload<>(&QWidget::update));
-    connect(&experiment_, &Experiment::stateChanged, this, qOverload<>(&QWidget::update));
-    connect(&experiment_, &Experiment::planChanged, this, qOverload<>(&QWidget::update));
-  }
-
- protected:
-  void paintEvent(QPaintEvent*) override {
-    const Theme& t = themeOf(*this);
-    QPainter p(this);
-    const int planned = experiment_.livesPlanned();
-    if (planned == 0) return;
-    p.setFont(textFont(13, 500));
-    p.setPen(t.ink);
-    p.drawText(QRectF(0, 2, 180, 20), Qt::AlignVCenter,
-               tr("%1 of %2 lives").arg(toText(countText(experiment_.livesDone())), toText(countText(planned))));
-    p.setFont(textFont(13));
-    p.drawText(QRectF(0, 2, 240, 20), Qt::AlignRight | Qt::AlignVCenter,
-               tr("%1 %").arg(static_cast<int>(std::floor(100 * experiment_.share()))));
-    p.fillRect(QRectF(0, 27, 240, 4), t.track);
-    p.fillRect(QRectF(0, 27, 240 * experiment_.share(), 4), t.ink);
-    p.setFont(textFont(11));
-    p.setPen(t.quiet);
-    const auto time = [](double s) {
-      return s < 99.5 ? tr("%1 s").arg(std::lround(s)) : tr("%1 min").arg(std::lround(s / 60));
-    };
-    const double elapsed = experiment_.elapsed();
-    if (elapsed > 0) p.drawText(QRectF(256, 2, 160, 18), Qt::AlignVCenter, tr("elapsed %1").arg(time(elapsed)));
-    QString second;
-    if (const auto left = experiment_.left())
-      second = tr("about %1 left").arg(time(*left));
-    else if (experiment_.state() == Experiment::State::Paused)
-      second = tr("paused");
-    else if (experiment_.state() == Experiment::State::Complete)
-      second = tr("complete");
-    p.drawText(QRectF(256, 19, 160, 18), Qt::AlignVCenter, second);
-  }
-
- private:
-  Experiment& experiment_;
-};
 
 ExperimentPage::ExperimentPage(Session& session, std::vector<PlanSource> sources, const QString& folder,
                                QWidget* parent)
@@ -142,13 +88,13 @@ QWidget* ExperimentPage::makeBar() {
   auto* copy = new QLabel(tr("Copy as"));
   copy->setFont(textFont(11));
   copy->setForegroundRole(QPalette::PlaceholderText);
-  progress_ = new ProgressView(experiment_);
+  auto* progress = new ExperimentProgress(experiment_);
   row->addWidget(run_);
   row->addWidget(stop_);
   row->addSpacing(8);
   row->addWidget(source_);
   row->addSpacing(8);
-  row->addWidget(progress_);
+  row->addWidget(progress);
   row->addStretch(1);
   row->addWidget(copy);
   row->addWidget(csv);
@@ -236,24 +182,6 @@ void ExperimentPage::open(const QString& path) {
   if (!experiment_.plan()) showPlan(false);
 }
 
-void ExperimentPage::openWithDialog() {
-  source_->setCurrentIndex(source_->findData(toText(experiment_.path())));
-  askForFile(this, tr("Open a plan or results"), tr("Plans and results (*.toml *.sqlite);;All files (*)"),
-             [this](const QString& path) { open(path); });
-}
-
-void ExperimentPage::savePlanAs() {
-  askForNewFile(this, tr("Save the plan"), QStringLiteral("plan.toml"), tr("Plans (*.toml)"), QStringLiteral("toml"),
-                [this](const QString& path) {
-                  const std::string text =
-                      editor_->text().isEmpty() ? experiment_.text() : editor_->text().toStdString();
-                  if (const Status s = writeWhole("plan", path.toStdString(), text); !s)
-                    Q_EMIT refused(toText(s.error().message));
-                  else
-                    Q_EMIT told(tr("The plan is in %1.").arg(path));
-                });
-}
-
 void ExperimentPage::showPlan(bool shown) {
   stack_->setCurrentIndex(shown ? 1 : 0);
   edit_->setText(shown ? tr("Show the results") : tr("Edit the plan"));
@@ -268,48 +196,6 @@ void ExperimentPage::runOrPause() {
 
 void ExperimentPage::startAgain() {
   if (experiment_.plan()) static_cast<void>(static_cast<bool>(experiment_.setText(std::string(experiment_.text()))));
-}
-
-void ExperimentPage::copyCsv() {
-  if (!experiment_.view()) return Q_EMIT refused(tr("There is nothing to copy yet; run the experiment first."));
-  QGuiApplication::clipboard()->setText(toText(findingsAsCsv(experiment_.view()->findings)));
-  Q_EMIT told(tr("The table is on the clipboard, as CSV."));
-}
-
-void ExperimentPage::copyLatex() {
-  if (!experiment_.view()) return Q_EMIT refused(tr("There is nothing to copy yet; run the experiment first."));
-  QGuiApplication::clipboard()->setText(toText(findingsAsLatex(experiment_.view()->findings)));
-  Q_EMIT told(tr("The table is on the clipboard, as LaTeX."));
-}
-
-void ExperimentPage::exportCsv() {
-  if (experiment_.storePath().empty() || experiment_.state() == Experiment::State::Running)
-    return Q_EMIT refused(tr("Results can be exported when the experiment is complete or paused."));
-  askForFolder(this, tr("Folder for the tables"), [this](const QString& folder) {
-    const auto store = Store::open(experiment_.storePath());
-    const Status written = store ? surefoot::exportCsv(*store, folder.toStdString(), "folder") : store.error();
-    if (!written)
-      Q_EMIT refused(toText(written.error().message));
-    else
-      Q_EMIT told(tr("conditions.csv, lives.csv and episodes.csv are in %1.").arg(folder));
-  });
-}
-
-void ExperimentPage::exportCharts() {
-  if (!experiment_.view()) return Q_EMIT refused(tr("There is no chart yet; run the experiment first."));
-  askForFolder(this, tr("Folder for the charts"), [this](const QString& folder) { writeCharts(folder); });
-}
-
-void ExperimentPage::writeCharts(const QString& folder) {
-  for (const FigureSpec& spec : experiment_.figures()) {
-    const auto figure = experiment_.figure(spec);
-    if (!figure) continue;
-    const std::string path = folder.toStdString() + "/" + figure->name;
-    Status s = FigureView(*figure).save(path);
-    if (s) s = writeWhole("chart", path + ".csv", figureAsCsv(*figure));
-    if (!s) return Q_EMIT refused(toText(s.error().message));
-  }
-  Q_EMIT told(tr("Every chart is in %1, as PNG, PDF and CSV.").arg(folder));
 }
 
 QString ExperimentPage::summary() const {

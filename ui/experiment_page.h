@@ -59,7 +59,6 @@ class ExperimentPage final : public QWidget {
   Experiment experiment_;
   QComboBox* source_ = nullptr;
   QAbstractButton *run_ = nullptr, *stop_ = nullptr;
-  class ProgressView* progress_ = nullptr;
   QStackedWidget* stack_ = nullptr;
   PlanEditor* editor_ = nullptr;
   LinkButton* edit_ = nullptr;

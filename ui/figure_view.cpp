@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/figure_view.h"
 
-#include <QBuffer>
 #include <QPaintEvent>
 #include <QPainterPath>
-#include <QPdfWriter>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "core/files/whole_file.h"
 #include "core/text.h"
 #include "ui/learning_charts.h"
-#include "ui/scene_painter.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
 
@@ -20,8 +16,8 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kLeft = 64, kBottom = 48, kLegend = 190;  // gutters [px]
-constexpr double kRow = 22, kBarLabels = 210;              // of bars [px]
+constexpr double kLeft = FigureView::kLeft, kBottom = FigureView::kBottom, kLegend = 190;  // gutters [px]
+constexpr double kRow = 22, kBarLabels = 210;                                              // of bars [px]
 
 /// A value on an axis whose ticks are so far apart.
 QString tickText(double value, double step) {
@@ -216,34 +212,6 @@ void FigureView::paintLegend(QPainter& p, const Theme& t, const QRectF& plot) co
   }
 }
 
-// As large as fits, with both axes to one scale.
-void FigureView::paintScene(QPainter& p, const Theme& t) const {
-  QRectF bounds;
-  const auto include = [&](const Point& point) {
-    const QRectF dot(point.x, point.y, 1e-6, 1e-6);
-    bounds = bounds.isNull() ? dot : bounds.united(dot);
-  };
-  for (const Shape& shape : figure_.scene->shapes) {
-    if (const auto* line = std::get_if<Polyline>(&shape))
-      std::for_each(line->points.begin(), line->points.end(), include);
-    if (const auto* polygon = std::get_if<Polygon>(&shape))
-      std::for_each(polygon->points.begin(), polygon->points.end(), include);
-    if (const auto* disc = std::get_if<Disc>(&shape))
-      for (const double sign : {-1.0, 1.0})
-        include({disc->centre.x + sign * disc->radius, disc->centre.y + sign * disc->radius});
-  }
-  const QRectF plot(kLeft, top() + 20, width() - 2 * kLeft, height() - top() - kBottom - 20);
-  const double scale = std::min(plot.width() / bounds.width(), plot.height() / bounds.height());
-  const QPointF middle = bounds.center();
-  const ScenePainter painter(
-      p, t, false,
-      [&](Point at) { return plot.center() + QPointF((at.x - middle.x()) * scale, -(at.y - middle.y()) * scale); },
-      scale);
-  p.setFont(textFont(11));
-  for (const Shape& shape : figure_.scene->shapes) std::visit(painter, shape);
-  paintTitles(p, t, plot);
-}
-
 void FigureView::paintBars(QPainter& p, const Theme& t) const {
   const double row = rowHeight();
   const double labels = std::min(kBarLabels, 0.36 * width());
@@ -278,40 +246,6 @@ void FigureView::paintBars(QPainter& p, const Theme& t) const {
     if (!s.marked.empty() && s.marked[0]) text += QStringLiteral("  X");
     drawSymbol(p, QRectF(xOf(v.high) + 8, y, 90, row), Qt::AlignLeft, text);
   }
-}
-
-Status FigureView::save(const std::string& path) {
-  resize(sizeHint());
-  const Theme& t = themeOf(*this);
-  QByteArray png, pdf;
-  {
-    QImage image(size() * 2, QImage::Format_RGB32);
-    image.setDevicePixelRatio(2);
-    QPainter p(&image);
-    paint(p, t);
-    p.end();
-    QBuffer buffer(&png);
-    image.save(&buffer, "PNG");
-  }
-  {
-    QBuffer buffer(&pdf);
-    buffer.open(QIODevice::WriteOnly);
-    QPdfWriter writer(&buffer);
-    constexpr int kPointsPerInch = 72, kPixelsPerInch = 96;
-    writer.setResolution(kPixelsPerInch);
-    writer.setPageSize(QPageSize(QSizeF(size()) * kPointsPerInch / kPixelsPerInch, QPageSize::Point));
-    writer.setPageMargins({});
-    writer.setTitle(toText(figure_.title));
-    QPainter p(&writer);
-    paint(p, t);
-  }
-  for (const auto& [ending, bytes] : {std::pair<const char*, const QByteArray&>{".png", png}, {".pdf", pdf}}) {
-    if (const Status s =
-            writeWhole("figure", path + ending, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
-        !s)
-      return s;
-  }
-  return Done{};
 }
 
 }  // namespace surefoot

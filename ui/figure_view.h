@@ -15,6 +15,7 @@ class FigureView final : public QWidget {
   Q_OBJECT
 
  public:
+  static constexpr double kLeft = 64, kBottom = 48;  ///< gutters [px]
   explicit FigureView(Figure figure, QWidget* parent = nullptr);
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return {320, 200}; }

@@ -3,14 +3,10 @@
 #include <QAbstractButton>
 #include <QActionGroup>
 #include <QApplication>
-#include <QDialog>
-#include <QGridLayout>
-#include <QInputDialog>
-#include <QLabel>
+#include <QHBoxLayout>
 #include <QMenuBar>
 #include <QPainter>
 #include <QSettings>
-#include <QVBoxLayout>
 
 #include "core/text.h"
 #include "ui/ask_for_file.h"
@@ -150,21 +146,6 @@ void MainWindow::makeEditMenu() {
           this, &MainWindow::askForSeed);
 }
 
-void MainWindow::askForSeed() {
-  auto* dialog = new QInputDialog(this);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setWindowTitle(tr("Another seed"));
-  dialog->setLabelText(tr("The life begins again with this seed, a whole number from 0 on:"));
-  dialog->setTextValue(QString::number(session_.configuration().seed));
-  connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& text) {
-    bool good = false;
-    const qulonglong seed = text.trimmed().toULongLong(&good);
-    if (!good) return messages_->say(tr("seed: \"%1\" is no whole number from 0 on.").arg(text));
-    begin([this, seed] { return session_.setSeed(seed); });
-  });
-  dialog->open();
-}
-
 void MainWindow::fillRecent() {
   recent_->clear();
   const QStringList files = QSettings().value("recent").toStringList();
@@ -284,40 +265,6 @@ QWidget* MainWindow::makeTabs() {
   }
   tabs_.front()->setChecked(true);
   return box;
-}
-
-void MainWindow::showShortcuts() {
-  auto* dialog = new QDialog(this);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setWindowTitle(tr("Shortcuts"));
-  auto* grid = new QGridLayout(dialog);
-  grid->setContentsMargins(24, 20, 24, 20);
-  grid->setHorizontalSpacing(32);
-  int row = 0;
-  for (const QAction* action : shortcuts_) {
-    QStringList keys;
-    for (const QKeySequence& key : action->shortcuts()) keys << key.toString(QKeySequence::NativeText);
-    auto* label = new QLabel(keys.join(tr(" or ")));
-    label->setFont(textFont(13, 500));
-    grid->addWidget(label, row, 0);
-    grid->addWidget(new QLabel(action->toolTip()), row++, 1);
-  }
-  dialog->show();
-}
-
-void MainWindow::showAbout() {
-  auto* dialog = new QDialog(this);
-  dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setWindowTitle(tr("About Surefoot"));
-  auto* column = new QVBoxLayout(dialog);
-  column->setContentsMargins(24, 20, 24, 20);
-  auto* text = new QLabel(
-      tr("<p style='font-size:18px'>Surefoot %1</p><p>Reinforcement learning that avoids falling.</p>"
-         "<p>The methods are those of M. van Diepen's thesis<br><i>Avoiding failure states during Reinforcement "
-         "Learning</i>, Delft.</p><p>Free software under the GNU General Public License, version 3 or later.</p>")
-          .arg(QApplication::applicationVersion()));
-  column->addWidget(text);
-  dialog->show();
 }
 
 }  // namespace surefoot

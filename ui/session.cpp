@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <chrono>
 #include <cmath>
 #include <new>
 
@@ -140,7 +139,8 @@ void Session::show(double seconds) {
     viewer_->advance(seconds, *values()->values);
     shown_.state.assign(viewer_->environment().state().begin(), viewer_->environment().state().end());
     shown_.pose = viewer_->pose();
-    shown_.q = viewer_->q();
+    shown_.q.resize(task().actions.size());
+    values()->values->evaluate(shown_.state, Layer::Sum, shown_.q);  // the viewer's own are of the step before
     fillParts(*values()->values);
     shown_.action = viewer_->action();
     falls = viewer_->falls();
@@ -160,89 +160,11 @@ void Session::show(double seconds) {
   if (running_ || recording_.size() == 0) recording_.add(shown_);
 }
 
-void Session::takeFalls() {
-  constexpr std::size_t kMostValues = 20;
-  auto fresh = learner_->takeFalls();
-  std::erase_if(fresh, [this](const Fall& f) { return f.life != lifeSent_; });
-  if (fresh.empty()) return;
-  // The values as they were, as nearly as the window has them: a tenth of a second old at most.
-  if (values()) valuesThen_.emplace_back(fresh.back().number, values()->values->clone());
-  if (valuesThen_.size() > kMostValues) valuesThen_.pop_front();
-  for (Fall& fall : fresh) falls_.push_back(std::move(fall));
-  while (falls_.size() > kMostFalls) falls_.pop_front();
-  Q_EMIT fallsArrived();
-}
-
-void Session::replayFall(std::size_t index) {
-  if (index >= falls_.size()) return;
-  const Fall& fall = falls_[index];
-  std::shared_ptr<const ActionValueFunction> then;
-  for (const auto& [number, values] : valuesThen_)
-    if (number >= fall.number && !then) then = values;
-  if (!then && values()) then = values()->values->clone();
-  Playback playback = playbackOf(fall, registry_, configuration_.names.environment, std::move(then));
-  if (playback.frames.empty()) return;
-  playback_ = std::move(playback);
-  playbackRest_ = 0;
-  Q_EMIT playbackChanged();
-}
-
-void Session::lookBack(int frames) {
-  if (!playback_) {
-    if (recording_.size() < 2 || frames > 0) return;
-    playback_ = recording_.playback();
-  }
-  playback_->rate = 0;
-  seek(playback_->position + frames);
-}
-
-void Session::seek(double position) {
-  if (!playback_) return;
-  const double last = static_cast<double>(playback_->frames.size()) - 1.0;
-  if (position > last + 0.5 && playback_->rate == 0) return backToLive();
-  playback_->position = std::clamp(position, 0.0, last);
-  playbackRest_ = 0;
-  Q_EMIT playbackChanged();
-}
-
-void Session::backToLive() {
-  if (!playback_) return;
-  playback_.reset();
-  Q_EMIT playbackChanged();
-}
-
-const ActionValueFunction* Session::valuesShown() const {
-  if (playback_ && playback_->values) return playback_->values.get();
-  return values() ? values()->values.get() : nullptr;
-}
-
-void Session::showPlayback(double seconds) {
-  constexpr double kRest = 1.2;  // at the end of a fall [s]
-  Playback& p = *playback_;
-  if (p.rate > 0) {
-    if (p.atEnd() && (playbackRest_ += seconds) > kRest) return backToLive();
-    p.position = std::min(p.position + p.rate * seconds, static_cast<double>(p.frames.size()) - 1.0);
-  }
-  shown_ = p.frames[static_cast<std::size_t>(p.position)];
-}
-
 void Session::fillParts(const ActionValueFunction& values) {
   for (auto* part : {&shown_.qPositive, &shown_.qNegative}) part->resize(values.split() ? shown_.q.size() : 0);
   if (!values.split()) return;
   values.evaluate(shown_.state, Layer::Positive, shown_.qPositive);
   values.evaluate(shown_.state, Layer::Negative, shown_.qNegative);
-}
-
-void Session::examine(const std::optional<std::vector<double>>& state) {
-  const std::vector<double> next = state.value_or(std::vector<double>());
-  if (next == hovered_) return;
-  hovered_ = next;
-  Q_EMIT examinedChanged();
-}
-
-void Session::pin(const std::optional<std::vector<double>>& state) {
-  pinned_ = state.value_or(std::vector<double>());
-  Q_EMIT examinedChanged();
 }
 
 double Session::threshold() const {
@@ -316,119 +238,6 @@ Status Session::restart() {
   began_ = configuration_;
   adopt(std::move(*life));
   return Done{};
-}
-
-namespace {
-
-/// One parameter, changed by hand. Changes of one that follow each other are one.
-class Edit final : public QUndoCommand {
- public:
-  using Apply = std::function<Status(const std::string&, double)>;
-  Edit(Apply apply, const Parameter& parameter, double before, double after)
-      : QUndoCommand(QString::fromStdString(parameter.title)),
-        apply_(std::move(apply)),
-        key_(parameter.key),
-        before_(before),
-        after_(after) {}
-  void undo() override { static_cast<void>(static_cast<bool>(apply_(key_, before_))); }
-  void redo() override {
-    if (done_) static_cast<void>(static_cast<bool>(apply_(key_, after_)));
-    done_ = true;  // the first time it was done already
-  }
-  int id() const override { return 1; }
-  bool mergeWith(const QUndoCommand* other) override {
-    const auto& next = static_cast<const Edit&>(*other);
-    if (next.key_ != key_ || next.when_ - when_ > std::chrono::seconds(1)) return false;
-    after_ = next.after_;
-    when_ = next.when_;
-    return true;
-  }
-
- private:
-  Apply apply_;
-  std::string key_;
-  double before_, after_;
-  bool done_ = false;
-  std::chrono::steady_clock::time_point when_ = std::chrono::steady_clock::now();
-};
-
-}  // namespace
-
-Status Session::setParameter(const std::string& key, double value) {
-  const Parameters::Entry* found = configuration_.parameters.find(key);
-  if (!found) return apply(key, value);  // which says so
-  const Parameters::Entry before = *found;
-  const Status s = apply(key, value);
-  if (s && before.parameter.when != When::NewTable && before.value != value)
-    undo_.push(new Edit([this](const std::string& k, double v) { return apply(k, v); }, before.parameter, before.value,
-                        value));
-  return s;
-}
-
-Status Session::apply(const std::string& key, double value) {
-  Configuration changed = configuration_;
-  if (const Status s = changed.parameters.set(key, value); !s) return s;
-  const Parameters::Entry* entry = configuration_.parameters.find(key);
-  if (entry->value == value) return Done{};
-  if (entry->parameter.when == When::NewTable) {
-    Q_EMIT needsNewTable(QString::fromStdString(key), value);
-    return Done{};
-  }
-  if (const auto environment = makeEnvironment(registry_, changed); !environment) return environment.error();
-  configuration_ = std::move(changed);
-  learner_->send(SetParameter{key, value});
-  configuration_.parameters.applyTo(viewer_->policy(), "policy.");
-  if (key.starts_with("environment.")) makeViewer();
-  Q_EMIT configurationChanged();
-  return Done{};
-}
-
-Status Session::setParameterAndRestart(const std::string& key, double value) {
-  Configuration changed = configuration_;
-  if (const Status s = changed.parameters.set(key, value); !s) return s;
-  auto life = makeLifeOf(changed);
-  if (!life) return life.error();
-  began_ = configuration_ = std::move(changed);
-  adopt(std::move(*life));
-  Q_EMIT configurationChanged();
-  return Done{};
-}
-
-void Session::setPolicy(const std::string& name) {
-  auto forLearner = makePolicy(registry_, name, configuration_.parameters);
-  auto forViewer = makePolicy(registry_, name, configuration_.parameters);
-  if (!forLearner || !forViewer) return;
-  configuration_.names.policy = name;
-  learner_->send(SetPolicy{name, std::move(*forLearner)});
-  viewer_->setPolicy(std::move(*forViewer));
-  Q_EMIT configurationChanged();
-}
-
-Status Session::setAgent(const std::string& name) {
-  if (name == configuration_.names.agent) return Done{};
-  Names names = configuration_.names;
-  names.agent = name;
-  auto changed = configure(registry_, names, {});
-  if (!changed) return changed.error();
-  for (const auto& entry : configuration_.parameters.all())
-    if (changed->parameters.find(entry.parameter.key))
-      if (const Status s = changed->parameters.set(entry.parameter.key, entry.value); !s) return s;
-  changed->seed = configuration_.seed;
-  changed->minutes = configuration_.minutes;
-  changed->episodes = configuration_.episodes;
-  return begin(std::move(*changed));
-}
-
-void Session::setScenario(const std::string& name) {
-  const auto entry = findEntry(registry_.scenarios, "scenario", name);
-  if (!entry) return;
-  configuration_.names.scenario = name;
-  base_ = baseOf(configuration_.names);
-  undo_.beginMacro(QString::fromStdString((*entry)->title));
-  for (const auto& [key, value] : (*entry)->values)
-    if (!setParameter(key, value)) break;
-  undo_.endMacro();
-  Q_EMIT configurationChanged();
 }
 
 std::unique_ptr<Life> Session::finish() {

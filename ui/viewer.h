@@ -25,7 +25,6 @@ class Viewer {
   Policy& policy() { return *policy_; }
   void setPolicy(std::unique_ptr<Policy> policy) { policy_ = std::move(policy); }
   std::vector<double> pose() const { return environment_->pose(); }
-  const std::vector<double>& q() const { return q_; }
   Action action() const { return action_; }
   /// Where the body is held; nothing lets go.
   void hold(std::optional<double> target) { hand_.hold(target); }

@@ -7,14 +7,8 @@
 #include <QMenuBar>
 #include <QPushButton>
 #include <QSettings>
-#include <QTemporaryDir>
-#include <cmath>
-
-#include "core/experiment/journal.h"
 
 #include "tests/ui/window_setup.h"
-#include "ui/autosave.h"
-#include "ui/exporting.h"
 #include "ui/live_page.h"
 #include "ui/message_bar.h"
 #include "ui/panel.h"
@@ -23,14 +17,6 @@
 #include "ui/theme.h"
 
 namespace surefoot {
-
-namespace {
-double largest(const std::vector<double>& q) {
-  double most = 0;
-  for (const double v : q) most = std::max(most, std::abs(v));
-  return most;
-}
-}  // namespace
 
 TEST(MainWindow, SpaceRunsAndPauses) {
   Window w;
@@ -214,160 +200,6 @@ TEST(MainWindow, UndoTakesAChangeBackAndRedoMakesItAgain) {
   EXPECT_EQ(temperature(), before);
   QTest::keyClick(w.window.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_EQ(temperature(), 4.0);
-}
-
-TEST(MainWindow, ASavedSessionGoesOnWhereItWas) {
-  Window w;
-  QTemporaryDir folder;
-  const QString path = folder.filePath("one.surefoot");
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().totals.episodes > 100; }));
-  w.session->setRunning(false);
-  ASSERT_TRUE(w.waitFor([&] { return !w.session->snapshot().running; }));
-  w.window->saveTo(SavedAs::Session, path);
-  ASSERT_TRUE(w.waitFor([&] { return QFile::exists(path); }));
-  QTest::qWait(50);
-  const auto before = w.session->snapshot().totals;
-  const std::int64_t steps = w.session->snapshot().steps;
-  ASSERT_TRUE(w.session->restart());
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().steps == 0; }));
-  w.window->openFile(path);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().steps == steps; }));
-  EXPECT_EQ(w.session->snapshot().totals.episodes, before.episodes);
-  EXPECT_EQ(w.session->snapshot().totals.falls, before.falls);
-  EXPECT_EQ(w.window->windowTitle(), "Surefoot: one");
-}
-
-TEST(MainWindow, ASavedQFunctionIsWhatANewLifeBeginsWith) {
-  Window w;
-  QTemporaryDir folder;
-  const QString path = folder.filePath("q.safetensors");
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().totals.episodes > 300; }));
-  w.session->setRunning(false);
-  w.window->saveTo(SavedAs::QFunction, path);
-  ASSERT_TRUE(w.waitFor([&] { return QFile::exists(path); }));
-  w.window->openFile(path);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().steps == 0 && w.session->values(); }));
-  const auto& q = w.session->snapshot().q;
-  EXPECT_GT(largest(q), 1.0) << "something is known already";
-}
-
-TEST(MainWindow, AJournalIsLivedAgainToTheSameHash) {
-  Window w;
-  QTemporaryDir folder;
-  const QString path = folder.filePath("life.jsonl");
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().steps > 1000; }));
-  ASSERT_TRUE(w.session->setParameter("policy.threshold", 20));
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().steps > 60'000; }));
-  w.session->setRunning(false);
-  ASSERT_TRUE(w.waitFor([&] { return !w.session->snapshot().running; }));
-  ASSERT_TRUE(w.session->place({0.1, 0.0, 0.0}));
-  w.session->stepOnce();
-  QTest::qWait(100);
-  w.window->saveTo(SavedAs::Journal, path);
-  ASSERT_TRUE(w.waitFor([&] { return QFile::exists(path); }));
-  const auto journal = readJournal(w.registry, path.toStdString());
-  ASSERT_TRUE(journal) << journal.error().message;
-  const auto lived = replay(w.registry, *journal, {});
-  ASSERT_TRUE(lived) << lived.error().message;
-  EXPECT_TRUE(journal->sameAs(*lived));
-  EXPECT_EQ(w.session->finish()->hash(), lived->hash);
-}
-
-TEST(MainWindow, WhatCannotBeOpenedIsSaidInASentence) {
-  Window w;
-  QTemporaryDir folder;
-  for (const char* name : {"nowhere.surefoot", "rubbish.safetensors", "rubbish.jsonl", "rubbish.toml"}) {
-    const QString path = folder.filePath(name);
-    if (QString(name).startsWith("rubbish")) {
-      QFile file(path);
-      ASSERT_TRUE(file.open(QIODevice::WriteOnly));
-      file.write("{ this is nothing");
-    }
-    w.window->openFile(path);
-    EXPECT_TRUE(w.window->messages().isVisible());
-    EXPECT_TRUE(w.window->messages().accessibleName().contains(name))
-        << w.window->messages().accessibleName().toStdString();
-    w.window->messages().dismiss();
-  }
-  EXPECT_EQ(w.session->snapshot().life, 1u) << "the life goes on";
-}
-
-TEST(MainWindow, WhatIsLearnedCanBeCarriedOverIntoOtherTiles) {
-  Window w;
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().totals.episodes > 300 && w.session->values(); }));
-  w.session->setRunning(false);
-  bool done = false;
-  w.session->carryOver("features.pole_angle", 18, [&](const Status& s) {
-    EXPECT_TRUE(s) << s.error().message;
-    done = true;
-  });
-  ASSERT_TRUE(w.waitFor([&] { return done; }, 60'000));
-  EXPECT_EQ(w.session->configuration().parameters.get("features.pole_angle"), 18);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().steps == 0 && w.session->values(); }));
-  const auto& q = w.session->snapshot().q;
-  EXPECT_GT(largest(q), 1.0);
-}
-
-TEST(MainWindow, EveryEnvironmentCanBeChosen) {
-  Window w;
-  for (const EnvironmentEntry& entry : w.registry.environments) {
-    ASSERT_TRUE(w.session->beginEnvironment(entry.name)) << entry.name;
-    w.session->setRunning(true);
-    ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().steps > 3 && w.session->values(); })) << entry.name;
-    w.window->grab();
-    EXPECT_EQ(w.session->configuration().names.environment, entry.name);
-  }
-}
-
-TEST(MainWindow, ViewsAreExportedInEveryFormat) {
-  Window w;
-  QTemporaryDir folder;
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().totals.episodes > 100 && w.session->values(); }));
-  QTest::qWait(200);
-  for (Panel* panel : w.window->livePage().panels())
-    for (const char* ending : {".png", ".svg", ".pdf", ".csv"}) {
-      const std::string path = folder.filePath(panel->objectName() + ending).toStdString();
-      const Status s = exportView(*panel->widget(), path);
-      const bool table = dynamic_cast<CsvSource*>(panel->widget()) != nullptr;
-      if (ending != std::string(".csv") || table) {
-        EXPECT_TRUE(s) << path;
-        EXPECT_GT(QFileInfo(QString::fromStdString(path)).size(), 60) << path;
-      } else {
-        EXPECT_FALSE(s) << path;
-      }
-    }
-  EXPECT_FALSE(exportView(*w.window, folder.filePath("picture.bmp").toStdString()));
-}
-
-TEST(Autosave, ACrashLeavesTheSessionAndAProperEndNothing) {
-  Window w;
-  QTemporaryDir folder;
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().steps > 10; }));
-  const auto files = [&] { return QDir(folder.path()).entryList(QDir::Files); };
-  Autosave autosave(*w.session, folder.path());
-  autosave.save();
-  ASSERT_TRUE(w.waitFor([&] { return files().size() == 1; }));
-  EXPECT_TRUE(autosave.leftBehind().isEmpty()) << "its process is alive";
-  ASSERT_TRUE(QFile::rename(folder.filePath(files()[0]), folder.filePath("autosave-999999999.surefoot")));
-  EXPECT_FALSE(autosave.leftBehind().isEmpty());
-  EXPECT_TRUE(w.session->open(autosave.leftBehind().toStdString()));
-  autosave.forget();
-  EXPECT_TRUE(files().isEmpty());
-  QTest::qWait(50);
-  autosave.save();
-  autosave.finish();
-  QTest::qWait(100);
 }
 
 }  // namespace surefoot

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/experiment_progress.h"
+
+#include <QPainter>
+#include <cmath>
+
+#include "core/text.h"
+#include "ui/experiment.h"
+#include "ui/symbol_text.h"
+#include "ui/theme.h"
+
+namespace surefoot {
+
+ExperimentProgress::ExperimentProgress(Experiment& experiment, QWidget* parent)
+    : QWidget(parent),
+      experiment_(experiment) {
+  setFixedSize(420, 40);
+  setAccessibleName(tr("Progress"));
+  for (auto signal : {&Experiment::progressed, &Experiment::stateChanged, &Experiment::planChanged})
+    connect(&experiment_, signal, this, qOverload<>(&QWidget::update));
+}
+
+void ExperimentProgress::paintEvent(QPaintEvent*) {
+  const Theme& t = themeOf(*this);
+  QPainter p(this);
+  const int planned = experiment_.livesPlanned();
+  if (planned == 0) return;
+  p.setFont(textFont(13, 500));
+  p.setPen(t.ink);
+  p.drawText(QRectF(0, 2, 180, 20), Qt::AlignVCenter,
+             tr("%1 of %2 lives").arg(toText(countText(experiment_.livesDone())), toText(countText(planned))));
+  p.setFont(textFont(13));
+  p.drawText(QRectF(0, 2, 240, 20), Qt::AlignRight | Qt::AlignVCenter,
+             tr("%1 %").arg(static_cast<int>(std::floor(100 * experiment_.share()))));
+  p.fillRect(QRectF(0, 27, 240, 4), t.track);
+  p.fillRect(QRectF(0, 27, 240 * experiment_.share(), 4), t.ink);
+  p.setFont(textFont(11));
+  p.setPen(t.quiet);
+  const auto time = [](double s) {
+    return s < 99.5 ? tr("%1 s").arg(std::lround(s)) : tr("%1 min").arg(std::lround(s / 60));
+  };
+  const double elapsed = experiment_.elapsed();
+  if (elapsed > 0) p.drawText(QRectF(256, 2, 160, 18), Qt::AlignVCenter, tr("elapsed %1").arg(time(elapsed)));
+  QString second;
+  if (const auto left = experiment_.left())
+    second = tr("about %1 left").arg(time(*left));
+  else if (experiment_.state() == Experiment::State::Paused)
+    second = tr("paused");
+  else if (experiment_.state() == Experiment::State::Complete)
+    second = tr("complete");
+  p.drawText(QRectF(256, 19, 160, 18), Qt::AlignVCenter, second);
+}
+
+}  // namespace surefoot

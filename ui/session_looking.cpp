@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of Session for those who look: at states on a map, at falls, at the last minutes. None of it touches the
+// life.
+#include <algorithm>
+
+#include "ui/session.h"
+
+namespace surefoot {
+
+void Session::takeFalls() {
+  constexpr std::size_t kMostValues = 20;
+  auto fresh = learner_->takeFalls();
+  std::erase_if(fresh, [this](const Fall& f) { return f.life != lifeSent_; });
+  if (fresh.empty()) return;
+  // The values as they were, as nearly as the window has them. In turbo hundreds of falls come in a second.
+  constexpr int kEvery = 500;  // [ms]
+  if (values() && (!sinceValuesThen_.isValid() || sinceValuesThen_.elapsed() >= kEvery)) {
+    sinceValuesThen_.start();
+    valuesThen_.emplace_back(fresh.back().number, values()->values->clone());
+  }
+  if (valuesThen_.size() > kMostValues) valuesThen_.pop_front();
+  for (Fall& fall : fresh) falls_.push_back(std::move(fall));
+  while (falls_.size() > kMostFalls) falls_.pop_front();
+  Q_EMIT fallsArrived();
+}
+
+void Session::replayFall(std::size_t index) {
+  if (index >= falls_.size()) return;
+  const Fall& fall = falls_[index];
+  std::shared_ptr<const ActionValueFunction> then;
+  for (const auto& [number, values] : valuesThen_)
+    if (number >= fall.number && !then) then = values;
+  if (!then && values()) then = values()->values->clone();
+  Playback playback = playbackOf(fall, registry_, configuration_.names.environment, std::move(then));
+  if (playback.frames.empty()) return;
+  playback_ = std::move(playback);
+  playbackRest_ = 0;
+  Q_EMIT playbackChanged();
+}
+
+void Session::lookBack(int frames) {
+  if (!playback_) {
+    if (recording_.size() < 2 || frames > 0) return;
+    playback_ = recording_.playback();
+  }
+  playback_->rate = 0;
+  seek(playback_->position + frames);
+}
+
+void Session::seek(double position) {
+  if (!playback_) return;
+  const double last = static_cast<double>(playback_->frames.size()) - 1.0;
+  if (position > last + 0.5 && playback_->rate == 0) return backToLive();
+  playback_->position = std::clamp(position, 0.0, last);
+  playbackRest_ = 0;
+  Q_EMIT playbackChanged();
+}
+
+void Session::backToLive() {
+  if (!playback_) return;
+  playback_.reset();
+  Q_EMIT playbackChanged();
+}
+
+const ActionValueFunction* Session::valuesShown() const {
+  if (playback_ && playback_->values) return playback_->values.get();
+  return values() ? values()->values.get() : nullptr;
+}
+
+void Session::showPlayback(double seconds) {
+  constexpr double kRest = 1.2;  // at the end of a fall [s]
+  Playback& p = *playback_;
+  if (p.rate > 0) {
+    if (p.atEnd() && (playbackRest_ += seconds) > kRest) return backToLive();
+    p.position = std::min(p.position + p.rate * seconds, static_cast<double>(p.frames.size()) - 1.0);
+  }
+  shown_ = p.frames[static_cast<std::size_t>(p.position)];
+}
+
+void Session::examine(const std::optional<std::vector<double>>& state) {
+  const std::vector<double> next = state.value_or(std::vector<double>());
+  if (next == hovered_) return;
+  hovered_ = next;
+  Q_EMIT examinedChanged();
+}
+
+void Session::pin(const std::optional<std::vector<double>>& state) {
+  pinned_ = state.value_or(std::vector<double>());
+  Q_EMIT examinedChanged();
+}
+
+}  // namespace surefoot
