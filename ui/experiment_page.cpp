@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/experiment_page.h"
 
+#include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
@@ -231,7 +232,7 @@ void ExperimentPage::refresh() {
   summary_->setText(summary());
   const QString left = experiment_.storePath().empty()
                            ? tr("nothing lived yet")
-                           : tr("%1, saved after every life").arg(toText(experiment_.storePath()));
+                           : tr("%1, saved after every life").arg(QFileInfo(toText(experiment_.storePath())).fileName());
   Q_EMIT statusChanged(left, tr("%1 falls").arg(toText(countText(static_cast<double>(experiment_.falls())))));
 }
 

@@ -40,5 +40,55 @@ shot() {
   kill $server && wait $server 2>/dev/null || true
 }
 
+# begin [ARGUMENT …]: the window in a home of its own; sets environment, window, pid and server.
+begin() {
+  rm -rf "$home"/*
+  mkdir -p "$home/config/Surefoot"
+  printf '[General]\nappearance=1\n' >"$home/config/Surefoot/Surefoot.conf"
+  exec 3>"$home/display"
+  Xvfb -displayfd 3 -screen 0 1280x800x24 -nolisten tcp 2>/dev/null &
+  server=$!
+  while [ ! -s "$home/display" ]; do sleep 0.1; done
+  environment=(env DISPLAY=":$(cat "$home/display")" QT_QPA_PLATFORM=xcb HOME="$home" XDG_CONFIG_HOME="$home/config" XDG_DATA_HOME="$home/data" XDG_RUNTIME_DIR="$home")
+  "${environment[@]}" "$program" window "$@" &
+  pid=$!
+  window=$("${environment[@]}" timeout 20 xdotool search --sync --onlyvisible --name '^Surefoot' | head -1)
+  "${environment[@]}" xdotool windowmove --sync "$window" 0 0 windowsize --sync "$window" 1280 800 windowfocus --sync "$window"
+}
+
+end() {
+  kill $pid && wait $pid || true
+  kill $server && wait $server 2>/dev/null || true
+}
+
+# animation NAME: four seconds of a pendulum that has learned for a moment, half the size.
+animation() {
+  begin --policy trl
+  "${environment[@]}" xdotool key t
+  sleep 0.6
+  "${environment[@]}" xdotool key t
+  mkdir "$home/frames"
+  local i
+  for i in $(seq -w 32); do
+    "${environment[@]}" import -window root "$home/frames/$i.png"
+    sleep 0.05
+  done
+  convert -delay 12 -loop 0 "$home/frames/*.png" -resize 50% -layers optimize "$out/$1.gif"
+  end
+}
+
+# experiment NAME: the Experiment page with the shipped plan, run to its end.
+experiment() {
+  begin
+  "${environment[@]}" xdotool key space mousemove 1163 12 click 1
+  sleep 1
+  "${environment[@]}" xdotool mousemove 24 48 click 1 mousemove 640 20
+  sleep 75
+  "${environment[@]}" import -window root "$out/$1.png"
+  end
+}
+
 shot window-light 1280 800 1
 shot window-dark 1280 800 2
+animation window
+experiment experiment
