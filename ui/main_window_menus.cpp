@@ -227,10 +227,8 @@ void MainWindow::makeMenus() {
   QMenu* experiment = menuBar()->addMenu(tr("E&xperiment"));
   const auto item = [&](const QString& text, const QString& tip, void (ExperimentPage::*slot)()) {
     QAction* action = addAction(experiment, text, tip, {});
-    connect(action, &QAction::triggered, this, [this, slot] {
-      setPage(1);
-      (experiment_->*slot)();
-    });
+    connect(action, &QAction::triggered, this, [this] { setPage(1); });
+    connect(action, &QAction::triggered, experiment_, slot);
   };
   item(tr("&Open a plan or results …"), tr("A plan, a recipe or a store of results"), &ExperimentPage::openWithDialog);
   item(tr("Save the &plan as …"), tr("The plan as a file"), &ExperimentPage::savePlanAs);

@@ -57,7 +57,7 @@ void MapBar::setText(QToolButton* button, const QString& text) {
 
 void MapBar::show(const MapChoice& choice, const Task& task, std::span<const double> live) {
   choice_ = choice;
-  task_ = &task;
+  task_ = task;
   live_.assign(live.begin(), live.end());
   setText(quantity_, quantityText(choice, task));
   setText(axes_, axesText(choice, task));
@@ -81,45 +81,45 @@ QAction* addChoice(QMenu& menu, const QString& text, bool checked, std::function
 }  // namespace
 
 void MapBar::fillQuantities(QMenu& menu) {
-  if (!task_) return;
+  if (task_.state.empty()) return;
   const auto add = [&](MapQuantity quantity, Action action) {
     MapChoice next = choice_;
     next.quantity = quantity;
     next.action = action;
     const bool now = choice_.quantity == quantity && (quantity != MapQuantity::OneAction || choice_.action == action);
-    addChoice(menu, quantityText(next, *task_), now, [this, next] { choose(next); });
+    addChoice(menu, quantityText(next, task_), now, [this, next] { choose(next); });
   };
   add(MapQuantity::BestAction, 0);
   constexpr std::size_t kMostActions = 12;  // more would fill the screen; the best one and the greedy one remain
-  if (task_->actions.size() <= kMostActions)
-    for (std::size_t a = task_->actions.size(); a-- > 0;) add(MapQuantity::OneAction, static_cast<Action>(a));
+  if (task_.actions.size() <= kMostActions)
+    for (std::size_t a = task_.actions.size(); a-- > 0;) add(MapQuantity::OneAction, static_cast<Action>(a));
   menu.addSeparator();
   for (const MapQuantity q : {MapQuantity::GreedyAction, MapQuantity::Visits, MapQuantity::Eligibility}) add(q, 0);
 }
 
 void MapBar::fillAxes(QMenu& menu) {
-  if (!task_) return;
+  if (task_.state.empty()) return;
   for (const bool horizontal : {true, false}) {
     menu.addSection(horizontal ? tr("Horizontal") : tr("Vertical"));
-    for (std::size_t d = 0; d < task_->state.size(); ++d) {
+    for (std::size_t d = 0; d < task_.state.size(); ++d) {
       MapChoice next = choice_;
       int& axis = horizontal ? next.x : next.y;
       int& other = horizontal ? next.y : next.x;
       if (other == static_cast<int>(d)) other = axis;  // they change places
       axis = static_cast<int>(d);
-      addChoice(menu, toText(task_->state[d].title), (horizontal ? choice_.x : choice_.y) == static_cast<int>(d),
+      addChoice(menu, toText(task_.state[d].title), (horizontal ? choice_.x : choice_.y) == static_cast<int>(d),
                 [this, next] { choose(next); });
     }
   }
 }
 
 void MapBar::fillOthers(QMenu& menu) {
-  if (!task_) return;
+  if (task_.state.empty()) return;
   std::vector<std::size_t> others;
-  for (std::size_t d = 0; d < task_->state.size(); ++d)
+  for (std::size_t d = 0; d < task_.state.size(); ++d)
     if (!choice_.isAxis(d)) others.push_back(d);
   for (const std::size_t d : others) {
-    QMenu* own = others.size() == 1 ? &menu : menu.addMenu(toText(task_->state[d].title));
+    QMenu* own = others.size() == 1 ? &menu : menu.addMenu(toText(task_.state[d].title));
     addOther(*own, d);
   }
 }
@@ -140,7 +140,7 @@ void MapBar::addOther(QMenu& menu, std::size_t d) {
   add(tr("Follow the live state"), Across::Live, choice_.projection);
   add(tr("Fix where it is now"), Across::Fixed, choice_.projection);
 
-  const StateVariable v = task_->state[d];
+  const StateVariable v = task_.state[d];
   auto* slider = new QSlider(Qt::Horizontal, &menu);
   slider->setRange(0, kSliderSteps);
   slider->setMinimumWidth(180);

@@ -34,7 +34,7 @@ class MapBar final : public QWidget {
   void addOther(QMenu& menu, std::size_t variable);
 
   MapChoice choice_;
-  const Task* task_ = nullptr;
+  Task task_;  // a copy: the one in the session goes with its world
   std::vector<double> live_;
   QToolButton *quantity_, *axes_, *others_, *range_;
 };

@@ -132,6 +132,7 @@ CurvePoint Session::latest() const {
 }
 
 void Session::show(double seconds) {
+  if (snapshot().life != lifeSent_) return;  // that of the life before, perhaps in another environment
   const bool viewing = turbo_ && running_ && values();
   std::int64_t falls = snapshot().totals.falls;
   if (viewing) {
@@ -228,6 +229,11 @@ void Session::adopt(std::unique_ptr<Life> life) {
   makeViewer();
   learner_->send(ReplaceLife{std::move(life)});
   ++lifeSent_;
+  // Until it has been heard of: the environment as it is set up.
+  shown_ = {};
+  shown_.state.assign(viewer_->environment().state().begin(), viewer_->environment().state().end());
+  shown_.pose = viewer_->pose();
+  shown_.q.assign(task().actions.size(), 0.0);
   if (wasFinished) setRunning(true);
   Q_EMIT lifeReplaced();
 }

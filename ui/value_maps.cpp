@@ -38,6 +38,7 @@ ValueMaps::ValueMaps(Session& session, QWidget* parent) : QWidget(parent), sessi
 }
 
 void ValueMaps::setChoice(const MapChoice& choice) {
+  if (choice.across.size() != session_.task().state.size()) return;  // chosen for another environment
   choice_ = choice;
   recompute();
   Q_EMIT shown();

@@ -75,7 +75,7 @@ TEST(ExperimentPage, TheResultsAreThoseOfAHeadlessRun) {
 TEST(ExperimentPage, PausesAndGoesOnToTheSameEnd) {
   std::string plan = kPlan;
   plan.replace(plan.find("lives = 6"), 9, "lives = 40");
-  plan.replace(plan.find("episodes = 200"), 14, "episodes = 1000");
+  plan.replace(plan.find("episodes = 200"), 14, "episodes = 400");
   Page p(plan);
   p.page.runOrPause();
   ASSERT_TRUE(p.waitFor([&] { return p.experiment().livesDone() > 2; }, 30'000));
