@@ -109,7 +109,7 @@ QWidget* ExperimentPage::makeColumn() {
   auto* layout = new QVBoxLayout(column);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  auto* header = new PanelHeader(tr("Conditions"), false);
+  auto* header = columnHeader_ = new PanelHeader(tr("Conditions"), false);
   header->setNote(tr("lives done"));
   edit_ = new LinkButton(tr("Edit the plan"));
   connect(edit_, &QToolButton::clicked, this, [this] { showPlan(stack_->currentIndex() == 0); });
@@ -138,14 +138,10 @@ QWidget* ExperimentPage::makeResults() {
       other->setVisible(!other->isVisible());
       panel->header().setFull(!other->isVisible());
     });
-  auto* lower = new QSplitter(Qt::Horizontal);
-  lower->setHandleWidth(1);
+  auto* lower = new QStackedWidget;
   lower->addWidget(new FindingsTable(experiment_));
   auto* claims = new ClaimsTable(experiment_);
   lower->addWidget(claims);
-  lower->setSizes({620, 400});
-  connect(&experiment_, &Experiment::resultsChanged, claims, [claims] { claims->setVisible(claims->rowCount() > 0); });
-  claims->hide();
   auto* whole = new QSplitter(Qt::Vertical);
   whole->setHandleWidth(1);
   whole->setChildrenCollapsible(false);
@@ -156,6 +152,22 @@ QWidget* ExperimentPage::makeResults() {
   column->setSpacing(0);
   auto* header = new PanelHeader(tr("Table"), false);
   header->setNote(tr("falls during learning, against the reference of each condition"));
+  auto* other = new LinkButton(tr("The thesis's claims"));
+  header->addWidget(other);
+  const auto turn = [lower, header, other](int page) {
+    lower->setCurrentIndex(page);
+    header->setNote(page == 0 ? tr("falls during learning, against the reference of each condition")
+                              : tr("what the thesis claims, and what came out here"));
+    other->setText(page == 0 ? tr("The thesis's claims") : tr("The conditions"));
+    header->layOutExtra();
+  };
+  connect(other, &QToolButton::clicked, this, [lower, turn] { turn(1 - lower->currentIndex()); });
+  const auto offer = [claims, other, turn] {
+    other->setEnabled(claims->rowCount() > 0);
+    if (claims->rowCount() == 0) turn(0);
+  };
+  connect(&experiment_, &Experiment::resultsChanged, claims, offer);
+  offer();
   summary_ = new QLabel;
   summary_->setContentsMargins(12, 6, 12, 10);
   summary_->setWordWrap(true);
@@ -186,7 +198,7 @@ void ExperimentPage::open(const QString& path) {
 void ExperimentPage::showPlan(bool shown) {
   stack_->setCurrentIndex(shown ? 1 : 0);
   edit_->setText(shown ? tr("Show the results") : tr("Edit the plan"));
-  edit_->updateGeometry();
+  columnHeader_->layOutExtra();
   if (shown && editor_->text().isEmpty()) editor_->setText(toText(experiment_.text()));
 }
 
@@ -230,9 +242,10 @@ void ExperimentPage::refresh() {
   stop_->setEnabled(experiment_.plan().has_value() && experiment_.livesDone() > 0);
   edit_->setEnabled(experiment_.plan().has_value());
   summary_->setText(summary());
-  const QString left = experiment_.storePath().empty()
-                           ? tr("nothing lived yet")
-                           : tr("%1, saved after every life").arg(QFileInfo(toText(experiment_.storePath())).fileName());
+  const QString left =
+      experiment_.storePath().empty()
+          ? tr("nothing lived yet")
+          : tr("%1, saved after every life").arg(QFileInfo(toText(experiment_.storePath())).fileName());
   Q_EMIT statusChanged(left, tr("%1 falls").arg(toText(countText(static_cast<double>(experiment_.falls())))));
 }
 

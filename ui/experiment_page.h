@@ -16,6 +16,7 @@ namespace surefoot {
 
 class FigurePanel;
 class LinkButton;
+class PanelHeader;
 class PlanEditor;
 class Session;
 
@@ -62,6 +63,7 @@ class ExperimentPage final : public QWidget {
   QStackedWidget* stack_ = nullptr;
   PlanEditor* editor_ = nullptr;
   LinkButton* edit_ = nullptr;
+  PanelHeader* columnHeader_ = nullptr;
   QLabel* summary_ = nullptr;
   std::vector<FigurePanel*> figures_;
 };

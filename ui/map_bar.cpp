@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/map_bar.h"
 
-#include <QCoreApplication>
 #include <QHBoxLayout>
 #include <QMenu>
-#include <QResizeEvent>
 #include <QSlider>
 #include <QToolButton>
 #include <QWidgetAction>
 
 #include "core/text.h"
 #include "ui/link_button.h"
+#include "ui/panel.h"
 #include "ui/symbol_text.h"
 
 namespace surefoot {
@@ -49,10 +48,7 @@ void MapBar::setText(QToolButton* button, const QString& text) {
   button->setText(text);
   button->updateGeometry();
   adjustSize();
-  if (parentWidget()) {
-    QResizeEvent same(parentWidget()->size(), parentWidget()->size());
-    QCoreApplication::sendEvent(parentWidget(), &same);  // the header keeps its extra widget at the right
-  }
+  if (auto* header = qobject_cast<PanelHeader*>(parentWidget())) header->layOutExtra();
 }
 
 void MapBar::show(const MapChoice& choice, const Task& task, std::span<const double> live) {

@@ -21,6 +21,8 @@ class PanelHeader final : public QWidget {
   void setOnPaper(bool paper) { paper_ = paper; }
   /// Puts a small widget at the right end, before the button.
   void addWidget(QWidget* widget);
+  /// Places that widget again, when its width has changed.
+  void layOutExtra() { resizeEvent(nullptr); }
   QSize sizeHint() const override { return {100, 32}; }
   QSize minimumSizeHint() const override { return {60, 32}; }
 
