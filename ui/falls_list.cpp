@@ -16,11 +16,14 @@ namespace {
 
 class FallsModel final : public QAbstractTableModel {
  public:
-  FallsModel(Session& session, QObject* parent) : QAbstractTableModel(parent), session_(session) {
-    connect(&session_, &Session::fallsArrived, this, [this] {
-      beginResetModel();
-      endResetModel();
+  FallsModel(Session& session, QWidget* parent) : QAbstractTableModel(parent), session_(session) {
+    connect(&session_, &Session::fallsArrived, this, [this, parent] {
+      if (parent->isVisible() || session_.falls().empty()) refresh();
     });
+  }
+  void refresh() {
+    beginResetModel();
+    endResetModel();
   }
   int rowCount(const QModelIndex&) const override { return static_cast<int>(session_.falls().size()); }
   int columnCount(const QModelIndex&) const override { return 5; }
@@ -73,6 +76,11 @@ FallsList::FallsList(Session& session, QWidget* parent) : QTableView(parent), se
   setTabKeyNavigation(false);
   connect(this, &QTableView::clicked, this, &FallsList::replay);
   connect(this, &QTableView::activated, this, &FallsList::replay);
+}
+
+void FallsList::showEvent(QShowEvent* event) {
+  static_cast<FallsModel*>(model())->refresh();
+  QTableView::showEvent(event);
 }
 
 void FallsList::replay(const QModelIndex& index) {

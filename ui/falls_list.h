@@ -17,6 +17,7 @@ class FallsList final : public QTableView {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void showEvent(QShowEvent* event) override;
 
  private:
   void replay(const QModelIndex& index);

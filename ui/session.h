@@ -168,7 +168,7 @@ class Session final : public QObject {
   QUndoStack undo_;
   Background background_;
   QTimer timer_;
-  QElapsedTimer sinceValuesThen_, clock_, sinceValues_, sinceFall_;
+  QElapsedTimer sinceFalls_, sinceValuesThen_, clock_, sinceValues_, sinceFall_;
   bool running_ = false, turbo_ = false;
   double pace_ = 1.0;
   double stepsPerSecond_ = 0.0;

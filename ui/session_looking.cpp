@@ -9,6 +9,9 @@ namespace surefoot {
 
 void Session::takeFalls() {
   constexpr std::size_t kMostValues = 20;
+  constexpr int kRest = 250;  // [ms] between two looks in turbo, where they come by the hundred
+  if (turbo_ && sinceFalls_.isValid() && sinceFalls_.elapsed() < kRest) return;
+  sinceFalls_.start();
   auto fresh = learner_->takeFalls();
   std::erase_if(fresh, [this](const Fall& f) { return f.life != lifeSent_; });
   if (fresh.empty()) return;
