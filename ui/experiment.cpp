@@ -15,6 +15,14 @@ namespace surefoot {
 namespace {
 constexpr int kTick = 200;  // [ms]
 
+/// Of the lives that are over.
+std::int64_t fallsIn(const LabView& view) {
+  std::int64_t falls = 0;
+  for (const Evidence& e : view.evidence)
+    for (const StoredLife& life : e.record.lives) falls += life.falls;
+  return falls;
+}
+
 bool isStore(const std::string& path) {
   QFile file(toText(path));
   return file.open(QIODevice::ReadOnly) && file.read(15) == "SQLite format 3";
@@ -108,10 +116,8 @@ Status Experiment::openStore(const std::string& path) {
   title_ = stored_.title;
   figures_ = standardFigures();
   livesDone_ = 0;
-  for (const Evidence& e : view_->evidence) {
-    livesDone_ += static_cast<int>(e.lives.size()) + e.record.diverged;
-    for (const StoredLife& life : e.record.lives) falls_ += life.falls;
-  }
+  for (const Evidence& e : view_->evidence) livesDone_ += static_cast<int>(e.lives.size()) + e.record.diverged;
+  falls_ = fallsIn(*view_);
   share_ = livesPlanned() > 0 ? static_cast<double>(livesDone_) / livesPlanned() : 0;
   setState(view_->findings.complete ? State::Complete : State::Paused);
   Q_EMIT planChanged();
@@ -135,6 +141,7 @@ Status Experiment::run() {
   thread_ = std::make_unique<LaboratoryThread>(registry_, *plan_, std::move(*store), jobs);
   running_.start();
   shareAtStart_ = share_;
+  fallsAtStart_ = falls_;
   setState(State::Running);
   timer_.start(kTick);
   return Done{};
@@ -146,6 +153,7 @@ void Experiment::pause() {
 }
 
 void Experiment::reset() {
+  if (plan_ && livesDone_ > 0) Q_EMIT leftBehind(toText(storePath_));
   timer_.stop();
   thread_.reset();
   view_.reset();
@@ -161,7 +169,7 @@ void Experiment::take() {
   livesDone_ = std::max(livesDone_, p.livesThere + p.work.livesDone);
   const double open = 1.0 - shareAtStart_;
   share_ = std::max(share_, shareAtStart_ + open * p.work.share);
-  falls_ = p.work.falls;
+  falls_ = fallsAtStart_ + p.work.falls;
   Q_EMIT progressed();
   if (auto view = thread_->view(); view && view != view_) {
     view_ = std::move(view);
@@ -180,6 +188,7 @@ void Experiment::tick() {
   const bool complete = thread_->complete();
   thread_.reset();
   if (complete) share_ = 1, livesDone_ = livesPlanned();
+  if (view_) falls_ = fallsIn(*view_);  // without the lives that were given up
   setState(complete ? State::Complete : State::Paused);
   Q_EMIT progressed();
   if (!trouble.empty()) Q_EMIT failed(toText(trouble));
@@ -202,10 +211,6 @@ std::optional<Figure> Experiment::figure(const FigureSpec& spec) const {
   if (!view_) return std::nullopt;
   auto figure = makeFigure(registry_, spec, view_->evidence, stored_.seed);
   return figure ? std::optional<Figure>(std::move(*figure)) : std::nullopt;
-}
-
-int Experiment::livesDone() const {
-  return livesDone_;
 }
 
 int Experiment::livesPlanned() const {

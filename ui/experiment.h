@@ -59,7 +59,7 @@ class Experiment final : public QObject {
   /// Forgets what was lived; the store stays on the disk.
   void reset();
 
-  int livesDone() const;
+  int livesDone() const { return livesDone_; }
   int livesPlanned() const;
   double share() const { return share_; }
   std::int64_t falls() const { return falls_; }
@@ -75,6 +75,8 @@ class Experiment final : public QObject {
   void resultsChanged();
   void stateChanged();
   void failed(const QString& sentence);
+  /// Another plan takes the place of one whose lives are in this store.
+  void leftBehind(const QString& store);
 
  private:
   void tick();
@@ -99,7 +101,7 @@ class Experiment final : public QObject {
   QElapsedTimer running_;
   double before_ = 0, share_ = 0, shareAtStart_ = 0;
   int livesDone_ = 0;
-  std::int64_t falls_ = 0;
+  std::int64_t falls_ = 0, fallsAtStart_ = 0;
 };
 
 }  // namespace surefoot

@@ -58,6 +58,9 @@ ExperimentPage::ExperimentPage(Session& session, std::vector<PlanSource> sources
     if (defaults) editor_->addCondition(conditionToml(session_.configuration(), *defaults));
   });
   connect(&experiment_, &Experiment::failed, this, &ExperimentPage::refused);
+  connect(&experiment_, &Experiment::leftBehind, this, [this](const QString& store) {
+    Q_EMIT refused(tr("What was lived so far is kept; it can be opened again: %1").arg(store));
+  });
   for (auto signal :
        {&Experiment::stateChanged, &Experiment::planChanged, &Experiment::progressed, &Experiment::resultsChanged})
     connect(&experiment_, signal, this, &ExperimentPage::refresh);

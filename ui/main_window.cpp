@@ -63,6 +63,7 @@ MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent) : Q
     refreshStatus();
   });
   connect(&session_, &Session::stateChanged, this, &MainWindow::refresh);
+  connect(&session_, &Session::stateChanged, messages_, &MessageBar::dismissRemark);
   connect(&session_, &Session::configurationChanged, messages_, &MessageBar::dismiss);
   connect(&session_, &Session::lifeReplaced, messages_, &MessageBar::dismiss);
   connect(&session_, &Session::frame, this, [this] {

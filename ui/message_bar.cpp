@@ -74,6 +74,10 @@ void MessageBar::ask(const QString& sentence, std::vector<Answer> answers) {
   dismiss_->setText(tr("Cancel"));
 }
 
+void MessageBar::dismissRemark() {
+  if (!then_[0]) dismiss();
+}
+
 void MessageBar::dismiss() {
   then_ = {};
   hide();

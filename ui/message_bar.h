@@ -32,6 +32,8 @@ class MessageBar final : public QWidget {
   /// Shows a question with one or two answers.
   void ask(const QString& sentence, std::vector<Answer> answers);
   void dismiss();
+  /// Unless it is a question.
+  void dismissRemark();
 
  protected:
   void paintEvent(QPaintEvent*) override;

@@ -59,19 +59,11 @@ Rival::Rival(Session& first, QWidget* parent)
 }
 
 Configuration Rival::configurationLikeFirst() const {
-  const Configuration& theirs = first_.configuration();
-  Names names = theirs.names;
+  Names names = first_.configuration().names;
   names.agent = agent_;
-  auto own = configure(first_.registry(), names, {});
-  if (!own) return theirs;
-  for (const auto& entry : theirs.parameters.all())
-    if (own->parameters.find(entry.parameter.key))
-      static_cast<void>(static_cast<bool>(own->parameters.set(entry.parameter.key, entry.value)));
-  own->names.policy = policy_;
-  own->seed = theirs.seed;
-  own->minutes = theirs.minutes;
-  own->episodes = theirs.episodes;
-  return std::move(*own);
+  names.policy = policy_;
+  auto own = first_.configurationUnder(names);
+  return own ? std::move(*own) : first_.configuration();
 }
 
 void Rival::startAgain() {

@@ -106,6 +106,8 @@ class Session final : public QObject {
   void save(SavedAs what, const std::string& path, std::function<void(const Status&)> then);
   /// A saved session goes on, a Q-function is what a new life begins with, a journal is lived again.
   Status open(const std::string& path);
+  /// The present configuration under other names, with every parameter that both know.
+  Result<Configuration> configurationUnder(const Names& names) const;
   /// A new life under another configuration.
   Status begin(Configuration configuration);
   /// … in another environment, with its usual parameters.

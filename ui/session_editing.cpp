@@ -92,19 +92,24 @@ void Session::setPolicy(const std::string& name) {
   Q_EMIT configurationChanged();
 }
 
+Result<Configuration> Session::configurationUnder(const Names& names) const {
+  auto changed = configure(registry_, names, {});
+  if (!changed) return changed;
+  for (const auto& entry : configuration_.parameters.all())
+    if (changed->parameters.find(entry.parameter.key))
+      if (const Status s = changed->parameters.set(entry.parameter.key, entry.value); !s) return s.error();
+  changed->seed = configuration_.seed;
+  changed->minutes = configuration_.minutes;
+  changed->episodes = configuration_.episodes;
+  return changed;
+}
+
 Status Session::setAgent(const std::string& name) {
   if (name == configuration_.names.agent) return Done{};
   Names names = configuration_.names;
   names.agent = name;
-  auto changed = configure(registry_, names, {});
-  if (!changed) return changed.error();
-  for (const auto& entry : configuration_.parameters.all())
-    if (changed->parameters.find(entry.parameter.key))
-      if (const Status s = changed->parameters.set(entry.parameter.key, entry.value); !s) return s;
-  changed->seed = configuration_.seed;
-  changed->minutes = configuration_.minutes;
-  changed->episodes = configuration_.episodes;
-  return begin(std::move(*changed));
+  auto changed = configurationUnder(names);
+  return changed ? begin(std::move(*changed)) : Status(changed.error());
 }
 
 void Session::setScenario(const std::string& name) {

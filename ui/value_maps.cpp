@@ -15,8 +15,7 @@
 namespace surefoot {
 
 namespace {
-constexpr int kCell = 3, kSmallCell = 2;  // [px]
-constexpr double kFamiliar = 0.25;        // share of the active tiles below which a state counts as never visited
+constexpr double kFamiliar = 0.25;  // share of the active tiles below which a state counts as never visited
 constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 

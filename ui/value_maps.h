@@ -45,6 +45,7 @@ class ValueMaps final : public QWidget, public CsvSource {
   bool event(QEvent* event) override;
 
  private:
+  static constexpr int kCell = 3, kSmallCell = 2;  // [px]
   /// Where the maps and their bars lie; Q, Q⁺ and Q⁻ share one bar.
   struct Geometry {
     QRectF big, bigBar, upper, upperBar, lower, lowerBar;

@@ -15,7 +15,6 @@ namespace surefoot {
 
 namespace {
 constexpr double kLeft = 47, kTop = 24, kUnder = 48;  // gutters [px]
-constexpr int kCell = 3, kSmallCell = 2;              // [px]
 }  // namespace
 
 ValueMaps::Geometry ValueMaps::geometry() const {

@@ -85,6 +85,10 @@ TEST(ExperimentPage, PausesAndGoesOnToTheSameEnd) {
   EXPECT_LT(done, 80);
   p.runToTheEnd();
   EXPECT_EQ(p.experiment().livesDone(), 80);
+  std::int64_t falls = 0;
+  for (const Evidence& e : p.experiment().view()->evidence)
+    for (const StoredLife& life : e.record.lives) falls += life.falls;
+  EXPECT_EQ(p.experiment().falls(), falls) << "those before the pause count, too";
 }
 
 TEST(ExperimentPage, OpensResultsMadeWithoutAWindow) {
@@ -92,8 +96,12 @@ TEST(ExperimentPage, OpensResultsMadeWithoutAWindow) {
   p.runToTheEnd();
   const QString results = p.folder.filePath("results.sqlite");
   ASSERT_TRUE(QFile::copy(QString::fromStdString(p.experiment().storePath()), results));
+  QString said;
+  QObject::connect(&p.page, &ExperimentPage::refused, [&](const QString& s) { said = s; });
+  const QString store = QString::fromStdString(p.experiment().storePath());
   p.page.startAgain();
   EXPECT_FALSE(p.experiment().view());
+  EXPECT_TRUE(said.contains(store)) << "nobody is left without knowing where his lives are: " << said.toStdString();
   p.page.open(results);
   ASSERT_TRUE(p.experiment().view());
   EXPECT_EQ(p.experiment().state(), State::Complete);
