@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// This step: what the last step taught, in words and numbers (Sutton & Barto 2018, eq. 10.14 and section 12.7).
+// This step: what the last step taught, in words and numbers (Sutton & Barto 2018, section 12.7).
 #pragma once
 
 #include <QElapsedTimer>

@@ -100,7 +100,7 @@ void LearnerThread::step() {
 void LearnerThread::noteFall() {
   // A change holds from the next episode on, so one look at the fall after it is not enough.
   if (life_->changes().size() != changesSeen_) changesSeen_ = life_->changes().size(), looksLeft_ = 2;
-  if (!environment_ || looksLeft_ > 0) {
+  if (!environment_ || looksLeft_ > 0 || life_->changesLeftOut()) {
     environment_ = std::make_shared<const std::vector<std::pair<std::string, double>>>(life_->environmentInForce());
     --looksLeft_;
   }

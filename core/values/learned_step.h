@@ -6,7 +6,7 @@
 
 namespace surefoot {
 
-/// δ = reward + next − before (Sutton & Barto 2018, eq. 10.14).
+/// δ = reward + next − before (Sutton & Barto 2018, section 12.7).
 struct LearnedStep {
   double reward = 0.0;
   double next = 0.0;    ///< γ times the value of what follows, before the update; 0 after a terminal outcome
