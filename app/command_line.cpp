@@ -36,6 +36,8 @@ void addTrainOptions(CLI::App& app, TrainOptions& o) {
   app.add_flag("--json", o.json, "print the result as one JSON object");
   addOption(app, "--log", o.log, "write a row an episode to this file, which must not exist yet", "FILE.csv");
   addOption(app, "--load", o.load, "begin with what another life has learned", "FILE");
+  addOption(app, "--from", o.from, "live as a journal, a saved session or a Q-function says; other options come on top",
+            "FILE");
   app.add_option("--at", o.at,
                  "do this when the life has taken so many steps: a parameter, policy=NAME, push=IMPULSE, place=STATE")
       ->type_name("STEP:KEY=VALUE")

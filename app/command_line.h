@@ -39,6 +39,7 @@ struct TrainRequest {
   std::int64_t checkpointEvery = 0;           ///< steps
   std::shared_ptr<const TensorFile> resumed;  ///< the life goes on from here
   NewLimits limits;                           ///< for a life that goes on
+  std::optional<std::int64_t> mostSteps;      ///< of a life that is lived anew, where nothing else ends it
 };
 struct WindowRequest : TrainRequest {};
 

@@ -7,6 +7,7 @@
 #include <filesystem>
 
 #include "core/files/whole_file.h"
+#include "core/laboratory/thesis_marks.h"
 
 namespace surefoot {
 
@@ -68,8 +69,9 @@ Result<Reproduced> reproduce(const Registry& registry, const std::string& recipe
                   .lives = recipe->plan.lives,
                   .conditions = static_cast<int>(evidence->size())};
   for (const FigureSpec& spec : recipe->figures) {
-    const auto figure = makeFigure(registry, spec, *evidence, recipe->plan.seed);
+    auto figure = makeFigure(registry, spec, *evidence, recipe->plan.seed);
     if (!figure) return Error{recipe->name + ".toml: " + figure.error().message};
+    markThesis(*figure, spec.measure, recipe->claims, *evidence);
     if (const Status s = writeWhole("--out", own + "/" + figure->name + ".csv", figureAsCsv(*figure)); !s)
       return s.error();
     if (const Status s = draw(*figure, own); !s) return s.error();

@@ -17,6 +17,7 @@ struct TrainOptions {
   std::optional<std::string> seed, minutes, episodes, until, lives, jobs, log, load;
   std::vector<std::string> at;
   bool json = false, turbo = false;
+  std::optional<std::string> from;
   std::optional<std::string> save, journal, checkpoint, every, resume;  ///< `train` only
 };
 

@@ -29,6 +29,10 @@ Result<std::vector<LifeResult>> run(const Registry& registry, const TrainRequest
       if (!resumed) return resumed.error();
       return std::move(resumed->life);
     };
+  if (request.mostSteps)
+    options.make = [&](int life) {
+      return makeLife(registry, request.configuration, life, options.keepRows, *request.mostSteps);
+    };
   std::optional<ProgressLine> line;
   if (isatty(STDERR_FILENO))
     options.progress = [&](const Progress& p) {

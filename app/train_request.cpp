@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "app/requests.h"
+#include "app/train_from.h"
 #include "core/experiment/q_file.h"
 #include "core/text.h"
 
@@ -123,16 +124,23 @@ Result<std::int64_t> checkpointEvery(const TrainOptions& o, const Task& task) {
   return kWithoutClock;
 }
 
+/// A name that was chosen where a file chooses them; nullptr: none.
+const char* namedOption(const TrainOptions& o) {
+  const Names usual;
+  if (o.names.environment != usual.environment) return "--environment";
+  if (!o.names.preset.empty()) return "--preset";
+  if (!o.names.scenario.empty()) return "--scenario";
+  if (o.names.agent != usual.agent) return "--agent";
+  if (o.names.features != usual.features) return "--features";
+  if (o.names.policy != usual.policy) return "--policy";
+  return nullptr;
+}
+
 /// A life that goes on brings its configuration with it.
 Status checkResume(const TrainOptions& o) {
-  const Names usual;
   const auto other = [&]() -> const char* {
-    if (o.names.environment != usual.environment) return "--environment";
-    if (!o.names.preset.empty()) return "--preset";
-    if (!o.names.scenario.empty()) return "--scenario";
-    if (o.names.agent != usual.agent) return "--agent";
-    if (o.names.features != usual.features) return "--features";
-    if (o.names.policy != usual.policy) return "--policy";
+    if (const char* name = namedOption(o)) return name;
+    if (o.from) return "--from";
     if (!o.assignments.empty()) return "--set";
     if (!o.at.empty()) return "--at";
     if (o.seed) return "--seed";
@@ -170,6 +178,23 @@ Result<TrainRequest> makeResumeRequest(const Registry& registry, const TrainOpti
   return request;
 }
 
+/// The configuration that options choose by name, or that of a file.
+Result<LivedBefore> chosenConfiguration(const Registry& registry, const TrainOptions& o,
+                                        const std::vector<Assignment>& assignments) {
+  if (!o.from) {
+    auto configuration = configure(registry, o.names, assignments);
+    if (!configuration) return configuration.error();
+    return LivedBefore{std::move(*configuration), {}};
+  }
+  if (const char* name = namedOption(o))
+    return Error{fmt::format("{}: the file of --from says it; only parameters can be set on top.", name)};
+  auto lived = readLivedBefore(registry, *o.from);
+  if (!lived) return lived;
+  for (const Assignment& a : assignments)
+    if (const Status s = lived->configuration.parameters.set(a.key, std::string_view(a.value)); !s) return s.error();
+  return lived;
+}
+
 }  // namespace
 
 Result<TrainRequest> makeTrainRequest(const Registry& registry, const TrainOptions& o, bool window) {
@@ -179,13 +204,13 @@ Result<TrainRequest> makeTrainRequest(const Registry& registry, const TrainOptio
 
   const auto assignments = parseAssignments(o.assignments);
   if (!assignments) return assignments.error();
-  if (!window)
-    if (const Status s = checkPolicyKeys(registry, o.names.policy, *assignments); !s) return s.error();
-  auto configuration = configure(registry, o.names, *assignments);
-  if (!configuration) return configuration.error();
-  if (!window)
-    if (const Status s = checkEffect(configuration->parameters, *assignments); !s) return s.error();
-  Configuration& c = request.configuration = std::move(*configuration);
+  auto chosen = chosenConfiguration(registry, o, *assignments);
+  if (!chosen) return chosen.error();
+  Configuration& c = request.configuration = std::move(chosen->configuration);
+  if (!window) {
+    if (const Status s = checkPolicyKeys(registry, c.names.policy, *assignments); !s) return s.error();
+    if (const Status s = checkEffect(c.parameters, *assignments); !s) return s.error();
+  }
   if (const Status s = readExtent(o, c); !s) return s.error();
   if (const Status s = checkOneLife(o, c); !s) return s.error();
   if (const Status s = checkDifferentFiles(o); !s) return s.error();
@@ -198,7 +223,8 @@ Result<TrainRequest> makeTrainRequest(const Registry& registry, const TrainOptio
 
   auto commands = parseCommands(o.at);
   if (!commands) return commands.error();
-  c.commands = std::move(*commands);
+  c.commands.insert(c.commands.end(), commands->begin(), commands->end());
+  std::stable_sort(c.commands.begin(), c.commands.end(), [](const auto& a, const auto& b) { return a.step < b.step; });
   if (o.load) {
     auto file = readQFile(*o.load);
     if (!file) return file.error();
@@ -206,7 +232,8 @@ Result<TrainRequest> makeTrainRequest(const Registry& registry, const TrainOptio
   }
   if (window && c.lives > 1)
     return Error{fmt::format("--lives: the window shows one life, not {}; `surefoot train` runs many.", c.lives)};
-  if (!window && !c.minutes && !c.episodes)
+  if (!c.minutes && !c.episodes) request.mostSteps = chosen->steps;
+  if (!window && !c.minutes && !c.episodes && !request.mostSteps)
     return Error{"--minutes or --episodes: how long a life is must be given, e.g. --minutes 9."};
   const auto life = makeLife(registry, c, 0, false);  // what no single check can see
   if (!life) return life.error();

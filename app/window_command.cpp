@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <QApplication>
-#include <QSettings>
 #include <QTimer>
 
 #include "app/commands.h"
@@ -14,8 +13,8 @@
 #include "core/files/whole_file.h"
 #include "core/version.h"
 #include "ui/main_window.h"
+#include "ui/preferences.h"
 #include "ui/session.h"
-#include "ui/theme.h"
 
 namespace surefoot {
 
@@ -72,7 +71,8 @@ int windowCommand(const Registry& registry, const WindowRequest& request, int ar
   QApplication::setOrganizationName("Surefoot");
   QApplication::setApplicationVersion(kVersion);
   QApplication::setDesktopFileName("surefoot");
-  applyAppearance(application, static_cast<Appearance>(QSettings().value("appearance", 0).toInt()));
+  const Preferences preferences = readPreferences();
+  applyAppearance(application, preferences.appearance);
 
   Session session(registry, request.configuration, log.has_value());
   WindowSetup setup;
@@ -82,7 +82,7 @@ int windowCommand(const Registry& registry, const WindowRequest& request, int ar
   MainWindow window(session, std::move(setup));
   window.show();
   session.setTurbo(request.turbo);
-  session.setRunning(true);
+  session.setRunning(preferences.beginRunning);
 
   const std::atomic<bool>& interrupted = watchForInterrupt();
   QTimer watch;

@@ -33,7 +33,8 @@ Autosave::Autosave(Session& session, QString folder, QObject* parent)
       session_(session),
       folder_(std::move(folder)) {
   connect(&timer_, &QTimer::timeout, this, &Autosave::save);
-  timer_.start(kEvery);
+  setMinutes(1);
+  timer_.start();
 }
 
 QString Autosave::path() const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keeps the session on the disk while the window is open, so that a crash loses a minute at most. The file is named
+// Keeps the session on the disk while the window is open, so that a crash loses little. The file is named
 // after the process; one whose process is gone was left by a crash.
 #pragma once
 
@@ -14,8 +14,9 @@ class Autosave final : public QObject {
   Q_OBJECT
 
  public:
-  static constexpr int kEvery = 60'000;  ///< [ms]
+  /// Once a minute, until it is told otherwise.
   Autosave(Session& session, QString folder, QObject* parent = nullptr);
+  void setMinutes(int minutes) { timer_.setInterval(minutes * 60'000); }
   /// What a crash left, the newest; empty: nothing.
   QString leftBehind() const;
   /// Removes what crashes left.

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "core/files/read_file.h"
+#include "core/laboratory/thesis_marks.h"
 #include "ui/symbol_text.h"
 
 namespace surefoot {
@@ -210,6 +211,7 @@ std::vector<Judgement> Experiment::judgements() const {
 std::optional<Figure> Experiment::figure(const FigureSpec& spec) const {
   if (!view_) return std::nullopt;
   auto figure = makeFigure(registry_, spec, view_->evidence, stored_.seed);
+  if (figure) markThesis(*figure, spec.measure, claims_, view_->evidence);
   return figure ? std::optional<Figure>(std::move(*figure)) : std::nullopt;
 }
 

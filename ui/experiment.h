@@ -27,6 +27,7 @@ class Experiment final : public QObject {
   enum class State { Ready, Running, Paused, Complete };
 
   Experiment(const Registry& registry, std::vector<PlanSource> sources, QString folder, QObject* parent = nullptr);
+  const Registry& registry() const { return registry_; }
 
   const std::vector<PlanSource>& sources() const { return sources_; }
   /// Loads a plan, a recipe or a store of results. What ran is given up; what it lived is kept in its store.

@@ -65,6 +65,7 @@ void FigureView::chooseRanges() {
       if (std::isfinite(s.y[i].value)) low = std::min(low, s.y[i].value), high = std::max(high, s.y[i].value);
       if (figure_.bars && std::isfinite(s.y[i].high)) high = std::max(high, s.y[i].high);
       if (figure_.bars && std::isfinite(s.y[i].low)) low = std::min(low, s.y[i].low);
+      if (s.thesis) low = std::min(low, *s.thesis), high = std::max(high, *s.thesis);
     }
   if (low > high) low = 0, high = 1;  // nothing to show
   if (low > 0 && low < 0.5 * high) low = 0;
@@ -227,6 +228,7 @@ void FigureView::paintBars(QPainter& p, const Theme& t) const {
     drawSymbol(p, QRectF(x - 30, plot.bottom() + 4, 60, 16), Qt::AlignHCenter, tickText(v, step));
   }
   p.drawText(QRectF(plot.left(), plot.bottom() + 22, plot.width(), 16), Qt::AlignCenter, toText(figure_.yTitle));
+  bool anyThesis = false;
   for (std::size_t i = 0; i < figure_.series.size(); ++i) {
     const FigureSeries& s = figure_.series[i];
     const double y = plot.top() + row * static_cast<double>(i), middle = y + row / 2;
@@ -242,9 +244,22 @@ void FigureView::paintBars(QPainter& p, const Theme& t) const {
     p.setPen(QPen(t.ink, 1.2));
     p.drawLine(QPointF(xOf(v.low), middle), QPointF(xOf(v.high), middle));
     for (const double end : {v.low, v.high}) p.drawLine(QPointF(xOf(end), middle - 3), QPointF(xOf(end), middle + 3));
+    if (s.thesis) {  // an open diamond
+      const double x = xOf(*s.thesis);
+      p.setPen(QPen(t.ink, 1.2));
+      p.setBrush(t.panel);
+      p.drawPolygon(QPolygonF{{x, middle - 5}, {x + 5, middle}, {x, middle + 5}, {x - 5, middle}});
+      anyThesis = true;
+    }
     QString text = toText(std::abs(v.value) < 10 ? fixedText(v.value, 2) : fixedText(v.value, 1));
     if (!s.marked.empty() && s.marked[0]) text += QStringLiteral("  X");
-    drawSymbol(p, QRectF(xOf(v.high) + 8, y, 90, row), Qt::AlignLeft, text);
+    const double after = std::max(xOf(v.high), s.thesis ? xOf(*s.thesis) + 5 : 0.0);
+    p.setPen(t.ink);
+    drawSymbol(p, QRectF(after + 8, y, 90, row), Qt::AlignLeft, text);
+  }
+  if (anyThesis) {
+    p.setPen(t.quiet);
+    p.drawText(QRectF(0, plot.bottom() + 22, width() - 16, 16), Qt::AlignRight, tr("◇ the thesis's"));
   }
 }
 

@@ -16,6 +16,7 @@
 #include "ui/live_page.h"
 #include "ui/message_bar.h"
 #include "ui/panel.h"
+#include "ui/preferences.h"
 #include "ui/session.h"
 #include "ui/status_line.h"
 #include "ui/symbol_text.h"
@@ -24,7 +25,10 @@
 
 namespace surefoot {
 
-MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent) : QMainWindow(parent), session_(session) {
+MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent)
+    : QMainWindow(parent),
+      session_(session),
+      appearance_(readPreferences().appearance) {
   setWindowTitle(tr("Surefoot"));
   auto* frame = new QWidget;
   auto* column = new QVBoxLayout(frame);
@@ -102,6 +106,7 @@ MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent) : Q
   restoreSettings();
   setAcceptDrops(true);
   autosave_ = new Autosave(session_, setup.folder, this);
+  usePreferences(readPreferences());
   offerToRestore();
 }
 
@@ -138,11 +143,6 @@ void MainWindow::refresh() {
                                               : tr("Run or pause"));
   const QSignalBlocker blocker(run_.turbo);
   run_.turbo->setChecked(session_.turbo());
-}
-
-void MainWindow::setAppearance(Appearance appearance) {
-  QSettings().setValue("appearance", static_cast<int>(appearance));
-  applyAppearance(*qApp, appearance);
 }
 
 void MainWindow::restoreSettings() {

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QPointer>
 #include <functional>
 
 #include "ui/experiment.h"
 #include "ui/run_bar.h"
 
 class QAbstractButton;
+class QActionGroup;
 class QMenu;
 class QStackedWidget;
 
@@ -19,7 +21,9 @@ class ExperimentPage;
 class LivePage;
 class MessageBar;
 class Session;
+class PreLearningDialog;
 class StatusLine;
+struct Preferences;
 enum class Appearance;
 enum class SavedAs;
 
@@ -53,8 +57,11 @@ class MainWindow final : public QMainWindow {
   void makeMenus();
   void makeFileMenu();
   void makeEditMenu();
+  void makeViewMenu();
+  void keepLayout();
+  void fillLayouts();
   void fillRecent();
-  void fillPreLearning();
+  void showPreLearning();
   void askForSeed();
   void begin(const std::function<Status()>& what);
   void openWithDialog();
@@ -67,7 +74,8 @@ class MainWindow final : public QMainWindow {
   void offerToRestore();
   QWidget* makeTabs();
   QWidget* makePlaceholder(const QString& title, const QString& words);
-  void setAppearance(Appearance appearance);
+  void usePreferences(const Preferences& preferences);
+  void showPreferences();
   void restoreSettings();
   void refresh();
   void refreshStatus();
@@ -85,7 +93,11 @@ class MainWindow final : public QMainWindow {
   QString experimentLeft_, experimentRight_;
   std::vector<QAbstractButton*> tabs_;
   std::vector<QAction*> shortcuts_;
-  QMenu *recent_ = nullptr, *preLearn_ = nullptr;
+  QMenu *recent_ = nullptr, *ownLayouts_ = nullptr;
+  QPointer<PreLearningDialog> preLearning_;  // with its pool; of the environment that it was opened in
+  std::string preLearningIn_;
+  QActionGroup* appearances_ = nullptr;
+  Appearance appearance_;
   Autosave* autosave_ = nullptr;
   QString sessionPath_;  // where Save writes; empty: not saved yet
   QString troubleShown_;

@@ -8,6 +8,7 @@
 
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
+#include "ui/pre_learning_dialog.h"
 #include "ui/session.h"
 #include "ui/theme.h"
 
@@ -26,6 +27,18 @@ void MainWindow::askForSeed() {
     begin([this, seed] { return session_.setSeed(seed); });
   });
   dialog->open();
+}
+
+void MainWindow::showPreLearning() {
+  const std::string& environment = session_.configuration().names.environment;
+  if (preLearning_ && preLearningIn_ != environment) delete preLearning_;
+  preLearningIn_ = environment;
+  if (!preLearning_) {
+    preLearning_ = new PreLearningDialog(session_, this);
+    connect(preLearning_, &PreLearningDialog::transferred, messages_, &MessageBar::tell);
+  }
+  preLearning_->show();
+  preLearning_->raise();
 }
 
 void MainWindow::showShortcuts() {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The menus of the window, what they do, and its page tabs.
 #include <QAbstractButton>
-#include <QActionGroup>
 #include <QApplication>
 #include <QHBoxLayout>
 #include <QMenuBar>
@@ -144,6 +143,9 @@ void MainWindow::makeEditMenu() {
           live_, &LivePage::resetParameters);
   connect(addAction(edit, tr("Another &seed …"), tr("Begin again with other random numbers"), {}), &QAction::triggered,
           this, &MainWindow::askForSeed);
+  edit->addSeparator();
+  connect(addAction(edit, tr("Pre&ferences …"), tr("Colours, motion, the start"), QKeySequence::Preferences),
+          &QAction::triggered, this, &MainWindow::showPreferences);
 }
 
 void MainWindow::fillRecent() {
@@ -154,61 +156,10 @@ void MainWindow::fillRecent() {
   if (files.isEmpty()) recent_->addAction(tr("Nothing yet"))->setEnabled(false);
 }
 
-void MainWindow::fillPreLearning() {
-  preLearn_->clear();
-  const Names& names = session_.configuration().names;
-  const double goal = session_.task().goalReward.value_or(0.0);
-  for (const auto& entry : session_.registry().scenarios) {
-    if (entry.environment != names.environment) continue;
-    for (const auto& [share, words] : {std::pair{0.99, tr("until it has converged")}, {0.8, tr("not to the end")}}) {
-      const double until = share * goal;
-      const QString text =
-          tr("on %1, %2 (average reward %3)").arg(toText(entry.title), words, toText(fixedText(until, 0)));
-      connect(preLearn_->addAction(text), &QAction::triggered, this, [this, name = entry.name, until] {
-        messages_->say(tr("Pre-learning on scenario %1; the world goes on meanwhile.").arg(toText(name)));
-        session_.preLearn(name, until, [this](const Status& s) {
-          messages_->say(s ? tr("Pre-learned: this life begins with what was learned there.")
-                           : toText(s.error().message));
-        });
-      });
-    }
-  }
-  if (preLearn_->isEmpty()) preLearn_->addAction(tr("This environment has no scenarios"))->setEnabled(false);
-}
-
 void MainWindow::makeMenus() {
   makeFileMenu();
   makeEditMenu();
-
-  QMenu* view = menuBar()->addMenu(tr("&View"));
-  for (Panel* panel : live_->panels()) view->addAction(panel->toggleViewAction());
-  view->addSeparator();
-  QMenu* layouts = view->addMenu(tr("La&youts"));
-  for (const auto& [text, tip, layout] :
-       {std::tuple{tr("&Usual"), tr("Every panel back in its place"), LivePage::Layout::Usual},
-        {tr("&Teaching"), tr("What a step teaches, and the rule of thumb"), LivePage::Layout::Teaching},
-        {tr("&Falls"), tr("The list of falls beside the charts"), LivePage::Layout::Falls},
-        {tr("&Maps"), tr("The value maps large"), LivePage::Layout::Maps}})
-    connect(addAction(layouts, text, tip, {}), &QAction::triggered, live_,
-            [this, layout = layout] { live_->useLayout(layout); });
-  connect(addAction(view, tr("&Fit the world"), tr("The zoom that shows the whole world"), Qt::Key_Home),
-          &QAction::triggered, this, [this] { live_->world().fit(); });
-  view->addSeparator();
-  auto* group = new QActionGroup(this);
-  const int saved = QSettings().value("appearance", 0).toInt();
-  for (const auto& [text, appearance] :
-       {std::pair{tr("Colours of the &system"), Appearance::System}, std::pair{tr("L&ight"), Appearance::Light},
-        std::pair{tr("&Dark"), Appearance::Dark}}) {
-    QAction* action = addAction(view, text, text, {});
-    action->setCheckable(true);
-    action->setChecked(saved == static_cast<int>(appearance));
-    group->addAction(action);
-    connect(action, &QAction::triggered, this, [this, appearance = appearance] { setAppearance(appearance); });
-  }
-  view->addSeparator();
-  QAction* fullScreen = addAction(view, tr("F&ull screen"), tr("The whole screen"), Qt::Key_F11);
-  fullScreen->setCheckable(true);
-  connect(fullScreen, &QAction::toggled, this, [this](bool on) { on ? showFullScreen() : showNormal(); });
+  makeViewMenu();
 
   QMenu* run = menuBar()->addMenu(tr("&Run"));
   for (QAction* action : {run_.run, run_.step, run_.restart}) run->addAction(action);
@@ -221,8 +172,9 @@ void MainWindow::makeMenus() {
   compare->setCheckable(true);
   connect(compare, &QAction::toggled, live_, &LivePage::setComparing);
   run->addSeparator();
-  preLearn_ = run->addMenu(tr("&Pre-learn, then transfer"));
-  connect(preLearn_, &QMenu::aboutToShow, this, &MainWindow::fillPreLearning);
+  connect(addAction(run, tr("&Pre-learn, then transfer …"), tr("Learn on a model, then live in reality with that"),
+                    Qt::Key_P),
+          &QAction::triggered, this, &MainWindow::showPreLearning);
 
   QMenu* experiment = menuBar()->addMenu(tr("E&xperiment"));
   const auto item = [&](const QString& text, const QString& tip, void (ExperimentPage::*slot)()) {

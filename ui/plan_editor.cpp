@@ -8,8 +8,10 @@
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTimer>
 
+#include "ui/condition_form.h"
 #include "ui/experiment.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
@@ -37,7 +39,23 @@ PlanEditor::PlanEditor(Experiment& experiment, QWidget* parent)
   auto* live = new QPushButton(tr("Add what the Live page runs"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 4, 12, 12);
-  column->addWidget(edit_, 1);
+  auto* form = new ConditionForm(experiment.registry());
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setFixedWidth(360);
+  scroll->setWidget(form);
+  auto* upper = new QHBoxLayout;
+  upper->addWidget(edit_, 1);
+  upper->addWidget(scroll);
+  column->addLayout(upper, 1);
+  connect(form, &ConditionForm::addAsked, this, [this, form] {
+    const auto toml = form->toml();
+    if (toml)
+      addCondition(*toml);
+    else
+      verdict_->setText(toText(toml.error().message));
+  });
   auto* row = new QHBoxLayout;
   row->addWidget(verdict_, 1);
   row->addWidget(live);

@@ -115,8 +115,6 @@ class Session final : public QObject {
   Status setSeed(std::uint64_t seed);
   /// A new life with a parameter that needs a new table, which begins with what was learned, fitted anew.
   void carryOver(const std::string& key, double value, std::function<void(const Status&)> then);
-  /// Learns with ε-greedy on a scenario until the average reward is reached, then begins a life here with that.
-  void preLearn(const std::string& scenario, double until, std::function<void(const Status&)> then);
   Background& background() { return background_; }
   QUndoStack& undo() { return undo_; }
 

@@ -165,43 +165,4 @@ void Session::carryOver(const std::string& key, double value, std::function<void
   }});
 }
 
-void Session::preLearn(const std::string& scenario, double until, std::function<void(const Status&)> then) {
-  constexpr std::int64_t kCap = 20'000;  // episodes (thesis, section 4.2.1; the cap is ours)
-  const auto entry = findEntry(registry_.scenarios, "scenario", scenario);
-  if (!entry) return then(entry.error());
-  Configuration before = configuration_;
-  for (const auto& [key, value] : (*entry)->values)
-    if (const Status s = before.parameters.set(key, value); !s) return then(s);
-  before.names.scenario = scenario;
-  before.names.policy = "epsilon-greedy";
-  before.until = until;
-  before.episodes = kCap;
-  before.minutes.reset();
-  before.start.reset();
-  struct Work {
-    Result<TensorFile> file = Error{"cancelled"};
-    double reached = 0;
-  };
-  auto work = std::make_shared<Work>();
-  background_.start(
-      [work, before, &registry = registry_](const std::atomic<bool>& interrupted) {
-        auto life = makeLife(registry, before, 0, false);
-        if (!life) return void(work->file = life.error());
-        while (!(*life)->finished() && !interrupted) (*life)->step();
-        work->reached = (*life)->log().averageReward();
-        if ((*life)->diverged()) return void(work->file = Error{(*life)->divergence()});
-        work->file = qFileOf(**life, before);
-      },
-      [this, work, until, then] {
-        if (!work->file) return then(work->file.error());
-        Configuration now = configuration_;
-        beginWith(now, std::make_shared<const TensorFile>(std::move(*work->file)));
-        const Status s = begin(std::move(now));
-        if (s && work->reached < until)
-          return then(
-              Error{"The average reward that was asked for was not reached; what was learned is used as it is."});
-        then(s);
-      });
-}
-
 }  // namespace surefoot

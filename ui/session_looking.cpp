@@ -3,6 +3,7 @@
 // life.
 #include <algorithm>
 
+#include "ui/preferences.h"
 #include "ui/session.h"
 
 namespace surefoot {
@@ -36,6 +37,10 @@ void Session::replayFall(std::size_t index) {
   if (!then && values()) then = values()->values->clone();
   Playback playback = playbackOf(fall, registry_, configuration_.names.environment, std::move(then));
   if (playback.frames.empty()) return;
+  if (reducedMotion()) {  // it stands at the fall, to be stepped through by hand
+    playback.rate = 0;
+    playback.position = static_cast<double>(playback.frames.size()) - 1;
+  }
   playback_ = std::move(playback);
   playbackRest_ = 0;
   Q_EMIT playbackChanged();

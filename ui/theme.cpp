@@ -117,6 +117,21 @@ QScrollBar::handle:vertical { background: %6; border-radius: 3px; min-height: 24
 QScrollBar::add-line, QScrollBar::sub-line { height: 0; }
 QToolButton#flat { border: none; background: transparent; padding: 0; }
 QSplitter::handle { background: %4; }
+QCheckBox::indicator, QRadioButton::indicator { width: 14px; height: 14px; border: 1px solid %5; background: %1; }
+QCheckBox::indicator { border-radius: 3px; }
+QRadioButton::indicator { border-radius: 8px; }
+QCheckBox::indicator:checked { background: %2; border-color: %2; }
+QRadioButton::indicator:checked { width: 6px; height: 6px; border: 5px solid %2; }
+QCheckBox::indicator:focus, QRadioButton::indicator:focus { border-color: %7; }
+QDialog { border: 1px solid %6; }
+QPushButton { border: 1px solid %6; border-radius: 4px; background: %1; color: %2; padding: 5px 12px; }
+QPushButton:hover { background: %3; }
+QPushButton:disabled { color: %6; border-color: %4; }
+QPushButton:focus { border: 2px solid %7; padding: 4px 11px; }
+QDialog QLineEdit, surefoot--ConditionForm QLineEdit { border: 1px solid %6; border-radius: 4px; background: %1; color: %2;
+  padding: 3px 8px; }
+QDialog QLineEdit:focus, surefoot--ConditionForm QLineEdit:focus { border: 2px solid %7; padding: 2px 7px; }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QHeaderView::section { border: none; border-bottom: 1px solid %4; background: %1; padding: 0 10px; }
 QTableView::item { border-bottom: 1px solid %4; padding: 0 10px; }
 QTableView::item:selected { background: %3; color: %2; }

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/text.h"
+#include "ui/preferences.h"
 #include "ui/scene_painter.h"
 #include "ui/session.h"
 #include "ui/symbol_text.h"
@@ -41,6 +42,8 @@ void WorldView::fit() {
 void WorldView::nextFrame() {
   if (!isVisible() || session_.shown().pose.empty()) return;
   session_.environment().draw(session_.shown().pose, scene_);
+  const double scale = pixelsPerMetre();
+  if (!reducedMotion() || std::abs(scene_.focus.x - camera_) * scale > width() / 4.0) camera_ = scene_.focus.x;
   if (!trail_.empty() && std::hypot(trail_.back().x - scene_.tip.x, trail_.back().y - scene_.tip.y) > kJump)
     trail_.clear();
   trail_.push_back(scene_.tip);
@@ -60,12 +63,12 @@ double WorldView::floorLevel() const {
 
 Point WorldView::toMetres(QPointF at) const {
   const double scale = pixelsPerMetre();
-  return {scene_.focus.x + (at.x() - pan_.x() - width() / 2.0) / scale, (floorLevel() - at.y()) / scale};
+  return {camera_ + (at.x() - pan_.x() - width() / 2.0) / scale, (floorLevel() - at.y()) / scale};
 }
 
 QPointF WorldView::toPixel(Point p) const {
   const double scale = pixelsPerMetre();
-  return {width() / 2.0 + pan_.x() + (p.x - scene_.focus.x) * scale, floorLevel() - p.y * scale};
+  return {width() / 2.0 + pan_.x() + (p.x - camera_) * scale, floorLevel() - p.y * scale};
 }
 
 void WorldView::wheelEvent(QWheelEvent* event) {
@@ -145,9 +148,9 @@ void WorldView::paintEvent(QPaintEvent*) {
   if (scene_.shapes.empty()) return;
   p.setRenderHint(QPainter::Antialiasing);
   if (scene_.metres) drawFloor(p, t);
-  drawTrail(p, t);
+  if (!reducedMotion()) drawTrail(p, t);
   ScenePainter painter(
-      p, t, session_.shown().flash, [this](Point at) { return toPixel(at); }, pixelsPerMetre());
+      p, t, session_.shown().flash && !reducedMotion(), [this](Point at) { return toPixel(at); }, pixelsPerMetre());
   drawGhost(p, t);
   for (const Shape& shape : scene_.shapes) std::visit(painter, shape);
   drawSpring(p, t);
@@ -161,7 +164,7 @@ void WorldView::drawFloor(QPainter& p, const Theme& t) const {
   // Ticks a power of ten apart, at least 5 px; a number on every tenth.
   double step = 1e-3;
   while (step * scale < 5) step *= 10;
-  const double left = scene_.focus.x - width() / 2.0 / scale, right = scene_.focus.x + width() / 2.0 / scale;
+  const double left = camera_ - width() / 2.0 / scale, right = camera_ + width() / 2.0 / scale;
   p.setFont(textFont(11));
   const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step * 10) - 1e-9)));
   for (auto i = static_cast<std::int64_t>(std::ceil(left / step)); static_cast<double>(i) * step <= right; ++i) {

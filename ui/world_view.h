@@ -49,6 +49,7 @@ class WorldView final : public QWidget {
 
   Session& session_;
   Scene scene_;
+  double camera_ = 0;  // what stands in the middle [m]
   std::deque<Point> trail_;
   double zoom_ = 1.0;
   QPointF pan_;                  // [px]

@@ -98,7 +98,8 @@ void addBars(Figure& figure, const FigureSpec& spec, const Chosen& chosen, const
                              policyOf(e),
                              {static_cast<double>(i)},
                              {meanOf(e, spec.measure, seed)},
-                             {differs(e, all, spec.measure)}});
+                             {differs(e, all, spec.measure)},
+                             {}});
   }
 }
 
@@ -163,11 +164,14 @@ std::string figureAsCsv(const Figure& figure) {
   if (figure.scene) return sceneAsCsv(*figure.scene);
   fmt::memory_buffer out;
   const auto to = std::back_inserter(out);
-  fmt::format_to(to, "series,{},value,low,high\n", figure.bars ? "bar" : "x");
+  fmt::format_to(to, "series,{},value,low,high{}\n", figure.bars ? "bar" : "x", figure.bars ? ",thesis" : "");
   for (const FigureSeries& s : figure.series) {
     const std::string name = csvCell(s.name);
-    for (std::size_t i = 0; i < s.x.size(); ++i)
-      fmt::format_to(to, "{},{:.9g},{:.9g},{:.9g},{:.9g}\n", name, s.x[i], s.y[i].value, s.y[i].low, s.y[i].high);
+    for (std::size_t i = 0; i < s.x.size(); ++i) {
+      fmt::format_to(to, "{},{:.9g},{:.9g},{:.9g},{:.9g}", name, s.x[i], s.y[i].value, s.y[i].low, s.y[i].high);
+      if (figure.bars) fmt::format_to(to, ",{}", s.thesis ? fmt::format("{:.9g}", *s.thesis) : "");
+      out.push_back('\n');
+    }
   }
   return fmt::to_string(out);
 }

@@ -28,7 +28,8 @@ struct FigureSeries {
   std::string name, policy;
   std::vector<double> x;
   std::vector<Interval> y;
-  std::vector<bool> marked;  ///< bars: differs from the reference
+  std::vector<bool> marked;        ///< bars: differs from the reference
+  std::optional<double> thesis{};  ///< bars: where the thesis's number would put it
 };
 
 struct Figure {
@@ -49,7 +50,7 @@ Result<Figure> makeLiveFigure(const Registry& registry, const FigureSpec& spec,
 
 bool isLiveFigure(const std::string& kind);
 
-/// A row a point: series, x, value, low, high; of a picture shape, x, y.
+/// A row a point: series, x, value, low, high, and of bars thesis; of a picture shape, x, y.
 std::string figureAsCsv(const Figure& figure);
 
 }  // namespace surefoot

@@ -29,6 +29,22 @@ TEST(JournalFile, AJournalIsLivedAgain) {
   expectRefusal("train --episodes 1 --environment cliff --at 5:push=1", 2, {"no body"});
 }
 
+TEST(JournalFile, ALifeIsLivedAnewFromAnyFileOfIt) {
+  const Folder folder;
+  const std::string journal = folder.file("life.jsonl"), session = folder.file("session"), q = folder.file("q");
+  const std::string hash = hashOf("--minutes 1 --seed 4 --at 500:policy.epsilon=0.2 --at 900:push=0.3 --journal " +
+                                  journal + " --checkpoint " + session + " --save " + q);
+  EXPECT_EQ(hashOf("--from " + journal), hash);
+  EXPECT_EQ(hashOf("--from " + session), hash);
+  EXPECT_EQ(hashOf("--from " + q), hashOf("--minutes 1 --seed 4 --set policy.epsilon=0.2"));
+  EXPECT_NE(hashOf("--from " + journal + " --set agent.discount=0.9"), hash) << "what is set comes on top";
+  EXPECT_NE(hashOf("--from " + journal + " --at 950:policy.epsilon=0"), hash);
+  EXPECT_EQ(run("train --from " + journal + " --lives 2 --minutes 0.5")["lives"].size(), 2u);
+  expectRefusal("train --from " + journal + " --policy trl", 2, {"--policy", "--from"});
+  expectRefusal("train --from " + journal + " --resume " + session, 2, {"--from", "--resume"});
+  expectRefusal("train --from " + folder.file("none"), 3, {"none"});
+}
+
 TEST(JournalFile, WhatCannotBeLivedAgainIsTheJournalsFault) {
   const Folder folder;
   const std::string journal = folder.file("j"), other = folder.file("other");

@@ -2,8 +2,10 @@
 #include "ui/experiment_page.h"
 
 #include <QClipboard>
+#include <QComboBox>
 #include <QFile>
 #include <QGuiApplication>
+#include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QTableWidget>
@@ -11,6 +13,7 @@
 
 #include "core/files/whole_file.h"
 #include "tests/ui/window_setup.h"
+#include "ui/condition_form.h"
 #include "ui/figure_panel.h"
 #include "ui/plan_editor.h"
 
@@ -140,6 +143,36 @@ TEST(ExperimentPage, ThePlanIsEditedAsTextAndChecked) {
   ASSERT_TRUE(use->isEnabled());
   QTest::mouseClick(use, Qt::LeftButton);
   EXPECT_EQ(p.experiment().storedPlan().conditions.size(), 3u);
+}
+
+TEST(ExperimentPage, AFormWritesConditionsIntoThePlan) {
+  Page p;
+  p.page.showPlan(true);
+  auto* editor = p.window->findChild<PlanEditor*>();
+  auto* form = p.window->findChild<ConditionForm*>();
+  const auto choose = [&](const char* name, const char* value) {
+    auto* combo = p.named<QComboBox>(name);
+    combo->setCurrentIndex(combo->findData(value));
+    Q_EMIT combo->activated(combo->currentIndex());
+  };
+  choose("Environment of the condition", "pendulum");
+  choose("Policy of the condition", "trl");
+  choose("Scenario of the condition", "3");
+  choose("Parameter 1 to set", "policy.threshold");
+  p.named<QLineEdit>("Values of parameter 1")->setText("0, 50 ,much");
+  EXPECT_NE(form->toml().error().message.find("much"), std::string::npos);
+  p.named<QLineEdit>("Values of parameter 1")->setText("0, 50");
+  choose("Pre-learning of the condition", "2");
+  Q_EMIT form->addAsked();
+  const auto plan = p.experiment().parse(editor->text().toStdString());
+  ASSERT_TRUE(plan) << plan.error().message;
+  ASSERT_EQ(plan->conditions.size(), 4u);
+  EXPECT_EQ(plan->conditions[3].name, "pre(2): TRL, threshold 50");
+  EXPECT_EQ(plan->conditions[3].configuration.parameters.get("policy.threshold"), 50);
+  EXPECT_EQ(plan->conditions[3].preLearning->pool, 5);
+  choose("Environment of the condition", "cliff");
+  p.named<QLineEdit>("Length of a life")->setText("2.5");
+  EXPECT_FALSE(form->toml()) << "episodes are whole";
 }
 
 TEST(ExperimentPage, TheTableIsCopied) {

@@ -2,17 +2,23 @@
 #include "ui/main_window.h"
 
 #include <QAbstractButton>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDialog>
+#include <QInputDialog>
+#include <QLineEdit>
 #include <QMenuBar>
 #include <QPushButton>
 #include <QSettings>
+#include <QSpinBox>
+#include <QTableWidget>
 
 #include "tests/ui/window_setup.h"
 #include "ui/live_page.h"
 #include "ui/message_bar.h"
 #include "ui/panel.h"
 #include "ui/parameter_row.h"
+#include "ui/preferences.h"
 #include "ui/slider.h"
 #include "ui/theme.h"
 
@@ -200,6 +206,85 @@ TEST(MainWindow, UndoTakesAChangeBackAndRedoMakesItAgain) {
   EXPECT_EQ(temperature(), before);
   QTest::keyClick(w.window.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
   EXPECT_EQ(temperature(), 4.0);
+}
+
+TEST(MainWindow, APoolIsLearnedInSimulationAndOneOfItLivesInReality) {
+  Window w("epsilon-greedy");
+  w.key(Qt::Key_P);
+  auto* dialog = w.window->findChild<QDialog*>();
+  ASSERT_TRUE(dialog);
+  const auto field = [&](const char* name) { return w.named<QLineEdit>(name); };
+  EXPECT_EQ(field("Damping in simulation")->text(), "0.04") << "scenario 2";
+  EXPECT_EQ(field("Damping in reality")->text(), "0.08");
+  field("Average reward that ends the pre-learning")->setText("-80");
+  w.named<QSpinBox>("Q-functions to learn")->setValue(2);
+  auto* table = w.named<QTableWidget>("The pool");
+  const auto press = [&](const char* text) {
+    for (auto* button : dialog->findChildren<QPushButton*>())
+      if (button->text() == text) return QTest::mouseClick(button, Qt::LeftButton);
+    ADD_FAILURE() << text;
+  };
+  field("Damping in simulation")->setText("7000");
+  press("Pre-learn");
+  EXPECT_EQ(table->rowCount(), 0) << "it is out of range, and nothing begins";
+  field("Damping in simulation")->setText("0.04");
+  press("Pre-learn");
+  ASSERT_TRUE(w.waitFor([&] { return table->rowCount() == 2; }, 60'000));
+  EXPECT_NE(table->item(0, 2)->text() + table->item(0, 1)->text(),
+            table->item(1, 2)->text() + table->item(1, 1)->text())
+      << "each with random numbers of its own";
+  field("Damping in reality")->setText("0.07");
+  press("Begin a life in reality with it");
+  EXPECT_EQ(w.session->configuration().parameters.get("environment.damping"), 0.07);
+  EXPECT_TRUE(w.session->configuration().start) << "it began with what was learned";
+}
+
+TEST(MainWindow, PreferencesAreKeptAndApplyAtOnce) {
+  {
+    Window w;
+    PreferencesDialog dialog(w.window.get());
+    for (auto* box : dialog.findChildren<QCheckBox*>())
+      if (box->text().startsWith("reduce")) box->setChecked(true);
+    EXPECT_TRUE(reducedMotion());
+  }
+  EXPECT_TRUE(readPreferences().reduceMotion);
+  EXPECT_TRUE(readPreferences().beginRunning);
+  QSettings().setValue("autosaveMinutes", -5);
+  QSettings().setValue("appearance", 99);
+  EXPECT_EQ(readPreferences().autosaveMinutes, 1) << "whatever stands in the file";
+  EXPECT_EQ(readPreferences().appearance, Appearance::Dark);
+  QSettings().clear();
+  readPreferences();
+}
+
+TEST(MainWindow, LayoutsAreKeptUnderNames) {
+  Window w;
+  const auto choose = [&](const QString& text) {
+    for (auto* action : w.window->findChildren<QAction*>())
+      if (action->text() == text) return action->trigger();
+    ADD_FAILURE() << text.toStdString();
+  };
+  const auto own = [&]() -> QMenu* {
+    for (auto* menu : w.window->findChildren<QMenu*>())
+      if (menu->title() == "&My own") {
+        Q_EMIT menu->aboutToShow();
+        return menu;
+      }
+    return nullptr;
+  };
+  EXPECT_FALSE(own()->actions().front()->isEnabled()) << "none kept yet";
+  w.window->findChild<Panel*>("falls")->hide();
+  choose("&Keep this one as …");
+  auto* dialog = w.window->findChild<QInputDialog*>();
+  ASSERT_TRUE(dialog);
+  dialog->setTextValue("mine / yours");
+  dialog->accept();
+  choose("&Usual");
+  EXPECT_TRUE(w.window->findChild<Panel*>("falls")->isVisible());
+  ASSERT_EQ(own()->actions().front()->text(), "mine / yours");
+  own()->actions().front()->trigger();
+  EXPECT_FALSE(w.window->findChild<Panel*>("falls")->isVisible());
+  QSettings().clear();
 }
 
 }  // namespace surefoot

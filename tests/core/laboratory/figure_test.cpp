@@ -6,6 +6,7 @@
 #include "core/experiment/configuration_json.h"
 #include "core/laboratory/plan.h"
 #include "core/laboratory/same_stream.h"
+#include "core/laboratory/thesis_marks.h"
 #include "tests/core/experiment/test_setup.h"
 
 namespace surefoot {
@@ -56,6 +57,27 @@ TEST_F(FigureTest, AnUpdateOfState5ReachesItsNeighboursByThirds) {  // thesis, F
   for (std::size_t i = 0; i < thirds.size(); ++i) EXPECT_NEAR(f.series[0].y[i].value, thirds[i] / 3, 1e-12) << i + 1;
   s.state = {5, 5};
   EXPECT_FALSE(makeFigure(registry, s, evidence, 1));
+}
+
+TEST_F(FigureTest, TheThesissNumbersStandBesideOurs) {
+  auto evidence = evidenceOf(
+      "lives = 2\nreference = \"a\"\n[[condition]]\nname = \"a\"\nminutes = 1\n"
+      "[[condition]]\nname = \"b\"\nminutes = 2\n[[condition]]\nname = \"c\"\nminutes = 3\n");
+  for (Evidence& e : evidence) e.lives.assign(2, {}), e.record.lives.assign(2, {});
+  evidence[0].lives[0].falls = 100, evidence[0].lives[1].falls = 300;
+  Figure f = figure(spec("bars"), evidence);
+  const auto claim = [](const char* kind, const char* of, double thesis) {
+    return Claim{"X", kind, "", {{"thesis", thesis}, {"conditions", {of}}}};
+  };
+  markThesis(f, "falls", {claim("value", "a", 290), claim("reduction", "b", -45), claim("lowest", "c", 7)}, evidence);
+  EXPECT_EQ(f.series[0].thesis, 290);
+  EXPECT_NEAR(f.series[1].thesis.value_or(0), 110, 1e-9) << "45 % fewer than our reference's 200";
+  EXPECT_FALSE(f.series[2].thesis);
+  EXPECT_NE(figureAsCsv(f).find("series,bar,value,low,high,thesis\n"), std::string::npos);
+  EXPECT_NE(figureAsCsv(f).find(",290\n"), std::string::npos);
+  Figure other = figure(spec("bars"), evidence);
+  markThesis(other, "minutes", {claim("value", "a", 290)}, evidence);
+  EXPECT_FALSE(other.series[0].thesis) << "a claim about falls says nothing of minutes";
 }
 
 TEST_F(FigureTest, PoliciesFollowTheirFormulasOnABell) {  // thesis, eq. 2.2, 2.3, Algorithm 1, Figure 4.1

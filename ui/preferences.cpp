@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/preferences.h"
+
+#include <QApplication>
+#include <QButtonGroup>
+#include <QCheckBox>
+#include <QDialogButtonBox>
+#include <QGridLayout>
+#include <QLabel>
+#include <QRadioButton>
+#include <QSettings>
+#include <QSpinBox>
+#include <algorithm>
+
+namespace surefoot {
+
+namespace {
+constexpr const char* kReduceMotion = "reduceMotion";
+}
+
+Preferences readPreferences() {
+  const QSettings settings;
+  Preferences p;
+  p.appearance = static_cast<Appearance>(std::clamp(settings.value("appearance", 0).toInt(), 0, 2));
+  p.reduceMotion = settings.value(kReduceMotion, false).toBool();
+  p.beginRunning = settings.value("beginRunning", true).toBool();
+  p.autosaveMinutes = std::clamp(settings.value("autosaveMinutes", 1).toInt(), 1, 60);
+  qApp->setProperty(kReduceMotion, p.reduceMotion);
+  return p;
+}
+
+void writePreferences(const Preferences& p) {
+  QSettings settings;
+  settings.setValue("appearance", static_cast<int>(p.appearance));
+  settings.setValue(kReduceMotion, p.reduceMotion);
+  settings.setValue("beginRunning", p.beginRunning);
+  settings.setValue("autosaveMinutes", p.autosaveMinutes);
+  qApp->setProperty(kReduceMotion, p.reduceMotion);
+}
+
+bool reducedMotion() {
+  return qApp->property(kReduceMotion).toBool();
+}
+
+PreferencesDialog::PreferencesDialog(QWidget* parent) : QDialog(parent) {
+  setWindowTitle(tr("Preferences"));
+  const Preferences now = readPreferences();
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(24, 20, 24, 20);
+  grid->setHorizontalSpacing(24);
+  grid->setVerticalSpacing(10);
+  int row = 0;
+  const auto label = [&](const QString& text) { grid->addWidget(new QLabel(text), row, 0, Qt::AlignTop); };
+
+  label(tr("Colours"));
+  auto* group = new QButtonGroup(this);
+  for (const auto& [text, appearance] : {std::pair{tr("those of the system"), Appearance::System},
+                                         {tr("light"), Appearance::Light},
+                                         {tr("dark"), Appearance::Dark}}) {
+    auto* button = new QRadioButton(text);
+    button->setAccessibleName(tr("Colours: %1").arg(text));
+    button->setChecked(now.appearance == appearance);
+    group->addButton(button);
+    grid->addWidget(button, row++, 1);
+    connect(button, &QRadioButton::clicked, this,
+            [this, appearance = appearance] { change([&](Preferences& p) { p.appearance = appearance; }); });
+  }
+  const auto check = [&](const QString& text, bool on, bool Preferences::*member) {
+    auto* box = new QCheckBox(text);
+    box->setChecked(on);
+    grid->addWidget(box, row++, 1);
+    connect(box, &QCheckBox::toggled, this,
+            [this, member](bool checked) { change([&](Preferences& p) { p.*member = checked; }); });
+  };
+  label(tr("Motion"));
+  check(tr("reduce it: no trail, no flash, a standing camera,\nand falls are looked at frame by frame"),
+        now.reduceMotion, &Preferences::reduceMotion);
+  label(tr("At the start"));
+  check(tr("learn as soon as the window is open"), now.beginRunning, &Preferences::beginRunning);
+
+  label(tr("After a crash"));
+  auto* minutes = new QSpinBox;
+  minutes->setRange(1, 60);
+  minutes->setValue(now.autosaveMinutes);
+  minutes->setPrefix(tr("no more is lost than "));
+  minutes->setSuffix(tr(" min"));
+  minutes->setAccessibleName(tr("Minutes between two copies of the session on the disk"));
+  grid->addWidget(minutes, row++, 1);
+  connect(minutes, &QSpinBox::valueChanged, this,
+          [this](int value) { change([&](Preferences& p) { p.autosaveMinutes = value; }); });
+
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
+  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  grid->addWidget(buttons, row, 0, 1, 2);
+}
+
+void PreferencesDialog::change(const std::function<void(Preferences&)>& how) {
+  Preferences p = readPreferences();
+  how(p);
+  writePreferences(p);
+  Q_EMIT changed(p);
+}
+
+}  // namespace surefoot
