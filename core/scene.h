@@ -64,7 +64,13 @@ struct Scene {
   double width = 0.0;   ///< [m] what must be seen around the focus; 0: nothing but the height counts
   bool metres = true;   ///< draw the floor with a metre scale
   Point tip;            ///< leaves the fading trail
-  void clear() { shapes.clear(); }
+  /// As before the first drawing, but for the memory of the shapes.
+  void clear() {
+    std::vector<Shape> kept = std::move(shapes);
+    kept.clear();
+    *this = {};
+    shapes = std::move(kept);
+  }
 };
 
 }  // namespace surefoot

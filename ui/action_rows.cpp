@@ -10,6 +10,7 @@
 
 #include "core/text.h"
 #include "ui/colour_map.h"
+#include "ui/learning_charts.h"
 #include "ui/map_choice.h"
 #include "ui/session.h"
 #include "ui/symbol_text.h"
@@ -163,13 +164,13 @@ void ActionRows::drawHead(QPainter& p, const Theme& t, const Geometry& g) const 
 
 void ActionRows::drawScales(QPainter& p, const Theme& t, const Geometry& g) const {
   p.setFont(textFont(11));
-  const double step = (high_ - low_) > 400 ? 200 : (high_ - low_) > 150 ? 100 : 50;
+  const double step = niceAbove((high_ - low_) / 4.0001);
   for (double v = std::ceil(low_ / step) * step; v <= high_; v += step) {
     const double x = std::round(xOf(v, g)) + 0.5;
     p.setPen(QPen(v == 0 ? t.outline : t.hairline, 1));
     p.drawLine(QPointF(x, g.top), QPointF(x, g.bottom));
     p.setPen(t.quiet);
-    drawSymbol(p, QRectF(x - 30, g.bottom + 4, 60, 16), Qt::AlignHCenter, toText(fixedText(v, 0)));
+    drawSymbol(p, QRectF(x - 30, g.bottom + 4, 60, 16), Qt::AlignHCenter, toText(countText(v)));
   }
   for (std::size_t i = 0; i < columns_.size(); ++i) {
     const double x0 = g.first + g.pitch * static_cast<double>(i);

@@ -195,6 +195,12 @@ void Experiment::tick() {
   if (!trouble.empty()) Q_EMIT failed(toText(trouble));
 }
 
+void Experiment::choose(const std::string& condition) {
+  if (condition == chosen_) return;
+  chosen_ = condition;
+  Q_EMIT chosenChanged();
+}
+
 void Experiment::setState(State state) {
   state_ = state;
   Q_EMIT stateChanged();
@@ -206,6 +212,14 @@ std::vector<Judgement> Experiment::judgements() const {
   for (const Claim& claim : claims_)
     if (auto judgement = judge(registry_, claim, view_->evidence, plan_->seed)) list.push_back(std::move(*judgement));
   return list;
+}
+
+bool Experiment::isInPercent(const std::string& id) const {
+  for (const Claim& claim : claims_)
+    if (claim.id == id)
+      return claim.kind == "reduction" || claim.kind == "significant" || claim.kind == "no-difference" ||
+             claim.kind == "extreme";
+  return false;
 }
 
 std::optional<Figure> Experiment::figure(const FigureSpec& spec) const {

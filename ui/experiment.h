@@ -28,6 +28,9 @@ class Experiment final : public QObject {
 
   Experiment(const Registry& registry, std::vector<PlanSource> sources, QString folder, QObject* parent = nullptr);
   const Registry& registry() const { return registry_; }
+  /// The condition that figures bring to the front; empty: none.
+  const std::string& chosen() const { return chosen_; }
+  void choose(const std::string& condition);
 
   const std::vector<PlanSource>& sources() const { return sources_; }
   /// Loads a plan, a recipe or a store of results. What ran is given up; what it lived is kept in its store.
@@ -48,6 +51,8 @@ class Experiment final : public QObject {
   const std::shared_ptr<const LabView>& view() const { return view_; }
   /// The claims of the thesis that a recipe bears on, judged on what is there; empty for other plans.
   std::vector<Judgement> judgements() const;
+  /// Whether a claim is about a change against the reference.
+  bool isInPercent(const std::string& claim) const;
   /// Draws one of the figures from the newest results; nothing until there are any.
   std::optional<Figure> figure(const FigureSpec& spec) const;
 
@@ -74,6 +79,7 @@ class Experiment final : public QObject {
   void planChanged();
   void progressed();
   void resultsChanged();
+  void chosenChanged();
   void stateChanged();
   void failed(const QString& sentence);
   /// Another plan takes the place of one whose lives are in this store.
@@ -88,6 +94,7 @@ class Experiment final : public QObject {
   std::vector<FigureSpec> standardFigures() const;
 
   const Registry& registry_;
+  std::string chosen_;
   std::vector<PlanSource> sources_;
   QString folder_;
   std::string text_, path_, title_, storePath_;

@@ -165,8 +165,9 @@ QWidget* ExperimentPage::makeResults() {
     header->layOutExtra();
   };
   connect(other, &QToolButton::clicked, this, [lower, turn] { turn(1 - lower->currentIndex()); });
-  const auto offer = [claims, other, turn] {
-    other->setEnabled(claims->rowCount() > 0);
+  const auto offer = [claims, other, header, turn] {
+    other->setVisible(claims->rowCount() > 0);
+    header->layOutExtra();
     if (claims->rowCount() == 0) turn(0);
   };
   connect(&experiment_, &Experiment::resultsChanged, claims, offer);

@@ -58,11 +58,15 @@ Status exportView(QWidget& view, const std::string& path) {
   const auto write = [&](const QByteArray& bytes) {
     return writeWhole("picture", path, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
   };
-  if (path.ends_with(".png")) return write(asPng(view));
-  if (path.ends_with(".svg")) return write(asSvg(view));
-  if (path.ends_with(".pdf")) return write(asPdf(view));
+  auto* source = dynamic_cast<CsvSource*>(&view);
+  for (const auto& [ending, make] : {std::pair{".png", &asPng}, {".svg", &asSvg}, {".pdf", &asPdf}}) {
+    if (!path.ends_with(ending)) continue;
+    if (source) source->prepareExport(true);
+    const QByteArray picture = make(view);
+    if (source) source->prepareExport(false);
+    return write(picture);
+  }
   if (!path.ends_with(".csv")) return Error{path + ": the ending says the format; it takes .png, .svg, .pdf or .csv."};
-  const auto* source = dynamic_cast<const CsvSource*>(&view);
   if (!source) return Error{path + ": this view has no table; it can be exported as .png, .svg or .pdf."};
   const std::string csv = source->asCsv();
   if (csv.empty()) return Error{path + ": there is nothing to write yet."};

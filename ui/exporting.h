@@ -14,6 +14,8 @@ class CsvSource {
   virtual ~CsvSource() = default;
   /// Empty: there is nothing to say yet.
   virtual std::string asCsv() const = 0;
+  /// A picture of the view is about to be made, or has been: alone it may have to say more.
+  virtual void prepareExport(bool exporting) { static_cast<void>(exporting); }
 };
 
 /// Writes a view in the format that the file's ending names: .png, .svg, .pdf or .csv.

@@ -35,6 +35,7 @@ FigurePanel::FigurePanel(Experiment& experiment, std::size_t first, QWidget* par
     refresh();
   });
   connect(&experiment_, &Experiment::resultsChanged, this, &FigurePanel::refresh);
+  connect(&experiment_, &Experiment::chosenChanged, this, [this] { view_->setChosen(experiment_.chosen()); });
   refresh();
 }
 

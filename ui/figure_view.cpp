@@ -80,6 +80,17 @@ QPointF FigureView::at(double x, double y, const QRectF& plot) const {
           plot.bottom() - (y - yLeast_) / (yMost_ - yLeast_) * plot.height()};
 }
 
+void FigureView::setChosen(const std::string& series) {
+  chosen_ = series;
+  update();
+}
+
+bool FigureView::standsOut(std::size_t series) const {
+  const auto named = [&](const FigureSeries& s) { return s.name == chosen_; };
+  const bool any = std::any_of(figure_.series.begin(), figure_.series.end(), named);
+  return !any || series == 0 || named(figure_.series[series]);
+}
+
 // Curves of one policy are told apart by lightness and dashes.
 QPen FigureView::penOf(std::size_t series, const Theme& t) const {
   const FigureSeries& s = figure_.series[series];
@@ -97,7 +108,9 @@ QPen FigureView::penOf(std::size_t series, const Theme& t) const {
     colour =
         QColor(mix(colour.red(), other.red()), mix(colour.green(), other.green()), mix(colour.blue(), other.blue()));
   }
-  QPen pen(colour, 1.6);
+  const bool out = standsOut(series);
+  if (!out) colour.setAlphaF(0.5f);
+  QPen pen(colour, !out ? 1 : chosen_.empty() ? 1.6 : 2.2);
   static const QList<qreal> kDashes[] = {{}, {6, 3}, {2, 2}, {8, 3, 2, 3}};
   if (!kDashes[before % 4].isEmpty()) pen.setDashPattern(kDashes[before % 4]);
   pen.setJoinStyle(Qt::RoundJoin);
@@ -183,7 +196,7 @@ void FigureView::paintCurves(QPainter& p, const Theme& t, const QRectF& plot) co
     wash.setAlphaF(0.10f);
     p.setPen(Qt::NoPen);
     p.setBrush(wash);
-    if (!points) p.drawPolygon(band);
+    if (!points && standsOut(i)) p.drawPolygon(band);
     p.setBrush(Qt::NoBrush);
     p.setPen(pen);
     p.drawPath(line);
@@ -238,12 +251,16 @@ void FigureView::paintBars(QPainter& p, const Theme& t) const {
                p.fontMetrics().elidedText(toText(s.name), Qt::ElideMiddle, static_cast<int>(labels) - 26));
     if (!std::isfinite(v.value)) continue;
     p.setPen(Qt::NoPen);
-    p.setBrush(policyLook(s.policy, t).colour);
+    QColor fill = policyLook(s.policy, t).colour;
+    if (!standsOut(i)) fill.setAlphaF(0.45f);
+    p.setBrush(fill);
     p.drawRect(QRectF(QPointF(xOf(std::min(0.0, v.value)), y + std::min(5.0, row / 5)),
                       QPointF(xOf(std::max(0.0, v.value)), y + row - std::min(5.0, row / 5))));
-    p.setPen(QPen(t.ink, 1.2));
-    p.drawLine(QPointF(xOf(v.low), middle), QPointF(xOf(v.high), middle));
-    for (const double end : {v.low, v.high}) p.drawLine(QPointF(xOf(end), middle - 3), QPointF(xOf(end), middle + 3));
+    for (const QPen& pen : {QPen(t.panel, 3.4), QPen(t.ink, 1.2)}) {  // a casing, so that it is seen on the bar, too
+      p.setPen(pen);
+      p.drawLine(QPointF(xOf(v.low), middle), QPointF(xOf(v.high), middle));
+      for (const double end : {v.low, v.high}) p.drawLine(QPointF(xOf(end), middle - 3), QPointF(xOf(end), middle + 3));
+    }
     if (s.thesis) {  // an open diamond
       const double x = xOf(*s.thesis);
       p.setPen(QPen(t.ink, 1.2));

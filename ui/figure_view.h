@@ -22,6 +22,9 @@ class FigureView final : public QWidget {
   /// Another figure; one without series shows the words instead.
   void setFigure(Figure figure, const QString& words);
   const Figure& figure() const { return figure_; }
+  /// One series stands out beside the reference, which is the first; the others are thin and without a band. Empty: all
+  /// are alike.
+  void setChosen(const std::string& series);
   /// A panel's header says the title already.
   void setTitleShown(bool shown) { titleShown_ = shown; }
 
@@ -40,6 +43,7 @@ class FigureView final : public QWidget {
   void paintScene(QPainter& p, const Theme& t) const;
   void paintAxes(QPainter& p, const Theme& t, const QRectF& plot) const;
   QPen penOf(std::size_t series, const Theme& t) const;
+  bool standsOut(std::size_t series) const;
   QPointF at(double x, double y, const QRectF& plot) const;
   void chooseRanges();
 
@@ -48,6 +52,7 @@ class FigureView final : public QWidget {
 
   Figure figure_;
   QString words_;
+  std::string chosen_;
   bool titleShown_ = true;
   double xLeast_ = 0, xMost_ = 1, yLeast_ = 0, yMost_ = 1;
 };

@@ -2,6 +2,7 @@
 #include "ui/findings_table.h"
 
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <cmath>
 
 #include "core/text.h"
@@ -65,6 +66,17 @@ FindingsTable::FindingsTable(Experiment& experiment, QWidget* parent) : QTableWi
   setUp(*this, {tr("Condition"), tr("Lives"), tr("Falls ± 95 %"), tr("Change %"), tr("95 % interval"), tr("p ANOVA"),
                 tr("p Holm"), tr("X"), tr("Time min")});
   connect(&experiment_, &Experiment::resultsChanged, this, &FindingsTable::refresh);
+  connect(&experiment_, &Experiment::planChanged, this, &QTableWidget::clearSelection);
+  setToolTip(tr("The condition of the chosen row stands out in the figures; Escape lets go"));
+  connect(this, &QTableWidget::itemSelectionChanged, this, [this] {
+    const auto rows = selectedItems();
+    experiment_.choose(rows.isEmpty() || !item(rows[0]->row(), 0) ? "" : item(rows[0]->row(), 0)->text().toStdString());
+  });
+}
+
+void FindingsTable::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape) return clearSelection();
+  QTableWidget::keyPressEvent(event);
 }
 
 void FindingsTable::refresh() {
@@ -92,12 +104,13 @@ void FindingsTable::refresh() {
         f.lives > 0 && std::isfinite(f.minutes.value) ? toText(fixedText(f.minutes.value, 2)) : QString());
     ++row;
   }
-  if (selected >= 0 && selected < rowCount()) setCurrentCell(selected, 0);
+  if (selected < 0 && currentRow() >= 0) clearSelection();
 }
 
 ClaimsTable::ClaimsTable(Experiment& experiment, QWidget* parent) : QTableWidget(parent), experiment_(experiment) {
   setAccessibleName(tr("Claims of the thesis"));
-  setUp(*this, {tr("Claim of the thesis"), tr("Thesis"), tr("Ours"), tr("p"), tr("Verdict")});
+  setUp(*this,
+        {tr("Claim of the thesis"), tr("Thesis"), tr("Ours (95 % interval)"), tr("p"), tr("Verdict"), tr("Why")});
   connect(&experiment_, &Experiment::resultsChanged, this, &ClaimsTable::refresh);
 }
 
@@ -108,17 +121,26 @@ void ClaimsTable::refresh() {
   for (const Judgement& j : judgements) {
     const QString says = QStringLiteral("%1  %2").arg(toText(j.id), toText(j.says));
     put(*this, row, 0, says, false, true);
-    item(row, 0)->setToolTip(says + (j.note.empty() ? QString() : QStringLiteral("\n") + toText(j.note)));
+    item(row, 0)->setToolTip(says);
+    // A change against the reference is in per cent; numbers of one row have one rounding.
+    const bool percent = experiment_.isInPercent(j.id);
+    const QString unit = percent ? QStringLiteral(" %") : QString();
+    const double size = std::max(j.ours ? std::abs(*j.ours) : 0.0, j.high ? std::abs(*j.high) : 0.0);
+    const int decimals = size < 1 ? 2 : size < 100 ? 1 : 0;
+    const auto text = [&](double v) { return toText(fixedText(v, decimals)); };
     put(*this, row, 1,
-        j.thesis.is_number()   ? toText(fixedText(j.thesis.get<double>(), 0))
+        j.thesis.is_number()   ? toText(fixedText(j.thesis.get<double>(), 0)) + unit
         : j.thesis.is_string() ? toText(j.thesis.get<std::string>())
                                : QString());
-    QString ours = j.ours ? toText(fixedText(*j.ours, std::abs(*j.ours) < 10 ? 2 : 0)) : QString();
-    if (j.low && j.high)
-      ours += QStringLiteral("  (%1 … %2)").arg(toText(fixedText(*j.low, 1)), toText(fixedText(*j.high, 1)));
+    QString ours = j.ours ? text(*j.ours) + unit : QString();
+    if (j.low && j.high) ours += QStringLiteral("  (%1 … %2)").arg(text(*j.low), text(*j.high));
     put(*this, row, 2, ours);
     put(*this, row, 3, j.p ? pText(*j.p) : QString());
     put(*this, row, 4, QString::fromLatin1(nameOf(j.verdict)), j.verdict == Verdict::Differs);
+    const bool weak = j.verdict != Verdict::Agrees && j.p && *j.p >= 0.01 && percent;
+    const QString why = j.note.empty() && weak ? tr("not significant (p ≥ .01)") : toText(j.note);
+    put(*this, row, 5, why, false, true);
+    item(row, 5)->setToolTip(why);
     ++row;
   }
 }

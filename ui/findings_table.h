@@ -15,6 +15,9 @@ class FindingsTable final : public QTableWidget {
  public:
   explicit FindingsTable(Experiment& experiment, QWidget* parent = nullptr);
 
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
  private:
   void refresh();
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is drawn around the curves: grid, axes, marks of changes and falls, and the list at the right.
+#include <QHelpEvent>
+#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
@@ -49,12 +51,20 @@ void LearningChart::drawAxes(QPainter& p, const Theme& t) const {
     const double at = toPixel(x, 0).x();
     p.setPen(QPen(t.outline, 1));
     p.drawLine(QPointF(at, base), QPointF(at, base + 4));
-    if (shows_ != Shows::Falls) continue;
+    if (!hasTimeAxis()) continue;
     p.setPen(t.quiet);
     drawSymbol(p, QRectF(at - 30, base + 5, 60, 16), Qt::AlignHCenter,
                xStep < 1 ? toText(fixedText(x, 1)) : toText(countText(x)));
   }
-  if (shows_ == Shows::Falls)
+  if (exporting_) {
+    p.setPen(t.ink);
+    p.setFont(textFont(13, 500));
+    p.drawText(QRectF(12, 6, width() - 24, 20), Qt::AlignLeft | Qt::AlignVCenter,
+               shows_ == Shows::Falls ? tr("Falls, cumulative") : tr("Average reward of the last 80 episodes"));
+    p.setFont(textFont(11));
+    p.setPen(t.quiet);
+  }
+  if (hasTimeAxis())
     p.drawText(QRectF(plot_.left(), base + 20, plot_.width(), 16), Qt::AlignHCenter | Qt::AlignVCenter,
                session_.task().stepTime ? tr("simulated time [min]") : tr("episodes"));
 }
@@ -106,27 +116,33 @@ void LearningChart::drawMarks(QPainter& p, const Theme& t) const {
   p.setPen(pen);
   for (const Mark& mark : list) {
     const double at = std::round(toPixel(mark.x, 0).x()) + 0.5;
-    p.drawLine(QPointF(at, plot_.top()), QPointF(at, plot_.bottom()));
+    if (at <= plot_.right()) p.drawLine(QPointF(at, plot_.top()), QPointF(at, plot_.bottom()));
   }
-  // Each text on the lowest line where it covers no other; the newest come first, and one without room is left out.
+  // Two texts are enough, or they would cover the curves: the newest change, and the end of learning.
   p.setFont(textFont(11));
-  std::vector<QRectF> taken;
-  for (auto mark = list.rbegin(); mark != list.rend(); ++mark) {
-    const double at = toPixel(mark->x, 0).x(), w = symbolWidth(p.font(), mark->text) + 4;
+  double y = plot_.bottom() - 17;
+  const std::size_t told = list.size() < 2 || list.back().text != tr("end of learning") ? 1 : 2;
+  for (std::size_t i = list.size(); i-- > list.size() - std::min(told, list.size()); y -= 15) {
+    const double at = toPixel(list[i].x, 0).x(), w = symbolWidth(p.font(), list[i].text) + 4;
+    if (at > plot_.right()) continue;
     const double left = at + 5 + w < plot_.right() ? at + 4 : std::max(plot_.left(), at - 4 - w);
-    for (double y = plot_.bottom() - 17; y > plot_.top() + 10; y -= 15) {
-      const QRectF where(left, y, w, 15);
-      if (std::any_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(where); }))
-        continue;
-      QColor veil = t.panel;
-      veil.setAlphaF(0.88f);
-      p.fillRect(where, veil);
-      p.setPen(t.quiet);
-      drawSymbol(p, where, Qt::AlignLeft, mark->text);
-      taken.push_back(where);
-      break;
-    }
+    QColor veil = t.panel;
+    veil.setAlphaF(0.88f);
+    p.fillRect(QRectF(left, y, w, 15), veil);
+    p.setPen(t.quiet);
+    drawSymbol(p, QRectF(left, y, w, 15), Qt::AlignLeft, list[i].text);
   }
+}
+
+// The texts of the others, under the cursor.
+bool LearningChart::viewportEvent(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QChartView::viewportEvent(event);
+  constexpr double kNear = 6;  // [px]
+  QStringList texts;
+  for (const Mark& mark : marks())
+    if (std::abs(toPixel(mark.x, 0).x() - static_cast<QHelpEvent*>(event)->pos().x()) < kNear) texts << mark.text;
+  QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), texts.join('\n'), this);
+  return true;
 }
 
 void LearningChart::drawFallMarks(QPainter& p, const Theme& t) const {
@@ -135,6 +151,7 @@ void LearningChart::drawFallMarks(QPainter& p, const Theme& t) const {
   double last = -10;
   std::int64_t falls = 0;
   for (const CurvePoint& point : points) {
+    if (xOf(point) > xMost_) break;
     const double at = std::round(toPixel(xOf(point), 0).x()) + 0.5;
     if (point.falls > falls && at - last >= 2) {
       p.drawLine(QPointF(at, plot_.bottom() - 8), QPointF(at, plot_.bottom() - 1));
@@ -149,18 +166,20 @@ void LearningChart::drawList(QPainter& p, const Theme& t) const {
     double value;
     std::string policy;
     bool live;
+    int run;
   };
   std::vector<Item> items;
   const RunCurves& curves = session_.curves();
-  for (const RunCurve& c : curves.earlier()) items.push_back({yOf(c.points.back()), c.policy(), false});
-  if (!curves.live().points.empty()) items.push_back({yOf(curves.live().points.back()), curves.live().policy(), true});
+  for (const RunCurve& c : curves.earlier()) items.push_back({yOf(c.points.back()), c.policy(), false, c.number});
+  if (!curves.live().points.empty())
+    items.push_back({yOf(curves.live().points.back()), curves.live().policy(), true, curves.live().number});
   std::stable_sort(items.begin(), items.end(), [](const Item& a, const Item& b) { return a.value > b.value; });
   double y = plot_.top() + 2;
   for (const Item& item : items) {
     drawMarker(p, {plot_.right() + 12, y}, policyLook(item.policy, t), item.live);
     const auto entry = findEntry(session_.registry().policies, "policy", item.policy);
     QString text = shows_ == Shows::Falls ? toText(countText(item.value)) : entry ? toText((*entry)->title) : QString();
-    if (item.live && shows_ == Shows::AverageReward) text += tr(", live");
+    if (shows_ == Shows::AverageReward) text += item.live ? tr(", live") : tr(", run %1").arg(item.run);
     p.setFont(textFont(11, item.live ? 500 : 400));
     p.setPen(item.live ? t.ink : t.quiet);
     drawSymbol(p, QRectF(plot_.right() + 20, y - 8, kRight - 22, 16), Qt::AlignLeft, text);

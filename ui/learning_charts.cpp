@@ -83,9 +83,13 @@ void LearningChart::drawPiece(std::size_t index, const std::vector<CurvePoint>& 
   }
   // At most two points a pixel column: the least and the greatest of each.
   const auto columns = static_cast<std::size_t>(std::max(50.0, plot_.width()));
-  const std::size_t bucket = std::max<std::size_t>(1, piece.size() / columns);
+  const auto shown = static_cast<std::size_t>(
+      std::partition_point(piece.begin(), piece.end(), [&](const auto& p) { return xOf(p) <= xMost_; }) -
+      piece.begin());
+  const std::size_t bucket = std::max<std::size_t>(1, shown / columns);
   QList<QPointF> points;
   for (std::size_t i = 0; i < piece.size(); i += bucket) {
+    if (i > 0 && xOf(piece[i]) > xMost_) break;
     const auto begin = piece.begin() + static_cast<std::ptrdiff_t>(i);
     const auto end = piece.begin() + static_cast<std::ptrdiff_t>(std::min(i + bucket, piece.size()));
     const auto [least, greatest] =
@@ -106,6 +110,13 @@ void LearningChart::chooseRanges() {
   double x = live;
   for (const RunCurve& curve : curves.earlier())
     x = std::max(x, std::min(endOf(curve), std::max(2 * live, clock ? 10.0 : 1000.0)));
+  const ValueSnapshot* v = session_.values();
+  if (learningOnly_ && v && v->endOfLearning > 0) {
+    CurvePoint end;
+    end.episode = static_cast<std::int64_t>(v->endOfLearning);
+    end.lifeSteps = static_cast<std::int64_t>(v->endOfLearningSteps);
+    x = 1.2 * xOf(end);
+  }
   xMost_ = niceAbove(x / 5.0001) * std::ceil(x / niceAbove(x / 5.0001) - 1e-9);
 
   double falls = 0.0;
@@ -123,8 +134,19 @@ void LearningChart::chooseRanges() {
   chart()->axes(Qt::Vertical).front()->setRange(yLeast_, yMost_);
 }
 
+void LearningChart::setLearningOnly(bool on) {
+  learningOnly_ = on;
+  refresh();
+}
+
+void LearningChart::prepareExport(bool exporting) {
+  exporting_ = exporting;
+  refresh();
+}
+
 void LearningChart::refresh() {
   if (!isVisible()) return;
+  place();
   const Theme& t = themeOf(*this);
   setBackgroundBrush(t.panel);
   chooseRanges();
@@ -147,8 +169,9 @@ void LearningChart::refresh() {
 }
 
 void LearningChart::place() {
-  const double bottom = shows_ == Shows::Falls ? kBottomWithAxis : kBottom;
-  plot_ = QRectF(kLeft, kTop, std::max(40.0, width() - kLeft - kRight), std::max(30.0, height() - kTop - bottom));
+  const double bottom = hasTimeAxis() ? kBottomWithAxis : kBottom;
+  const double top = exporting_ ? kTopWithTitle : kTop;
+  plot_ = QRectF(kLeft, top, std::max(40.0, width() - kLeft - kRight), std::max(30.0, height() - top - bottom));
   chart()->setPlotArea(plot_);
 }
 

@@ -30,6 +30,11 @@ class LearningChart final : public QChartView, public CsvSource {
   LearningChart(Session& session, Shows shows, QWidget* parent = nullptr);
   QSize sizeHint() const override { return {440, shows_ == Shows::Falls ? 152 : 168}; }
   QSize minimumSizeHint() const override { return {240, 110}; }
+  /// The chart that stands below this one and bears the numbers of the time axis for both, while it is shown.
+  void setBelow(const QWidget* below) { below_ = below; }
+  /// All of the life, or only as far as it learned.
+  void setLearningOnly(bool on);
+  void prepareExport(bool exporting) override;
   /// A row a point: life (0 the one that runs, 1 the one before …), policy, x, value.
   std::string asCsv() const override;
 
@@ -39,6 +44,7 @@ class LearningChart final : public QChartView, public CsvSource {
   void resizeEvent(QResizeEvent* event) override;
   void changeEvent(QEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
+  bool viewportEvent(QEvent* event) override;
 
  private:
   void refresh();
@@ -60,10 +66,15 @@ class LearningChart final : public QChartView, public CsvSource {
   void drawFallMarks(QPainter& p, const Theme& t) const;
   void drawList(QPainter& p, const Theme& t) const;
 
-  static constexpr double kLeft = 48, kRight = 98, kTop = 12, kBottom = 12, kBottomWithAxis = 40;  // gutters [px]
+  bool hasTimeAxis() const { return exporting_ || !below_ || !below_->isVisible(); }
+
+  static constexpr double kLeft = 48, kRight = 98, kTop = 12, kTopWithTitle = 34, kBottom = 12,
+                          kBottomWithAxis = 40;  // gutters [px]
 
   Session& session_;
   Shows shows_;
+  const QWidget* below_ = nullptr;
+  bool learningOnly_ = false, exporting_ = false;
   std::vector<QLineSeries*> series_;  // one a piece, earlier lives first; those not needed are empty
   QRectF plot_;
   double xMost_ = 1, yLeast_ = 0, yMost_ = 1;

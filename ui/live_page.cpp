@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/live_page.h"
 
+#include <QAction>
 #include <QPainter>
 #include <QProxyStyle>
 #include <QSplitter>
 #include <QStyleOption>
+#include <QTabBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -58,6 +60,7 @@ LivePage::LivePage(Session& session, QWidget* parent) : QMainWindow(parent), ses
   style->setParent(this);
   setStyle(style);
   setDockOptions(AllowNestedDocks | AllowTabbedDocks);
+  setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   setCentralWidget(makeCentre());
@@ -84,12 +87,7 @@ LivePage::LivePage(Session& session, QWidget* parent) : QMainWindow(parent), ses
   Panel* actions =
       addPanel(tr("What the robot would do now"), "actions", new ActionRows(session_), Qt::BottomDockWidgetArea);
   makeMaps();
-  Panel* reward = addPanel(tr("Average reward"), "reward",
-                           new LearningChart(session_, LearningChart::Shows::AverageReward), Qt::RightDockWidgetArea);
-  reward->header().setNote(tr("last 80 episodes"));
-  Panel* falls =
-      addPanel(tr("Falls"), "falls", new LearningChart(session_, LearningChart::Shows::Falls), Qt::RightDockWidgetArea);
-  falls->header().setNote(tr("cumulative; each mark is one, click it to replay"));
+  makeCharts();
 
   steps_ = addPanel(tr("This step"), "step", new StepView(session_), Qt::BottomDockWidgetArea);
   steps_->header().setNote(tr("what the last one taught"));
@@ -100,6 +98,26 @@ LivePage::LivePage(Session& session, QWidget* parent) : QMainWindow(parent), ses
   connect(&session_, &Session::frame, this, [this, actions] {
     actions->header().setNote(actionsNote());
     worldHeader_->setNote(worldNote());
+  });
+}
+
+void LivePage::makeCharts() {
+  auto* average = new LearningChart(session_, LearningChart::Shows::AverageReward);
+  auto* cumulative = new LearningChart(session_, LearningChart::Shows::Falls);
+  average->setBelow(cumulative);
+  Panel* reward = addPanel(tr("Average reward"), "reward", average, Qt::RightDockWidgetArea);
+  reward->header().setNote(tr("last 80 episodes"));
+  Panel* falls = addPanel(tr("Falls"), "falls", cumulative, Qt::RightDockWidgetArea);
+  falls->header().setNote(tr("cumulative; each mark is one, click it to replay"));
+  auto* range = new LinkButton(tr("Whole life"));
+  range->setToolTip(tr("Show the whole life, or only as far as it learned"));
+  range->setCheckable(true);
+  reward->header().addWidget(range);
+  connect(range, &QToolButton::toggled, this, [range, average, cumulative, header = &reward->header()](bool only) {
+    range->setText(only ? tr("While it learned") : tr("Whole life"));
+    header->layOutExtra();
+    average->setLearningOnly(only);
+    cumulative->setLearningOnly(only);
   });
 }
 
@@ -167,6 +185,9 @@ Panel* LivePage::addPanel(const QString& title, const QString& name, QWidget* co
   auto* panel = new Panel(title, name, content, content != form_, this);
   addDockWidget(area, panel);
   panels_.push_back(panel);
+  connect(panel->toggleViewAction(), &QAction::triggered, panel, [panel](bool on) {
+    if (on) panel->raise();
+  });
   connect(&panel->header(), &PanelHeader::fullSizeAsked, this, [this, panel] { toggleFull(panel); });
   return panel;
 }
@@ -220,6 +241,7 @@ void LivePage::useLayout(Layout layout) {
     case Layout::Teaching:
       for (const char* name : {"parameters", "reward"}) panel(name)->hide();
       for (Panel* p : {steps_, rule_}) p->show();
+      addDockWidget(Qt::BottomDockWidgetArea, steps_);
       splitDockWidget(panel("actions"), steps_, Qt::Vertical);
       addDockWidget(Qt::RightDockWidgetArea, rule_);
       resizeDocks({panel("maps")}, {440}, Qt::Horizontal);
@@ -251,7 +273,11 @@ void LivePage::resetLayout() {
   addDockWidget(Qt::BottomDockWidgetArea, panel("step"));
   addDockWidget(Qt::BottomDockWidgetArea, panel("rule"));
   addDockWidget(Qt::RightDockWidgetArea, panel("list"));
+  // Those that are not shown at first share the place of one that is, or they would cut each other.
+  for (Panel* extra : {steps_, rule_}) tabifyDockWidget(panel("actions"), extra);
+  tabifyDockWidget(panel("falls"), list_);
   for (Panel* extra : {steps_, rule_, list_}) extra->hide();
+  for (const char* front : {"actions", "falls"}) panel(front)->raise();
   untouched_ = true;
   shareSpace();
 }
@@ -286,6 +312,16 @@ void LivePage::resizeEvent(QResizeEvent* event) {
 void LivePage::mousePressEvent(QMouseEvent* event) {
   untouched_ = false;
   QMainWindow::mousePressEvent(event);
+}
+
+// The tabs of panels that share a place are made by Qt as they are needed.
+void LivePage::childEvent(QChildEvent* event) {
+  QMainWindow::childEvent(event);
+  auto* tabs = event->polished() ? qobject_cast<QTabBar*>(event->child()) : nullptr;
+  if (!tabs) return;
+  tabs->setAccessibleName(tr("Panels that share this place"));
+  tabs->setDrawBase(false);
+  tabs->setExpanding(false);
 }
 
 void LivePage::showEvent(QShowEvent* event) {

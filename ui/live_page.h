@@ -43,13 +43,15 @@ class LivePage final : public QMainWindow {
   void showEvent(QShowEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
+  void childEvent(QChildEvent* event) override;
 
  private:
-  static constexpr int kLayoutVersion = 2;
+  static constexpr int kLayoutVersion = 3;
 
   Panel* addPanel(const QString& title, const QString& name, QWidget* content, Qt::DockWidgetArea area);
   QWidget* makeCentre();
   void makeMaps();
+  void makeCharts();
   QString actionsNote() const;
   void toggleFull(QWidget* panel);
   void shareSpace();

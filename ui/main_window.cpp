@@ -13,6 +13,7 @@
 
 #include "ui/autosave.h"
 #include "ui/experiment_page.h"
+#include "ui/keyboard.h"
 #include "ui/live_page.h"
 #include "ui/message_bar.h"
 #include "ui/panel.h"
@@ -34,6 +35,7 @@ MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent)
   auto* column = new QVBoxLayout(frame);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
+  new Keyboard(this);
   makeActions();
   bar_ = new RunBar(session_, run_);
   messages_ = new MessageBar(frame);
@@ -122,6 +124,9 @@ QWidget* MainWindow::makePlaceholder(const QString& title, const QString& words)
 void MainWindow::setPage(int page) {
   pages_->setCurrentIndex(page);
   tabs_[static_cast<std::size_t>(page)]->setChecked(true);
+  for (QAction* action : liveActions_) action->setEnabled(page == 0);  // no key of one page works on another
+  if (page == 0) live_->world().setFocus();
+  refresh();
   refreshStatus();
 }
 
@@ -138,7 +143,7 @@ void MainWindow::refresh() {
                  : name.isEmpty()       ? tr("Surefoot")
                                         : tr("Surefoot: %1").arg(name));
   run_.run->setText(session_.running() ? tr("&Pause") : tr("&Run"));
-  run_.run->setEnabled(!session_.runFinished());
+  run_.run->setEnabled(!session_.runFinished() && pages_->currentIndex() == 0);
   run_.run->setToolTip(session_.runFinished() ? tr("The life is complete; restart it to run again")
                                               : tr("Run or pause"));
   const QSignalBlocker blocker(run_.turbo);

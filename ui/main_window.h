@@ -92,7 +92,7 @@ class MainWindow final : public QMainWindow {
   StatusLine* status_ = nullptr;
   QString experimentLeft_, experimentRight_;
   std::vector<QAbstractButton*> tabs_;
-  std::vector<QAction*> shortcuts_;
+  std::vector<QAction*> shortcuts_, liveActions_;
   QMenu *recent_ = nullptr, *ownLayouts_ = nullptr;
   QPointer<PreLearningDialog> preLearning_;  // with its pool; of the environment that it was opened in
   std::string preLearningIn_;

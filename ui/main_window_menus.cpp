@@ -90,6 +90,7 @@ void MainWindow::makeActions() {
     if (const Status s = session_.restart(); !s) messages_->say(toText(s.error().message));
   });
   connect(run_.turbo, &QAction::toggled, &session_, &Session::setTurbo);
+  liveActions_ = {run_.run, run_.step, run_.restart, run_.turbo, run_.faster, run_.slower, run_.back, run_.live};
   connect(run_.faster, &QAction::triggered, this, [this] { bar_->changePace(+1); });
   connect(run_.slower, &QAction::triggered, this, [this] { bar_->changePace(-1); });
 }
@@ -172,9 +173,10 @@ void MainWindow::makeMenus() {
   compare->setCheckable(true);
   connect(compare, &QAction::toggled, live_, &LivePage::setComparing);
   run->addSeparator();
-  connect(addAction(run, tr("&Pre-learn, then transfer …"), tr("Learn on a model, then live in reality with that"),
-                    Qt::Key_P),
-          &QAction::triggered, this, &MainWindow::showPreLearning);
+  QAction* preLearn = addAction(run, tr("&Pre-learn, then transfer …"),
+                                tr("Learn on a model, then live in reality with that"), Qt::Key_P);
+  connect(preLearn, &QAction::triggered, this, &MainWindow::showPreLearning);
+  for (QAction* action : {compare, preLearn}) liveActions_.push_back(action);
 
   QMenu* experiment = menuBar()->addMenu(tr("E&xperiment"));
   const auto item = [&](const QString& text, const QString& tip, void (ExperimentPage::*slot)()) {

@@ -39,6 +39,12 @@ QStringList keptLayouts() {
 
 void MainWindow::makeViewMenu() {
   QMenu* view = menuBar()->addMenu(tr("&View"));
+  const QString pages[] = {tr("&Live"), tr("&Experiment"), tr("Le&ssons")};
+  for (int page = 0; page < 3; ++page)
+    connect(addAction(view, pages[page], tr("The page %1").arg(QString(pages[page]).remove('&')),
+                      QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + page))),
+            &QAction::triggered, this, [this, page] { setPage(page); });
+  view->addSeparator();
   for (Panel* panel : live_->panels()) view->addAction(panel->toggleViewAction());
   view->addSeparator();
   QMenu* layouts = view->addMenu(tr("La&youts"));
@@ -54,8 +60,9 @@ void MainWindow::makeViewMenu() {
           &QAction::triggered, this, &MainWindow::keepLayout);
   ownLayouts_ = layouts->addMenu(tr("&My own"));
   connect(ownLayouts_, &QMenu::aboutToShow, this, &MainWindow::fillLayouts);
-  connect(addAction(view, tr("&Fit the world"), tr("The zoom that shows the whole world"), Qt::Key_Home),
-          &QAction::triggered, this, [this] { live_->world().fit(); });
+  QAction* fit = addAction(view, tr("&Fit the world"), tr("The zoom that shows the whole world"), Qt::Key_Home);
+  connect(fit, &QAction::triggered, this, [this] { live_->world().fit(); });
+  liveActions_.push_back(fit);
   view->addSeparator();
   appearances_ = new QActionGroup(this);
   for (const auto& [text, appearance] :

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/message_bar.h"
 
+#include <QApplication>
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
@@ -38,7 +40,8 @@ MessageBar::MessageBar(QWidget* parent)
 }
 
 void MessageBar::place() {
-  setGeometry(0, kTop, parentWidget()->width(), std::max(36, sizeHint().height()));
+  const int h = std::max(36, sizeHint().height());
+  setGeometry(0, parentWidget()->height() - kStatusLine - h, parentWidget()->width(), h);
 }
 
 bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
@@ -49,11 +52,13 @@ bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
 void MessageBar::tell(const QString& sentence) {
   constexpr int kStays = 8000;  // [ms]
   say(sentence);
+  good_ = true;
   leaving_.start(kStays);
 }
 
 void MessageBar::say(const QString& sentence) {
   leaving_.stop();
+  good_ = false;
   text_->setText(sentence);
   setAccessibleName(sentence);
   for (QPushButton* answer : answers_) answer->hide();
@@ -72,6 +77,22 @@ void MessageBar::ask(const QString& sentence, std::vector<Answer> answers) {
     answers_[i]->show();
   }
   dismiss_->setText(tr("Cancel"));
+  before_ = QApplication::focusWidget();
+  answers_[0]->setFocus(Qt::OtherFocusReason);
+}
+
+// Escape, wherever in the bar the focus is, before it is anyone's shortcut.
+bool MessageBar::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+    event->accept();
+    return true;
+  }
+  return QWidget::event(event);
+}
+
+void MessageBar::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Escape) return dismiss();
+  QWidget::keyPressEvent(event);
 }
 
 void MessageBar::dismissRemark() {
@@ -80,6 +101,9 @@ void MessageBar::dismissRemark() {
 
 void MessageBar::dismiss() {
   then_ = {};
+  const bool hadFocus = isAncestorOf(QApplication::focusWidget());
+  if (hadFocus && before_) before_->setFocus();
+  before_ = nullptr;
   hide();
 }
 
@@ -87,8 +111,8 @@ void MessageBar::paintEvent(QPaintEvent*) {
   const Theme& t = themeOf(*this);
   QPainter p(this);
   p.fillRect(rect(), t.fill);
-  p.fillRect(QRect(0, 0, 3, height()), t.caution);
-  p.fillRect(QRect(0, height() - 1, width(), 1), t.hairline);
+  p.fillRect(QRect(0, 0, 3, height()), good_ ? t.outline : t.caution);
+  p.fillRect(QRect(0, 0, width(), 1), t.hairline);
 }
 
 }  // namespace surefoot

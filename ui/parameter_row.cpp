@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/parameter_row.h"
 
+#include <QEvent>
 #include <QLineEdit>
 #include <QPainter>
 #include <QSignalBlocker>
@@ -16,7 +17,7 @@
 namespace surefoot {
 
 namespace {
-constexpr int kRow = 24, kChanged = 18, kName = 20, kUnit = 28;  // [px]
+constexpr int kRow = 24, kChanged = 18, kName = 20, kUnit = 28, kNumber = 48;  // [px]
 
 QString tip(const Parameter& p) {
   const QString symbol = p.symbol.empty() ? QString() : QStringLiteral(" %1").arg(toText(p.symbol));
@@ -46,6 +47,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, const std::string& policy
     number_->setFrame(false);
     number_->setAlignment(Qt::AlignRight);
     number_->setTextMargins(0, 0, 0, 0);
+    number_->installEventFilter(this);
     connect(slider_, &QSlider::valueChanged, this, &ParameterRow::sliderMoved);
     connect(number_, &QLineEdit::editingFinished, this, &ParameterRow::numberTyped);
   }
@@ -96,8 +98,8 @@ QString ParameterRow::textOf(double value) const {
   const auto exact = [&] { return std::abs(value - QString::number(value, 'f', decimals).toDouble()) < 1e-12; };
   while (parameter_.kind == Kind::Real && decimals < 4 && !exact()) ++decimals;
   QString text = QString::number(value, 'f', decimals);
-  constexpr int kMost = 7;  // characters that fit
-  if (text.size() > kMost || (value != 0.0 && text.toDouble() == 0.0)) text = QString::number(value, 'g', 3);
+  const bool tooLong = number_ && number_->fontMetrics().horizontalAdvance(text) > kNumber - 6;
+  if (tooLong || (value != 0.0 && text.toDouble() == 0.0)) text = QString::number(value, 'g', 3);
   return text.replace('-', QChar(0x2212));
 }
 
@@ -112,7 +114,9 @@ void ParameterRow::show(double value, double base, std::optional<std::int64_t> c
   } else {
     const QSignalBlocker blockSlider(slider_), blockNumber(number_);
     if (!slider_->isSliderDown()) slider_->setValue(sliderAt(value));
-    if (!number_->hasFocus() || !number_->isModified()) number_->setText(textOf(value));
+    const QString text = textOf(value);
+    const bool typing = number_->hasFocus() && number_->isModified();
+    if (!typing && number_->text() != text) number_->setText(text);
   }
   reset_->setVisible(changed);
   setFixedHeight(changed ? kRow + kChanged : kRow);
@@ -151,7 +155,6 @@ void ParameterRow::resizeEvent(QResizeEvent*) {
   if (choice_) {
     choice_->setGeometry(w / 2, 1, w / 2, kRow - 2);
   } else {
-    constexpr int kNumber = 46;
     const int left = w / 2 - 9;
     number_->setGeometry(right - kNumber, 2, kNumber, kRow - 4);
     slider_->setGeometry(left, 0, right - kNumber - left - 1, kRow);
@@ -159,9 +162,20 @@ void ParameterRow::resizeEvent(QResizeEvent*) {
   reset_->setGeometry(w - 36, kRow - 2, 36, kChanged);
 }
 
+// A number that is reached by Tab is selected whole, so that typing replaces it.
+bool ParameterRow::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut) update();
+  if (event->type() == QEvent::FocusIn) QMetaObject::invokeMethod(number_, &QLineEdit::selectAll, Qt::QueuedConnection);
+  return QWidget::eventFilter(watched, event);
+}
+
 void ParameterRow::paintEvent(QPaintEvent*) {
   const Theme& t = themeOf(*this);
   QPainter p(this);
+  if (number_ && number_->hasFocus()) {
+    p.setPen(QPen(t.accent, 2));
+    p.drawRoundedRect(number_->geometry().adjusted(-2, 0, 2, 0), 3, 3);
+  }
   if (!policy_.empty()) drawMarker(p, {5, kRow / 2.0}, policyLook(policy_, t), inForce_);
   const QFont font = textFont(13);
   p.setFont(font);

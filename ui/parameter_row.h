@@ -39,6 +39,7 @@ class ParameterRow final : public QWidget {
  protected:
   void paintEvent(QPaintEvent*) override;
   void resizeEvent(QResizeEvent*) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   double valueAt(int slider) const;

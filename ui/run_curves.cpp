@@ -9,7 +9,7 @@ constexpr std::int64_t kLeastEpisodes = 20;
 
 void RunCurves::update(const std::string& agent, const std::string& policy, const std::vector<CurvePoint>& points,
                        const std::vector<Change>& changes) {
-  live_ = {agent, points, {}};
+  live_ = {agent, live_.number, points, {}};
   if (points.empty()) return;
   std::vector<Change> switches;
   for (const Change& change : changes)
@@ -27,10 +27,16 @@ void RunCurves::update(const std::string& agent, const std::string& policy, cons
 }
 
 void RunCurves::archive() {
+  const int number = live_.number;
   if (!live_.points.empty() && live_.points.back().episode >= kLeastEpisodes) {
     earlier_.push_back(std::move(live_));
     if (earlier_.size() > kMostEarlier) earlier_.erase(earlier_.begin());
   }
+  live_ = {.agent = {}, .number = number + 1, .points = {}, .pieces = {}};
+}
+
+void RunCurves::forget() {
+  earlier_.clear();
   live_ = {};
 }
 

@@ -18,6 +18,7 @@ struct CurvePiece {
 
 struct RunCurve {
   std::string agent;
+  int number = 1;  ///< of the life since the window was opened
   std::vector<CurvePoint> points;
   std::vector<CurvePiece> pieces;  ///< the same points, cut where the policy changed; each begins where the last ended
   std::string policy() const { return pieces.empty() ? "" : pieces.back().policy; }
@@ -33,6 +34,8 @@ class RunCurves {
               const std::vector<Change>& changes);
   /// The life that ran becomes an earlier one; one too short to say anything is forgotten.
   void archive();
+  /// In another environment there is nothing to compare with.
+  void forget();
 
   const RunCurve& live() const { return live_; }
   const std::vector<RunCurve>& earlier() const { return earlier_; }

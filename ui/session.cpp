@@ -23,6 +23,7 @@ Session::Session(const Registry& registry, Configuration configuration, bool kee
       began_(configuration_),
       keepRows_(keepRows) {
   base_ = baseOf(configuration_.names);
+  curvesIn_ = configuration_.names.environment;
   auto life = makeLifeOf(configuration_);
   assert(life && "the configuration was checked before");
   learner_ = std::make_unique<LearnerThread>(std::move(*life));
@@ -218,7 +219,11 @@ void Session::stepOnce() {
 
 void Session::adopt(std::unique_ptr<Life> life) {
   const bool wasFinished = runFinished();
-  curves_.archive();
+  if (curvesIn_ == configuration_.names.environment)
+    curves_.archive();
+  else
+    curves_.forget();
+  curvesIn_ = configuration_.names.environment;
   hovered_.clear();
   pinned_.clear();
   falls_.clear();

@@ -159,12 +159,12 @@ class Session final : public QObject {
   Shown shown_;
   std::vector<double> hovered_, pinned_;
   RunCurves curves_;
+  std::string curvesIn_;  // the environment of all of them
   std::deque<Fall> falls_;
   /// Of the newest falls, by their numbers.
   std::deque<std::pair<std::int64_t, std::shared_ptr<const ActionValueFunction>>> valuesThen_;
   Recording recording_;
   std::optional<Playback> playback_;
-  double playbackRest_ = 0;  // standing at its end for so long [s]
   QUndoStack undo_;
   Background background_;
   QTimer timer_;

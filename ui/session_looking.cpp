@@ -42,7 +42,6 @@ void Session::replayFall(std::size_t index) {
     playback.position = static_cast<double>(playback.frames.size()) - 1;
   }
   playback_ = std::move(playback);
-  playbackRest_ = 0;
   Q_EMIT playbackChanged();
 }
 
@@ -60,7 +59,6 @@ void Session::seek(double position) {
   const double last = static_cast<double>(playback_->frames.size()) - 1.0;
   if (position > last + 0.5 && playback_->rate == 0) return backToLive();
   playback_->position = std::clamp(position, 0.0, last);
-  playbackRest_ = 0;
   Q_EMIT playbackChanged();
 }
 
@@ -76,11 +74,10 @@ const ActionValueFunction* Session::valuesShown() const {
 }
 
 void Session::showPlayback(double seconds) {
-  constexpr double kRest = 1.2;  // at the end of a fall [s]
   Playback& p = *playback_;
   if (p.rate > 0) {
-    if (p.atEnd() && (playbackRest_ += seconds) > kRest) return backToLive();
     p.position = std::min(p.position + p.rate * seconds, static_cast<double>(p.frames.size()) - 1.0);
+    if (p.atEnd()) p.rate = 0;  // it stands at the fall, to be looked at
   }
   shown_ = p.frames[static_cast<std::size_t>(p.position)];
 }

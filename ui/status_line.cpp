@@ -30,14 +30,10 @@ QStringList StatusLine::segments() const {
   if (session_.running() && speed > 0)
     list << (speed >= 1e5 ? tr("%1 M steps/s").arg(toText(fixedText(speed / 1e6, 2)))
                           : tr("%1 steps/s").arg(toText(countText(speed))));
-  const Parameters& p = session_.configuration().parameters;
-  constexpr int kEnough = 20;  // successful episodes, before their mean says anything
-  if (s.totals.successes >= kEnough && p.find("environment.goal_reward") && p.find("environment.time_reward")) {
-    const double n = static_cast<double>(s.totals.successSteps) / static_cast<double>(s.totals.successes);
-    const double threshold =
-        ruleOfThumb(p.get("agent.discount"), n, p.get("environment.goal_reward"), p.get("environment.time_reward"));
-    list << tr("n* %1 → rule-of-thumb threshold %2").arg(toText(fixedText(n, 0)), toText(fixedText(threshold, 0)));
-  }
+  const ValueSnapshot* v = session_.values();
+  if (v && v->rule)
+    list << tr("n* %1 → rule-of-thumb threshold %2")
+                .arg(toText(fixedText(v->rule->transitions, 0)), toText(fixedText(v->rule->threshold, 0)));
   list << tr("seed %1").arg(session_.configuration().seed);
   return list;
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/text.h"
+#include "ui/keyboard.h"
 #include "ui/map_choice.h"
 #include "ui/session.h"
 #include "ui/symbol_text.h"
@@ -115,6 +116,7 @@ void StepView::paintEvent(QPaintEvent*) {
 
 RuleView::RuleView(Session& session, QWidget* parent) : QWidget(parent), session_(session) {
   setFocusPolicy(Qt::StrongFocus);
+  setCursor(Qt::PointingHandCursor);
   setToolTip(tr("A click, or Enter, sets TRL's threshold to the rule's"));
   connect(&session_, &Session::valuesArrived, this, [this] {
     if (isVisible()) update();
@@ -149,12 +151,13 @@ void RuleView::paintEvent(QPaintEvent*) {
     return;
   }
   const RuleOfThumb& rule = *v->rule;
+  drawFocusRing(p, *this);
   p.setFont(textFont(24, 500));
   p.setPen(t.trl);
   p.drawText(QRectF(12, 4, width() - 24, 34), Qt::AlignVCenter, toText(fixedText(rule.threshold, 1)));
   const double gamma = session_.configuration().parameters.get("agent.discount");
   const double goal = session_.task().goalReward.value_or(0.0);
-  QStringList lines = {tr("γ^n* · R = %1^%2 · %3   (thesis, eq. 4.1, 4.3)")
+  QStringList lines = {tr("γ to the power n*, times R: γ %1, n* %2, R %3   (thesis, eq. 4.1, 4.3)")
                            .arg(toText(fixedText(gamma, 2)), toText(fixedText(rule.transitions, 1)), number(goal)),
                        tr("n*: mean transitions of the successes while it learns")};
   if (rule.preLearned)
@@ -163,7 +166,8 @@ void RuleView::paintEvent(QPaintEvent*) {
     lines << tr("lower limit %1, upper limit %2")
                  .arg(rule.lower ? number(*rule.lower) : tr("not yet"),
                       rule.upper ? number(*rule.upper) : tr("not yet"));
-  lines << tr("threshold in force: %1; a click sets it to the rule's").arg(toText(countText(session_.threshold())));
+  lines << tr("threshold in force: %1; a click here, or Enter, sets it to the rule's")
+               .arg(toText(countText(session_.threshold())));
   p.setFont(textFont(11));
   p.setPen(t.quiet);
   double y = 42;

@@ -123,6 +123,9 @@ QRadioButton::indicator { border-radius: 8px; }
 QCheckBox::indicator:checked { background: %2; border-color: %2; }
 QRadioButton::indicator:checked { width: 6px; height: 6px; border: 5px solid %2; }
 QCheckBox::indicator:focus, QRadioButton::indicator:focus { border-color: %7; }
+QTabBar::tab { background: %1; color: %5; padding: 3px 10px; border: none; border-bottom: 2px solid transparent; }
+QTabBar::tab:selected { color: %2; border-bottom-color: %2; }
+QTabBar::tab:focus { border-bottom-color: %7; }
 QDialog { border: 1px solid %6; }
 QPushButton { border: 1px solid %6; border-radius: 4px; background: %1; color: %2; padding: 5px 12px; }
 QPushButton:hover { background: %3; }

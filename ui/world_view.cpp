@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/text.h"
+#include "ui/keyboard.h"
 #include "ui/preferences.h"
 #include "ui/scene_painter.h"
 #include "ui/session.h"
@@ -155,6 +156,7 @@ void WorldView::paintEvent(QPaintEvent*) {
   for (const Shape& shape : scene_.shapes) std::visit(painter, shape);
   drawSpring(p, t);
   drawReadOuts(p, t);
+  drawFocusRing(p, *this);
 }
 
 void WorldView::drawFloor(QPainter& p, const Theme& t) const {

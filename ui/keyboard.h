@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Who gets a key: the window's shortcuts are single keys (Space, R, the arrows …), so what has the focus must be asked
+// first, or no button could be pressed and no slider moved without a mouse.
+#pragma once
+
+#include <QObject>
+
+class QKeyEvent;
+class QPainter;
+class QWidget;
+
+namespace surefoot {
+
+/// Watches the whole program. Buttons take Space and Return, sliders and tabs their arrows, choices open a list.
+class Keyboard final : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit Keyboard(QObject* parent);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+};
+
+/// Whether a widget that has the focus uses this key itself.
+bool usesKey(const QWidget& widget, const QKeyEvent& event);
+
+/// The ring around what has the focus, inside its edge.
+void drawFocusRing(QPainter& painter, const QWidget& widget);
+
+}  // namespace surefoot
