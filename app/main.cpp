@@ -27,12 +27,26 @@ int print(const std::string& text) {
 
 namespace {
 
+/// Well-formed: the lead bytes and what follows them.
+bool isUtf8(std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    const auto lead = static_cast<unsigned char>(text[i++]);
+    const int more = lead < 0x80 ? 0 : lead >= 0xC2 && lead < 0xE0 ? 1 : lead >= 0xE0 && lead < 0xF0 ? 2 : 3;
+    if (lead > 0xF4 || (lead >= 0x80 && lead < 0xC2)) return false;
+    for (int k = 0; k < more; ++k, ++i)
+      if (i >= text.size() || (static_cast<unsigned char>(text[i]) & 0xC0) != 0x80) return false;
+  }
+  return true;
+}
+
 int run(int argc, char** argv) {
   reportFailedWrites();
   watchForInterrupt();
   Registry registry;
   registerCore(registry);
   registerPhysics(registry);
+  for (int i = 1; i < argc; ++i)
+    if (!isUtf8(argv[i])) return fail({fmt::format("argument {}: it is no UTF-8 text, as names of files must be.", i)});
   const Result<Request> request = parseCommandLine(registry, argc, argv);
   if (!request) return fail(request.error());
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `surefoot merge`: the parts of an experiment into one store.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -74,21 +75,22 @@ int mergeCommand(const MergeRequest& request) {
     return fail({fmt::format("{}: it exists already; name another file.", *request.out), ErrorKind::File});
 
   // The whole appears at once: made beside its place, then given its name.
-  const std::string meanwhile = *request.out + ".part";
-  std::error_code failed;
-  std::filesystem::remove(meanwhile, failed);
+  const std::string meanwhile = fmt::format("{}.part-{}", *request.out, getpid());
+  if (std::filesystem::exists(std::filesystem::symlink_status(meanwhile)))
+    return fail({fmt::format("{}: it is in the way; remove it first.", meanwhile), ErrorKind::File});
+  std::error_code failed, ignored;
   const auto hash = [&]() -> Result<std::uint64_t> {
     const auto store = join(request, meanwhile);
     if (!store) return store.error();
     return store->contentHash();
   }();
-  if (hash) std::filesystem::rename(meanwhile, *request.out, failed);
+  if (hash) std::filesystem::create_hard_link(meanwhile, *request.out, failed);  // which replaces nothing
+  std::filesystem::remove(meanwhile, ignored);
   if (hash && !failed)
     return print(fmt::format("{}: {} parts, content {:016x}\n", *request.out, request.parts.size(), *hash));
-  const std::string why = failed.message();
-  std::filesystem::remove(meanwhile, failed);
-  return fail(hash ? Error{fmt::format("{}: it cannot be written: {}.", *request.out, why), ErrorKind::File}
-                   : hash.error());
+  return fail(hash
+                  ? Error{fmt::format("{}: it cannot be written: {}.", *request.out, failed.message()), ErrorKind::File}
+                  : hash.error());
 }
 
 }  // namespace surefoot

@@ -32,6 +32,7 @@ std::string verdictsOf(const Reproduced& r) {
 int reproduceCommand(const Registry& registry, const ReproduceRequest& request) {
   LabOptions lab = request.lab;
   lab.interrupted = &watchForInterrupt();
+  if (const Status s = checkReportPlace(request.out); !s) return fail(s.error());
   FigureDrawer drawer;
   std::vector<Reproduced> done;
   for (const std::string& path : request.recipes) {

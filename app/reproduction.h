@@ -32,6 +32,8 @@ Result<Reproduced> reproduce(const Registry& registry, const std::string& recipe
 std::string claimsAsJson(const std::vector<Reproduced>& recipes);
 
 /// FOLDER/report.md, report.html (which holds its pictures) and claims.json.
+/// A report that somebody else wrote is not replaced.
+Status checkReportPlace(const std::string& folder);
 Status writeReport(const std::vector<Reproduced>& recipes, const std::string& folder, bool pictures);
 
 }  // namespace surefoot

@@ -183,6 +183,17 @@ std::string claimsAsJson(const std::vector<Reproduced>& recipes) {
   return list.dump(2) + "\n";
 }
 
+Status checkReportPlace(const std::string& folder) {
+  for (const char* name : {"report.html", "report.md"}) {
+    const std::string path = folder + "/" + name;
+    const auto head = readHead(path, 4096);
+    if (head && head->find("Surefoot") == std::string::npos)
+      return Error{fmt::format("--out: {} exists already and is no report of Surefoot; name another folder.", path),
+                   ErrorKind::File};
+  }
+  return Done{};
+}
+
 Status writeReport(const std::vector<Reproduced>& recipes, const std::string& folder, bool pictures) {
   const auto html = asHtml(recipes, folder, pictures);
   if (!html) return html.error();

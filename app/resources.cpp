@@ -65,6 +65,11 @@ Result<std::string> findPlan(const std::string& plan) {
   if (std::find(names.begin(), names.end(), plan) != names.end())
     return (fs::path(resourceFolder("plans")) / (plan + ".toml")).string();
   const std::string near = nearestWord(plan, names);
+  if (names.empty())
+    return Error{
+        fmt::format("PLAN: there is no file called \"{}\", and the plans that come with the program are missing.",
+                    shortened(plan)),
+        ErrorKind::File};
   return Error{fmt::format("PLAN: there is no file and no plan called \"{}\"{}; the plans are {}.", shortened(plan),
                            near.empty() ? "" : ", did you mean " + near, joinWords(names)),
                ErrorKind::File};
@@ -112,7 +117,7 @@ std::vector<ShippedPlan> allShipped() {
   for (const bool recipe : {false, true})
     for (const fs::path& file : filesIn(recipe ? "recipes" : "plans")) {
       ShippedPlan plan{.name = file.stem().string(), .title = {}, .path = file.string(), .recipe = recipe};
-      const auto text = readFile(plan.path);
+      const auto text = readText(plan.path);
       const auto parsed = text ? parsePlanFile(*text, plan.path) : Result<PlanFile>(text.error());
       if (parsed)
         for (const PlanSetting& setting : parsed->head)

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/train_files.h"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+
 #include "app/report.h"
 #include "core/experiment/journal.h"
 #include "core/experiment/q_file.h"
@@ -38,17 +43,35 @@ void TrainFiles::visit(const Life& life) {
   if (!written) trouble_ = written;  // the old checkpoint is still there, and the life goes on
 }
 
+namespace {
+
+/// The place was free when the run began and is not any more, or its folder is gone: what was lived must not be lost
+/// for that. Beside it, or in the current folder; the error says where.
+Error rescue(const std::string& path, const std::string& content, const Error& why) {
+  const std::filesystem::path wanted = path;
+  const std::string name = fmt::format("{}-{}", wanted.filename().string(), getpid());
+  for (const auto& place : {wanted.parent_path() / name, std::filesystem::path(name)}) {
+    auto file = WholeFile::createNew("file", place.string());
+    if (file && file->commit(content))
+      return {fmt::format("{} It is in {} instead.", why.message, place.string()), why.kind};
+  }
+  return why;
+}
+
+}  // namespace
+
 Status TrainFiles::finish(const std::vector<LifeResult>& lives, std::optional<double> stepTime) {
   Status status = trouble_;
-  const auto commit = [&](std::optional<WholeFile>& file, const std::string& content) {
+  const auto commit = [&](std::optional<WholeFile>& file, const std::optional<std::string>& path,
+                          const std::string& content) {
     if (!file) return;
     const Status written = file->commit(content);
-    if (status && !written) status = written;
+    if (!written && status) status = rescue(*path, content, written.error());
   };
-  if (log_) commit(log_, logAsCsv(lives, stepTime));
+  if (log_) commit(log_, request_->log, logAsCsv(lives, stepTime));
   if (lives.empty()) return status;
-  if (!learned_.empty()) commit(save_, learned_);
-  if (journal_) commit(journal_, journalOf(request_->configuration, lives.front()));
+  if (!learned_.empty()) commit(save_, request_->save, learned_);
+  if (journal_) commit(journal_, request_->journal, journalOf(request_->configuration, lives.front()));
   return status;
 }
 

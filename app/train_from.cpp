@@ -37,9 +37,12 @@ Result<LivedBefore> ofSession(const Registry& registry, std::shared_ptr<const Te
 }  // namespace
 
 Result<LivedBefore> readLivedBefore(const Registry& registry, const std::string& path) {
-  const auto text = readFile(path);
-  if (!text) return text.error();
-  if (text->starts_with("{")) return ofJournal(registry, *text, path);
+  const auto head = readHead(path, 1);
+  if (!head) return head.error();
+  if (*head == "{") {
+    const auto text = readText(path);
+    return text ? ofJournal(registry, *text, path) : text.error();
+  }
   auto file = readQFile(path);
   if (!file) return file.error();
   if ((*file)->about.value("kind", "") == "checkpoint") return ofSession(registry, std::move(*file), path);

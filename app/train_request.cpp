@@ -81,7 +81,9 @@ Status checkDifferentFiles(const TrainOptions& o) {
   for (const auto& [name, option] : {std::pair{"--log", &o.log}, std::pair{"--save", &o.save},
                                      std::pair{"--journal", &o.journal}, std::pair{"--checkpoint", &o.checkpoint}}) {
     if (!*option || (*option)->empty()) continue;
-    const auto path = std::filesystem::absolute(**option).lexically_normal();
+    std::error_code failed;
+    auto path = std::filesystem::weakly_canonical(std::filesystem::absolute(**option, failed), failed);
+    if (failed) path = std::filesystem::absolute(**option).lexically_normal();
     for (const auto& [other, taken] : files)
       if (taken == path)
         return Error{fmt::format("{}: {} is the file of {}, too; name another.", name, **option, other)};

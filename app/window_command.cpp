@@ -87,7 +87,7 @@ int windowCommand(const Registry& registry, const WindowRequest& request, int ar
   const std::atomic<bool>& interrupted = watchForInterrupt();
   QTimer watch;
   QObject::connect(&watch, &QTimer::timeout, &window, [&] {
-    if (interrupted) window.close();
+    if (interrupted) window.closeForNow();
   });
   watch.start(100);
 

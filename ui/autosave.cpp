@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/autosave.h"
 
-#include <signal.h>
-
 #include <QCoreApplication>
 #include <QDir>
 
@@ -14,16 +12,20 @@ namespace {
 const QString kPrefix = QStringLiteral("autosave-");
 const QString kEnding = QStringLiteral(".surefoot");
 
+const QString kLock = QStringLiteral(".lock");
+
+/// A number of a process may be in use again, by anyone; a lock knows better.
 bool isRunning(const QString& file) {
-  const qint64 process = file.mid(kPrefix.size(), file.size() - kPrefix.size() - kEnding.size()).toLongLong();
-  return process > 0 && ::kill(static_cast<pid_t>(process), 0) == 0;
+  QLockFile lock(file + kLock);
+  lock.setStaleLockTime(0);
+  return !lock.tryLock();
 }
 
 /// The files of processes that are gone, the newest first.
 QStringList orphans(const QString& folder) {
   QStringList list;
   for (const QString& file : QDir(folder).entryList({kPrefix + '*' + kEnding}, QDir::Files, QDir::Time))
-    if (!isRunning(file)) list << QDir(folder).filePath(file);
+    if (const QString path = QDir(folder).filePath(file); !isRunning(path)) list << path;
   return list;
 }
 }  // namespace
@@ -32,7 +34,11 @@ Autosave::Autosave(Session& session, QString folder, QObject* parent)
     : QObject(parent),
       session_(session),
       folder_(std::move(folder)) {
-  connect(&timer_, &QTimer::timeout, this, &Autosave::save);
+  QDir().mkpath(folder_);
+  lock_ = std::make_unique<QLockFile>(path() + kLock);
+  lock_->setStaleLockTime(0);
+  lock_->tryLock();
+  connect(&timer_, &QTimer::timeout, this, [this] { save(); });
   setMinutes(1);
   timer_.start();
 }
@@ -46,21 +52,42 @@ QString Autosave::leftBehind() const {
   return list.isEmpty() ? QString() : list.front();
 }
 
-void Autosave::forget() {
-  for (const QString& file : orphans(folder_)) QFile::remove(file);
+void Autosave::forget(const QString& file) {
+  QFile::remove(file);
 }
 
-void Autosave::save() {
-  if (writing_ || session_.snapshot().steps == saved_ || !QDir().mkpath(folder_)) return;
+void Autosave::takeOver(const QString& file) {
+  takenOver_ = file;
+  saved_ = -1;
+  save();
+}
+
+void Autosave::save(std::function<void()> then) {
+  if (writing_ || session_.snapshot().steps == saved_ || !QDir().mkpath(folder_)) {
+    if (then) then();
+    return;
+  }
   saved_ = session_.snapshot().steps;
   writing_ = true;
   // A full disk is no reason to disturb; the next try may work.
-  session_.save(SavedAs::Session, path().toStdString(), [this](const Status&) { writing_ = false; });
+  session_.save(SavedAs::Session, path().toStdString(), [this, then = std::move(then)](const Status& s) {
+    writing_ = false;
+    if (s && !takenOver_.isEmpty() && takenOver_ != path()) QFile::remove(takenOver_);
+    if (s) takenOver_.clear();
+    if (then) then();
+  });
+}
+
+void Autosave::leave(std::function<void()> then) {
+  timer_.stop();
+  leaving_ = true;
+  save(std::move(then));
 }
 
 void Autosave::finish() {
   timer_.stop();
-  QFile::remove(path());
+  if (!leaving_) QFile::remove(path());
+  lock_->unlock();
 }
 
 }  // namespace surefoot

@@ -3,7 +3,6 @@
 
 #include <QDateTime>
 #include <QDir>
-#include <QFile>
 #include <algorithm>
 #include <thread>
 
@@ -25,8 +24,8 @@ std::int64_t fallsIn(const LabView& view) {
 }
 
 bool isStore(const std::string& path) {
-  QFile file(toText(path));
-  return file.open(QIODevice::ReadOnly) && file.read(15) == "SQLite format 3";
+  const auto head = readHead(path, 15);
+  return head && *head == "SQLite format 3";
 }
 }  // namespace
 
@@ -82,7 +81,7 @@ Status Experiment::readText(const std::string& text, const std::string& path) {
 
 Status Experiment::open(const std::string& path) {
   if (isStore(path)) return openStore(path);
-  const auto text = readFile(path);
+  const auto text = surefoot::readText(path);
   if (!text) return text.error();
   if (const Status s = readText(*text, path); !s) return s;
   path_ = path;

@@ -9,6 +9,7 @@
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStandardPaths>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "ui/autosave.h"
@@ -154,6 +155,14 @@ void MainWindow::restoreSettings() {
   const QSettings settings;
   restoreGeometry(settings.value("geometry").toByteArray());
   live_->restoreLayout(settings.value("layout").toByteArray());
+}
+
+void MainWindow::closeForNow() {
+  if (closing_) return;
+  closing_ = true;
+  constexpr int kPatience = 5000;  // [ms]
+  QTimer::singleShot(kPatience, this, &QWidget::close);
+  autosave_->leave([this] { close(); });
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

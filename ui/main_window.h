@@ -45,6 +45,8 @@ class MainWindow final : public QMainWindow {
   /// Whatever it is: a session, a Q-function, a journal, a plan, results.
   void openFile(const QString& path);
   void saveTo(SavedAs what, const QString& path);
+  /// The program is ended from outside: the session is kept for the next start, then the window closes.
+  void closeForNow();
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -101,6 +103,7 @@ class MainWindow final : public QMainWindow {
   Autosave* autosave_ = nullptr;
   QString sessionPath_;  // where Save writes; empty: not saved yet
   QString troubleShown_;
+  bool closing_ = false;
 };
 
 }  // namespace surefoot

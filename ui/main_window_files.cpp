@@ -5,6 +5,7 @@
 #include <QMimeData>
 #include <QSettings>
 
+#include "core/files/read_file.h"
 #include "ui/ask_for_file.h"
 #include "ui/autosave.h"
 #include "ui/experiment_page.h"
@@ -20,9 +21,8 @@ namespace {
 constexpr int kMostRecent = 8;
 
 bool belongsToExperiments(const QString& path) {
-  QFile file(path);
-  return path.endsWith(QStringLiteral(".toml")) ||
-         (file.open(QIODevice::ReadOnly) && file.read(15) == "SQLite format 3");
+  const auto head = readHead(path.toStdString(), 15);
+  return path.endsWith(QStringLiteral(".toml")) || (head && *head == "SQLite format 3");
 }
 }  // namespace
 
@@ -48,6 +48,8 @@ void MainWindow::openFile(const QString& path) {
   setPage(0);
   setSessionPath(path.endsWith(QStringLiteral(".surefoot")) ? path : QString());
   remember(path);
+  if (session_.background().busy())
+    messages_->tell(tr("It is lived again up to its end; the world goes on meanwhile."));
 }
 
 void MainWindow::remember(const QString& path) {
@@ -102,14 +104,17 @@ void MainWindow::exportWithDialog(QWidget* view, const QString& title) {
 void MainWindow::offerToRestore() {
   const QString left = autosave_->leftBehind();
   if (left.isEmpty()) return;
-  messages_->ask(tr("The last session was not closed. Its last minute may be missing."),
+  messages_->ask(tr("The last session was not closed. Its last minutes may be missing."),
                  {{tr("Restore it"),
                    [this, left] {
-                     if (const Status s = session_.open(left.toStdString()); !s)
-                       messages_->say(toText(s.error().message));
-                     autosave_->forget();
+                     if (const Status s = session_.open(left.toStdString()); !s) {
+                       messages_->say(toText(s.error().message) + ' ' + tr("It is set aside as %1.damaged.").arg(left));
+                       QFile::rename(left, left + QStringLiteral(".damaged"));
+                       return;
+                     }
+                     autosave_->takeOver(left);
                    }},
-                  {tr("Forget it"), [this] { autosave_->forget(); }}});
+                  {tr("Forget it"), [this, left] { autosave_->forget(left); }}});
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -7,6 +7,7 @@
 #include "core/experiment/journal.h"
 #include "core/experiment/q_file.h"
 #include "core/experiment/resample.h"
+#include "core/files/read_file.h"
 #include "core/files/whole_file.h"
 #include "ui/session.h"
 
@@ -49,9 +50,12 @@ void Session::save(SavedAs what, const std::string& path, std::function<void(con
 }
 
 Status Session::open(const std::string& path) {
-  const auto text = readFile(path);
-  if (!text) return text.error();
-  if (text->starts_with("{")) return openJournal(*text, path);
+  const auto head = readHead(path, 1);
+  if (!head) return head.error();
+  if (*head == "{") {
+    const auto text = readText(path);
+    return text ? openJournal(*text, path) : Status(text.error());
+  }
   auto file = readQFile(path);
   if (!file) return file.error();
   if ((*file)->about.value("kind", "") == "checkpoint") {
@@ -74,10 +78,18 @@ Status Session::openJournal(const std::string& text, const std::string& path) {
   if (!journal) return journal.error();
   if (journal->steps > kMostReplayed)
     return Error{path + ": the life in it is too long to be lived again while one waits; `surefoot replay` does it."};
-  auto life = makeLifeOf(journal->configuration);
-  if (!life) return life.error();
-  while ((*life)->steps() < journal->steps && !(*life)->finished()) (*life)->step();
-  return beginWithLife(std::move(journal->configuration), std::move(*life));
+  auto made = makeLifeOf(journal->configuration);
+  if (!made) return made.error();
+  // It may take seconds: meanwhile the window goes on with what it has.
+  const auto life = std::make_shared<std::unique_ptr<Life>>(std::move(*made));
+  background_.start(
+      [life, steps = journal->steps](const std::atomic<bool>& interrupted) {
+        while ((*life)->steps() < steps && !(*life)->finished() && !interrupted) (*life)->step();
+      },
+      [this, life, configuration = std::move(journal->configuration)] {
+        static_cast<void>(static_cast<bool>(beginWithLife(configuration, std::move(*life))));
+      });
+  return Done{};
 }
 
 Status Session::begin(Configuration configuration) {

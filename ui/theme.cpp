@@ -136,6 +136,7 @@ QDialog QLineEdit, surefoot--ConditionForm QLineEdit { border: 1px solid %6; bor
 QDialog QLineEdit:focus, surefoot--ConditionForm QLineEdit:focus { border: 2px solid %7; padding: 2px 7px; }
 QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QHeaderView::section { border: none; border-bottom: 1px solid %4; background: %1; padding: 0 10px; }
+QTableView { outline: 0; }
 QTableView::item { border-bottom: 1px solid %4; padding: 0 10px; }
 QTableView::item:selected { background: %3; color: %2; }
 )")

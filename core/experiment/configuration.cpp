@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/experiment/q_file.h"
@@ -116,11 +117,13 @@ Status readState(const CommandText& text, Environment& environment, std::vector<
   const auto refuse = [&](const std::string& why) {
     return Error{fmt::format("at step {}: place = \"{}\": {}", text.step, text.value, why)};
   };
-  std::string_view rest = text.value;
+  std::string spaced = text.value;
+  std::replace(spaced.begin(), spaced.end(), ',', ' ');
+  std::string_view rest = spaced;
   while (!rest.empty()) {
     const auto end = rest.find(' ');
     const auto number = parseNumber("place", rest.substr(0, end));
-    if (!number) return refuse("numbers with spaces between them are expected.");
+    if (!number) return refuse("numbers with commas between them are expected.");
     state.push_back(*number);
     rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
   }

@@ -94,7 +94,7 @@ std::string journalOf(const Configuration& c, const LifeResult& life) {
                  {"life", life.life},
                  {"load", nullptr}};
   if (c.beganWith.is_object()) header["load"] = {{"file", c.beganWith["file"]}, {"hash", c.beganWith["hash"]}};
-  std::string text = header.dump() + "\n";
+  std::string text = header.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
   for (const Change& change : life.changes)
     text += Json({{"step", change.step}, {"key", change.key}, {"value", change.after}}).dump() + "\n";
   Json end = {{"step", life.steps},
@@ -130,7 +130,7 @@ Result<Journal> parseJournal(const Registry& registry, const std::string& text, 
 }
 
 Result<Journal> readJournal(const Registry& registry, const std::string& path) {
-  const auto text = readFile(path);
+  const auto text = readText(path);
   if (!text) return text.error();
   return parseJournal(registry, *text, path);
 }

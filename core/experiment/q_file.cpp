@@ -121,12 +121,29 @@ Result<std::shared_ptr<const TensorFile>> readQFile(const std::string& path) {
   return std::make_shared<const TensorFile>(std::move(*file));
 }
 
+namespace {
+
+/// What a file began with, and what that began with …: the last few of a long line of descent.
+Json ancestors(const Json& began, int generations) {
+  Json kept = began;
+  if (!kept.is_object() || !kept.contains("began_with")) return kept;
+  if (generations == 0)
+    kept.erase("began_with");
+  else
+    kept["began_with"] = ancestors(began["began_with"], generations - 1);
+  return kept;
+}
+
+}  // namespace
+
 void beginWith(Configuration& configuration, std::shared_ptr<const TensorFile> file) {
   std::error_code failed;
   const std::filesystem::path path = std::filesystem::absolute(file->name, failed);
   configuration.beganWith = {{"file", failed ? file->name : path.lexically_normal().string()}, {"hash", hashOf(*file)}};
-  for (const char* key : {"learned", "began_with"})
-    if (file->about.contains(key)) configuration.beganWith[key] = file->about[key];
+  constexpr int kMostAncestors = 8;
+  if (file->about.contains("learned")) configuration.beganWith["learned"] = file->about["learned"];
+  if (file->about.contains("began_with"))
+    configuration.beganWith["began_with"] = ancestors(file->about["began_with"], kMostAncestors);
   configuration.start = std::move(file);
 }
 

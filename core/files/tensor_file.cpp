@@ -94,6 +94,11 @@ Json parseJson(std::string_view text) {
   }
 }
 
+/// A path in it may not be UTF-8: then as near as can be.
+std::string textOf(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 }  // namespace
 
 const char* nameOf(ElementType type) {
@@ -109,14 +114,14 @@ const Tensor* TensorFile::find(std::string_view wanted) const {
 }
 
 std::string TensorFile::write() const {
-  Json header = {{kMetadata, {{kOurs, about.dump()}}}};
+  Json header = {{kMetadata, {{kOurs, textOf(about)}}}};
   std::size_t offset = 0;
   for (const Tensor& t : tensors) {
     header[t.name] = {
         {"dtype", nameOf(t.type)}, {"shape", t.shape}, {"data_offsets", {offset, offset + t.bytes.size()}}};
     offset += t.bytes.size();
   }
-  std::string text = header.dump();
+  std::string text = textOf(header);
   text.resize((text.size() + 7) / 8 * 8, ' ');  // so that the data is aligned
   const std::uint64_t length = text.size();
   std::string bytes(kLengthBytes, '\0');
@@ -169,6 +174,12 @@ Result<TensorFile> TensorFile::parse(std::string_view bytes, const std::string& 
 }
 
 Result<TensorFile> TensorFile::read(const std::string& path) {
+  const auto head = readHead(path, kLengthBytes);  // a look first: the rest may be huge
+  if (!head) return head.error();
+  std::uint64_t length = 0;
+  if (head->size() == kLengthBytes) std::memcpy(&length, head->data(), kLengthBytes);
+  if (head->size() == kLengthBytes && (length == 0 || length > kLongestHeader))
+    return fileError(path, fmt::format("this is no safetensors file: its header would have {} bytes.", length));
   const auto bytes = readFile(path);
   if (!bytes) return bytes.error();
   return parse(*bytes, path);

@@ -103,7 +103,7 @@ Result<Plan> parsePlan(const Registry& registry, const std::string& text, const 
 }
 
 Result<Plan> readPlan(const Registry& registry, const std::string& path, const PlanChanges& changes) {
-  const auto text = readFile(path);
+  const auto text = readText(path);
   if (!text) return text.error();
   return parsePlan(registry, *text, path, changes);
 }

@@ -99,6 +99,10 @@ class Reader {
     } else {
       return refuse(key, setting.line);
     }
+    for (const std::string& value : setting.values)
+      if (std::any_of(value.begin(), value.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }))
+        return planError(path_, setting.line,
+                         fmt::format("{}: a text holds no line breaks or control characters.", key));
     into.push_back(std::move(setting));
     return Done{};
   }

@@ -82,7 +82,7 @@ std::vector<std::string> patternsOf(const Claim& claim) {
 }
 
 Result<Recipe> read(const Registry& registry, const std::string& path, const PlanChanges& changes) {
-  const auto text = readFile(path);
+  const auto text = readText(path);
   if (!text) return text.error();
   auto plan = parsePlan(registry, *text, path, changes);
   if (!plan) return plan.error();
@@ -107,7 +107,7 @@ bool Recipe::calibrated() const {
 }
 
 Result<std::vector<std::string>> recipeShows(const std::string& path) {
-  const auto text = readFile(path);
+  const auto text = readText(path);
   if (!text) return text.error();
   const auto blocks = parseRecipeBlocks(*text, path);
   if (!blocks) return blocks.error();

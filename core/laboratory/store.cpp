@@ -134,6 +134,8 @@ Result<Store> Store::create(const std::string& path, const StoredPlan& plan) {
     return Done{};
   });
   if (missing(path)) unlink(path.c_str());  // an empty file
+  // What a store left that was killed and then removed would be replayed into this one.
+  for (const char* rest : {"-wal", "-shm", "-journal"}) unlink((path + rest).c_str());
   const bool named = made && link(meanwhile.c_str(), path.c_str()) == 0;
   const int why = errno;
   unlink(meanwhile.c_str());
@@ -144,7 +146,9 @@ Result<Store> Store::create(const std::string& path, const StoredPlan& plan) {
 }
 
 Result<Store> Store::openAs(const std::string& path, bool write) {
+  std::error_code failed;
   if (missing(path)) return fileError(path, "there is no such store.");
+  if (!std::filesystem::is_regular_file(path, failed)) return fileError(path, "it is not a regular file.");
   return guarded<Store>(path, [&]() -> Result<Store> {
     auto data = std::make_unique<Database>(path, write ? SQLite::OPEN_READWRITE : SQLite::OPEN_READONLY);
     SQLite::Database& db = data->db;

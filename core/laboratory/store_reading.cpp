@@ -34,6 +34,9 @@ Result<StoredPlan> Store::plan() const {
                                  row.getColumn(4).getInt(), row.getColumn(5).getDouble(),
                                  row.getColumn(6).getDouble()});
     if (plan.conditions.empty()) return fileError(path_, "it holds no condition; the file is damaged.");
+    for (const StoredCondition& c : plan.conditions)
+      if (!nlohmann::json::parse(c.configuration, nullptr, false).is_object())
+        return fileError(path_, "a condition has no configuration; the file is damaged.");
     return plan;
   });
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Q-functions as a user meets them: saved, loaded, asked, carried over.
+#include <sys/stat.h>
+
 #include <cmath>
 #include <sstream>
 
@@ -186,6 +188,46 @@ TEST(Files, WhatHasNoEffectIsRefused) {
   EXPECT_EQ(diverged.code, 4);
   EXPECT_NE(diverged.err.find("nothing of it is saved"), std::string::npos) << diverged.err;
   EXPECT_FALSE(std::filesystem::exists(folder.file("q")));
+}
+
+TEST(Files, AFileOfManyGenerationsIsStillRead) {
+  const Folder folder;
+  const std::string life = "train --environment random-walk --features table --episodes 3 ";
+  std::string last = folder.file("0");
+  run(life + "--save " + last);
+  for (int i = 1; i <= 40; ++i) {
+    const std::string next = folder.file(std::to_string(i));
+    run(life + "--load " + last + " --save " + next);
+    last = next;
+  }
+  EXPECT_EQ(surefoot("inspect " + last).code, 0);
+}
+
+TEST(Files, HugeOrStrangeFilesAreRefusedBeforeTheyAreRead) {
+  const Folder folder;
+  const std::string big = folder.file("big");
+  std::ofstream(big) << "";
+  std::filesystem::resize_file(big, 1ull << 40);
+  for (const char* command : {"inspect ", "replay ", "query --state 0,0,0 ", "statistics ", "experiment --dry-run "})
+    expectRefusal(command + big + (std::string(command).starts_with("experiment") ? ".toml" : ""), 3, {"big"});
+  expectRefusal("inspect $(printf 'q\\377')", 2, {"argument 2", "UTF-8"});
+  ASSERT_EQ(mkfifo(folder.file("pipe").c_str(), 0600), 0);
+  for (const char* command : {"statistics ", "export --csv x ", "inspect ", "train --from "})
+    expectRefusal(command + folder.file("pipe"), 3, {"regular file"});
+}
+
+TEST(Files, WhatCannotBeWrittenInItsPlaceIsKeptElsewhere) {
+  const Folder folder;
+  const std::string gone = folder.file("gone");
+  std::filesystem::create_directory(gone);
+  const std::string said = folder.file("said");
+  surefoot("train --minutes 60 --save " + gone + "/q 2>" + said + " & sleep 0.2; rm -r " + gone + "; wait $!");
+  const std::string err = contentOf(said);
+  const auto at = err.find("It is in ");
+  ASSERT_NE(at, std::string::npos) << err;
+  const std::string place = err.substr(at + 9, err.find(" instead", at) - at - 9);
+  EXPECT_EQ(surefoot("inspect " + place).code, 0);
+  std::filesystem::remove(place);
 }
 
 }  // namespace surefoot

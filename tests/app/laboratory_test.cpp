@@ -221,4 +221,28 @@ TEST_F(LaboratoryCommands, WhatCannotBeIsRefusedInASentence) {
   expectRefusal("merge " + store, 2, {"--out"});
 }
 
+TEST_F(LaboratoryCommands, WhatAKilledRunLeftIsNotReplayedIntoTheNextStore) {
+  const std::string store = file("r.sqlite"), clean = file("clean.sqlite");
+  surefoot("experiment " + file("plan.toml") + " --out " + store + " --set policy.epsilon=0.5 & sleep 0.6; kill -9 $!");
+  std::filesystem::remove(store);
+  const auto hash = experiment("--out " + store)["content_hash"];
+  EXPECT_EQ(hash, experiment("--out " + clean)["content_hash"]);
+}
+
+TEST_F(LaboratoryCommands, MergeTouchesNothingButItsResult) {
+  experiment("--out " + file("whole.sqlite.part") + " --shard 1/2");
+  experiment("--out " + file("two.sqlite") + " --shard 2/2");
+  const std::string merge = "merge " + file("whole.sqlite.part") + " " + file("two.sqlite") + " --out ";
+  EXPECT_EQ(surefoot(merge + file("whole.sqlite")).code, 0);
+  EXPECT_TRUE(std::filesystem::exists(file("whole.sqlite.part")));
+  expectRefusal(merge + file("whole.sqlite"), 3, {"exists already"});
+}
+
+TEST_F(LaboratoryCommands, ReportsOfOthersAreNotReplaced) {
+  std::filesystem::create_directory(file("mine"));
+  std::ofstream(file("mine/report.html")) << "notes";
+  expectRefusal("reproduce 4.1 --lives 2 --out " + file("mine"), 3, {"report.html", "no report of Surefoot"});
+  EXPECT_EQ(contentOf(file("mine/report.html")), "notes");
+}
+
 }  // namespace surefoot
