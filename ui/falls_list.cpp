@@ -94,7 +94,10 @@ void FallsList::paintEvent(QPaintEvent* event) {
   QPainter p(viewport());
   p.setFont(textFont(11));
   p.setPen(t.quiet);
-  p.drawText(viewport()->rect(), Qt::AlignCenter, tr("Falls appear here. None so far."));
+  p.drawText(viewport()->rect(), Qt::AlignCenter,
+             session_.snapshot().totals.falls > 0
+                 ? tr("The next falls appear here.\nThose before were not recorded in this window.")
+                 : tr("Falls appear here. None so far."));
 }
 
 }  // namespace surefoot

@@ -171,7 +171,13 @@ void MainWindow::makeMenus() {
   QAction* compare = addAction(run, tr("&Compare with a second learner"),
                                tr("Another method with the same seed, side by side"), Qt::Key_C);
   compare->setCheckable(true);
-  connect(compare, &QAction::toggled, live_, &LivePage::setComparing);
+  connect(compare, &QAction::toggled, this, [this](bool on) {
+    live_->setComparing(on);
+    constexpr std::int64_t kHeadStart = 1000;  // [steps]
+    if (!on || session_.snapshot().steps < kHeadStart) return;
+    messages_->ask(tr("The second learner begins now. For a fair race, begin the first again, too?"),
+                   {{tr("Begin both again"), [this] { run_.restart->trigger(); }}});
+  });
   run->addSeparator();
   QAction* preLearn = addAction(run, tr("&Pre-learn, then transfer …"),
                                 tr("Learn on a model, then live in reality with that"), Qt::Key_P);
