@@ -118,7 +118,8 @@ std::string resultAsTable(const Configuration& c, const std::vector<LifeResult>&
   const auto ratio = [](std::int64_t sum, std::int64_t count) {
     return count > 0 ? static_cast<double>(sum) / static_cast<double>(count) : std::nan("");
   };
-  std::string text = fmt::format("{} {}, {}, {}, {}, seed {}: {} {}\n", c.names.environment, c.names.scenario,
+  const std::string variant = c.names.scenario.empty() ? c.names.preset : c.names.scenario;
+  std::string text = fmt::format("{}{}{}, {}, {}, {}, seed {}: {} {}\n", c.names.environment, variant.empty() ? "" : " ", variant,
                                  c.names.agent, c.names.features, c.names.policy, c.seed, lives.size(),
                                  lives.size() == 1 ? "life" : "lives, mean ± 95 % interval");
   const auto row = [&](const char* name, const std::string& value) {

@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include "physics/compass/compass.h"
 #include "physics/pendulum/pendulum.h"
 
 namespace surefoot {
@@ -19,11 +20,30 @@ AssignmentEntry scenario(const char* name, const char* title, const char* help, 
           {{"environment.damping", damping}, {"environment.friction", friction}, {"environment.torque_scale", torque}}};
 }
 
+/// With the learning parameters that suit it; those of the thesis are the pendulum's.
+AssignmentEntry compassPreset(const char* name, const char* title, const char* help, double slope) {
+  AssignmentEntry entry{{name, title, help}, "compass", {{"environment.slope", slope}}};
+  for (const std::string estimate : {"agent.", "positive.", "negative."}) {
+    entry.values.push_back({estimate + "step_size", 0.3});
+    entry.values.push_back({estimate + "trace_decay", 0.95});
+  }
+  for (const std::string features : {"features.", "positive.", "negative."})
+    entry.values.push_back({features + "initial_high", 0.01});
+  entry.values.push_back({"agent.discount", 0.99});
+  return entry;
+}
+
 }  // namespace
 
 void registerPhysics(Registry& r) {
   r.environments.push_back({{kPendulum, "Pendulum", "The thesis's inverted pendulum on a cart, in Box2D."},
                             [] { return std::make_unique<Pendulum>(); }});
+
+  r.environments.push_back(
+      {{"compass", "Compass walker", "Two straight legs and a hip: the simplest thing that walks."},
+       [] { return std::make_unique<Compass>(); }});
+  r.presets.push_back(compassPreset("level", "Level floor", "Learns to walk within a few simulated minutes.", 0.0));
+  r.presets.push_back(compassPreset("uphill", "Uphill", "A floor that rises by 2 %: harder.", -0.02));
 
   r.presets.push_back(
       {{"thesis", "Thesis", "Constants calibrated to the episode lengths that the thesis reports."}, kPendulum, {}});

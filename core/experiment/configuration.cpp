@@ -24,8 +24,11 @@ Status assign(const std::vector<AssignmentEntry>& entries, std::string_view what
   if (entry.environment != c.names.environment)
     return Error{fmt::format("{}: \"{}\" belongs to the environment {}, not to {}.", what, entry.name,
                              entry.environment, c.names.environment)};
-  for (const auto& [key, value] : entry.values)
+  for (const auto& [key, value] : entry.values) {
+    // What suits a learning rule or representation that was not chosen says nothing.
+    if (!key.starts_with("environment.") && !c.parameters.find(key)) continue;
     if (const Status set = c.parameters.set(key, value); !set) return set;
+  }
   return Done{};
 }
 
