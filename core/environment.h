@@ -31,11 +31,23 @@ struct StateVariable {
   double viewLow = 0.0, viewHigh = 0.0;  ///< the part that a map shows at first
 };
 
+/// One coordinate of the action, where an action is a combination of several: every combination of the levels is an
+/// action, the last variable counting fastest.
+struct ActionVariable {
+  std::string key{};     ///< "swing_hip_voltage": also the name of its resolution, features.swing_hip_voltage
+  std::string title{};   ///< "swing hip voltage"
+  std::string symbol{};  ///< "U"
+  std::string unit{};    ///< "V"
+  std::vector<double> levels{};
+  double resolution = 1.0;  ///< default number of tiles per unit: actions that are near share what they learn
+};
+
 /// What can be said of a task before it starts.
 struct Task {
   std::vector<StateVariable> state;
   std::vector<double> actions;                      ///< the physical value of every action, e.g. a torque in N m
   std::vector<std::string> actionNames{};           ///< what to call them, if a number says nothing: "up"
+  std::vector<ActionVariable> actionVariables{};    ///< where an action is a combination; empty: it is one number
   std::string actionTitle;                          ///< "torque"
   std::string actionSymbol;                         ///< "T"
   std::string actionUnit;                           ///< "N m"
@@ -43,6 +55,7 @@ struct Task {
   std::optional<double> goalReward{};               ///< of a success, if there is such a reward
   double timeReward = 0.0;                          ///< of every step
   std::optional<double> stepTime{};                 ///< [s] simulated per step; none: the task has no clock
+  bool handMade = false;                            ///< step() knows kHandMade
   double lowestReturn = -1.0, highestReturn = 1.0;  ///< reward of an episode, as far as it is bounded: axes start there
 };
 

@@ -12,6 +12,8 @@ namespace surefoot {
 /// An action by its index, 0 … actions − 1. The environment knows what it means (a torque, a move).
 using Action = int;
 inline constexpr Action kNoAction = -1;
+/// The environment's own, hand-made controller acts in this step, where there is one (Task::handMade).
+inline constexpr Action kHandMade = -2;
 
 /// Most actions an environment may have, most state variables and most reward terms. Buffers of these sizes live on
 /// the stack.

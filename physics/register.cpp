@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "physics/compass/compass.h"
+#include "physics/leo/leo.h"
 #include "physics/pendulum/pendulum.h"
 
 namespace surefoot {
@@ -33,6 +34,27 @@ AssignmentEntry compassPreset(const char* name, const char* title, const char* h
   return entry;
 }
 
+using Values = std::vector<std::pair<std::string, double>>;
+
+/// Of every estimate that a learning rule may have.
+void addForEstimates(Values& values, const std::string& key, double value) {
+  for (const char* estimate : {"agent.", "positive.", "negative."}) values.push_back({estimate + key, value});
+}
+void addForFeatures(Values& values, const std::string& key, double value) {
+  for (const char* features : {"features.", "positive.", "negative."}) values.push_back({features + key, value});
+}
+
+/// With the learning parameters of wcaarls/grl's walker.
+AssignmentEntry leoPreset(const char* name, const char* title, const char* help, const Values& changes) {
+  AssignmentEntry entry{{name, title, help}, "leo", changes};
+  addForEstimates(entry.values, "step_size", 0.2);
+  addForEstimates(entry.values, "trace_decay", 0.8582);
+  addForFeatures(entry.values, "initial_high", 0.01);
+  addForFeatures(entry.values, "memory", 1 << 17);
+  entry.values.push_back({"agent.discount", 0.9962});
+  return entry;
+}
+
 }  // namespace
 
 void registerPhysics(Registry& r) {
@@ -42,6 +64,11 @@ void registerPhysics(Registry& r) {
   r.environments.push_back(
       {{"compass", "Compass walker", "Two straight legs and a hip: the simplest thing that walks."},
        [] { return std::make_unique<Compass>(); }});
+  r.environments.push_back(
+      {{"leo", "Walker LEO", "The Delft robot on two legs, in Box2D."}, [] { return std::make_unique<Leo>(); }, false});
+  r.presets.push_back(leoPreset("leo", "LEO", "The robot with motors of 8.6 Ω.", {}));
+  r.presets.push_back(leoPreset("mismatched", "Mismatched LEO", "Another motor: 9.5 Ω, and more dry friction.",
+                                {{"environment.resistance", 9.5}, {"environment.dry_friction", 0.27046}}));
   r.presets.push_back(compassPreset("level", "Level floor", "Learns to walk within a few simulated minutes.", 0.0));
   r.presets.push_back(compassPreset("uphill", "Uphill", "A floor that rises by 2 %: harder.", -0.02));
 

@@ -64,6 +64,7 @@ void MessageBar::say(const QString& sentence) {
   for (QPushButton* answer : answers_) answer->hide();
   then_ = {};
   dismiss_->setText(tr("Dismiss"));
+  dismiss_->setAccessibleName(dismiss_->text());
   place();
   show();
   raise();
@@ -74,9 +75,11 @@ void MessageBar::ask(const QString& sentence, std::vector<Answer> answers) {
   for (std::size_t i = 0; i < std::min(answers.size(), answers_.size()); ++i) {
     then_[i] = std::move(answers[i].then);
     answers_[i]->setText(answers[i].text);
+    answers_[i]->setAccessibleName(answers[i].text);
     answers_[i]->show();
   }
   dismiss_->setText(tr("Cancel"));
+  dismiss_->setAccessibleName(dismiss_->text());
   before_ = QApplication::focusWidget();
   answers_[0]->setFocus(Qt::OtherFocusReason);
 }

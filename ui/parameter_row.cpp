@@ -104,9 +104,14 @@ QString ParameterRow::textOf(double value) const {
 }
 
 void ParameterRow::show(double value, double base, std::optional<std::int64_t> changedAt) {
+  if (value == base) changedAt.reset();
+  // Something else may stand there now: typed, or a slider that was moved to where it must not be.
+  const bool moved = number_ && (number_->isModified() || slider_->value() != sliderAt(value));
+  if (shown_ && !moved && value == value_ && base == base_ && changedAt == changedAt_) return;
+  shown_ = true;
   value_ = value;
   base_ = base;
-  changedAt_ = value == base ? std::nullopt : changedAt;
+  changedAt_ = changedAt;
   const bool changed = value != base;
   if (choice_) {
     const QSignalBlocker blocker(choice_);

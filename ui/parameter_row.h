@@ -51,7 +51,7 @@ class ParameterRow final : public QWidget {
 
   Parameter parameter_;
   std::string policy_;
-  bool inForce_ = false;
+  bool inForce_ = false, shown_ = false;
   double value_ = 0.0, base_ = 0.0;
   std::optional<std::int64_t> changedAt_;
   Slider* slider_ = nullptr;

@@ -90,7 +90,12 @@ RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
     layOut();
   });
   connect(&session_, &Session::configurationChanged, this, &RunBar::refresh);
-  connect(&session_, &Session::frame, this, [this] { update(); });
+  connect(&session_, &Session::frame, this, [this] {  // numbers that change faster cannot be read
+    constexpr int kUpdateEvery = 100;                 // [ms]
+    if (sinceUpdate_.isValid() && sinceUpdate_.elapsed() < kUpdateEvery) return;
+    sinceUpdate_.start();
+    update();
+  });
   setMarkers();
   refresh();
 }

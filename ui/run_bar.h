@@ -4,6 +4,7 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QElapsedTimer>
 #include <QWidget>
 
 namespace surefoot {
@@ -47,6 +48,7 @@ class RunBar final : public QWidget {
   Slider* pace_;
   QComboBox *scenario_, *agent_, *policy_;
   double paceLabel_ = 0, factorLabel_ = 0;  // left ends [px]
+  QElapsedTimer sinceUpdate_;
 };
 
 }  // namespace surefoot

@@ -59,11 +59,14 @@ void StatusLine::say(const QString& left, const QString& right) {
 
 void StatusLine::follow() {
   following_ = true;
+  sinceUpdate_.invalidate();
   refresh();
 }
 
 void StatusLine::refresh() {
-  if (!following_) return;
+  constexpr int kUpdateEvery = 100;  // [ms]
+  if (!following_ || (sinceUpdate_.isValid() && sinceUpdate_.elapsed() < kUpdateEvery)) return;
+  sinceUpdate_.start();
   const QStringList now = segments();
   const QString nowState = state();
   if (now == segments_ && nowState == state_) return;

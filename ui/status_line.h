@@ -2,6 +2,7 @@
 // The line at the foot: simulated time, steps, speed, rule of thumb, seed; at the right the state of learning.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QStringList>
 #include <QWidget>
 
@@ -24,6 +25,7 @@ class StatusLine final : public QWidget {
   void follow();
 
  private:
+  QElapsedTimer sinceUpdate_;
   bool following_ = true;
   void refresh();
   QStringList segments() const;

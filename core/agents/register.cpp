@@ -5,6 +5,7 @@
 
 #include "core/agents/representation.h"
 #include "core/agents/sarsa_2q.h"
+#include "core/agents/scripted.h"
 #include "core/agents/shaped.h"
 #include "core/agents/td_control.h"
 
@@ -174,6 +175,11 @@ Result<std::unique_ptr<Agent>> makeSarsa2Q(const AgentParts& parts) {
       *positive, *negative);
 }
 
+Status checkHandMade(const Task& task) {
+  if (task.handMade) return Done{};
+  return Error{"agent: scripted is for environments that have a hand-made controller: leo."};
+}
+
 }  // namespace
 
 void registerAgents(Registry& r) {
@@ -185,6 +191,12 @@ void registerAgents(Registry& r) {
                       makeSarsa2Q});
   r.agents.push_back(
       {{"q-learning", "Q-learning", "Watkins's Q(λ), off-policy."}, declare<OneEstimate>, makeControl<WatkinsTarget>});
+  r.agents.push_back({{"scripted", "Hand-made", "The environment's own controller, which does not learn."},
+                      [](const Task& task, const std::string&, Parameters&) { return checkHandMade(task); },
+                      [](const AgentParts& parts) -> Result<std::unique_ptr<Agent>> {
+                        if (const Status s = checkHandMade(parts.task); !s) return s.error();
+                        return std::unique_ptr<Agent>(std::make_unique<Scripted>(parts.actions()));
+                      }});
   r.agents.push_back(
       {{"expected-sarsa", "Expected Sarsa", "Expected Sarsa(λ): the mean over the policy in place of one draw."},
        declare<OneEstimate>,

@@ -43,7 +43,7 @@ Result<Estimate<F>> makeEstimate(const std::string& name, F features, int action
                                  std::uint64_t seed, const EstimateSettings& learning, const TensorFile* stored) {
   if (stored) {
     std::vector<std::size_t> shape = features.shape();
-    shape.push_back(static_cast<std::size_t>(actions));
+    shape.push_back(columnsOf(features, actions));
     if (const Status s = checkLayout(*stored, name, features.layout(), shape); !s) return s.error();
   }
   return Estimate<F>(LinearActionValue<F>(std::move(features), actions, initial, seed), learning);

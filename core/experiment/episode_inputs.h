@@ -18,6 +18,8 @@ struct EpisodeInputs {
   std::vector<std::uint64_t> pushSteps;  ///< steps of the episode before each push
   std::vector<double> pushImpulses;      ///< [N s]
 
+  /// Those below 0 (kHandMade) lie at the upper end of the numbers.
+  Action actionAt(std::size_t step) const { return static_cast<std::int16_t>(actions[step]); }
   void clear() {
     start.clear();
     actions.clear();
@@ -39,10 +41,10 @@ bool repeat(const EpisodeInputs& inputs, Environment& environment, Ending& endin
     for (; push < inputs.pushSteps.size() && inputs.pushSteps[push] == step; ++push)
       environment.push(inputs.pushImpulses[push]);
     const bool over = step == inputs.actions.size();
-    visit(over ? kNoAction : static_cast<Action>(inputs.actions[step]));
+    visit(over ? kNoAction : inputs.actionAt(step));
     if (over) return true;
     if (ending != Ending::None) return false;
-    ending = environment.step(inputs.actions[step]).ending;
+    ending = environment.step(inputs.actionAt(step)).ending;
   }
 }
 

@@ -55,6 +55,20 @@ concept FeatureMap = std::copyable<F> && requires(const F& f, std::span<const do
   { f.shape() } -> std::same_as<std::vector<std::size_t>>;
 };
 
+/// A feature map that says which weight of a feature an action has, where near actions share weights (ActionTiles).
+template <class F>
+concept ActionSharing = FeatureMap<F> && requires(const F& f) {
+  f.actionTiles();
+};
+
+/// Weights of a feature.
+template <FeatureMap F>
+std::size_t columnsOf(const F& features, int actions) {
+  if constexpr (ActionSharing<F>)
+    if (features.actionTiles().shared()) return features.actionTiles().count();
+  return static_cast<std::size_t>(actions);
+}
+
 /// A feature map that learns which features there are: a hashed table.
 template <class F>
 concept ClaimingFeatureMap = FeatureMap<F> && requires(F& f, std::span<const double> state, typename F::Active& x) {

@@ -15,13 +15,15 @@ Result<HashedTileCoder> HashedTileCoder::create(const Task& task, const TileSett
   constexpr double kMostTiles = 4e18;  // a number fits 62 bits
   auto grid = TileGrid<std::uint64_t>::create(task, settings, kMostTiles);
   if (!grid) return grid.error();
-  const double weights = settings.memory * static_cast<double>(task.actions.size());
+  auto actionTiles = ActionTiles::create(task, settings);
+  if (!actionTiles) return actionTiles.error();
+  const double weights = settings.memory * static_cast<double>(actionTiles->count());
   if (weights > kMostWeights)
-    return Error{
-        fmt::format("features.memory = {}: with {} actions that is a table of {:.3g} weights; at most {:.3g} are "
-                    "allowed.",
-                    settings.memory, task.actions.size(), weights, kMostWeights)};
-  return HashedTileCoder(std::move(*grid), static_cast<std::size_t>(settings.memory));
+    return Error{fmt::format(
+        "features.memory = {}: with {} weights a tile that is a table of {:.3g} weights; at most {:.3g} are "
+        "allowed.",
+        settings.memory, actionTiles->count(), weights, kMostWeights)};
+  return HashedTileCoder(std::move(*grid), std::move(*actionTiles), static_cast<std::size_t>(settings.memory));
 }
 
 HashedTileCoder::Probe HashedTileCoder::probe(std::uint64_t tile) const {
@@ -70,6 +72,7 @@ nlohmann::json HashedTileCoder::layout() const {
   nlohmann::json layout = grid_.layout();
   layout["kind"] = "hashed-tile-coder";
   layout["memory"] = tiles_.size();
+  if (actionTiles_.shared()) layout["action_tiles"] = actionTiles_.layout();
   return layout;
 }
 

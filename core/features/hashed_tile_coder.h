@@ -6,6 +6,7 @@
 // slots that its tiles would get.
 #pragma once
 
+#include "core/features/action_tiles.h"
 #include "core/features/tile_grid.h"
 
 namespace surefoot {
@@ -21,6 +22,7 @@ class HashedTileCoder {
 
   Index size() const { return static_cast<Index>(tiles_.size()); }
   double total() const { return grid_.tilings(); }
+  const ActionTiles& actionTiles() const { return actionTiles_; }
   Cover find(std::span<const double> state, Active& x) const;
   Cover claim(std::span<const double> state, Active& x);
   nlohmann::json layout() const;
@@ -35,8 +37,9 @@ class HashedTileCoder {
   void setFailedLookUps(std::int64_t failed) { failed_ = failed; }
 
  private:
-  explicit HashedTileCoder(TileGrid<std::uint64_t> grid, std::size_t slots)
+  HashedTileCoder(TileGrid<std::uint64_t> grid, ActionTiles actionTiles, std::size_t slots)
       : grid_(std::move(grid)),
+        actionTiles_(std::move(actionTiles)),
         tiles_(slots, 0) {}
   struct Probe {
     Index slot;
@@ -45,6 +48,7 @@ class HashedTileCoder {
   Probe probe(std::uint64_t tile) const;
 
   TileGrid<std::uint64_t> grid_;
+  ActionTiles actionTiles_;
   std::vector<std::uint64_t> tiles_;
   Index occupied_ = 0;
   std::int64_t failed_ = 0;

@@ -8,13 +8,17 @@
 namespace surefoot {
 
 Result<TileCoder> TileCoder::create(const Task& task, const TileSettings& settings) {
-  auto grid = TileGrid<Index>::create(task, settings, kMostWeights / static_cast<double>(task.actions.size()));
+  auto actionTiles = ActionTiles::create(task, settings);
+  if (!actionTiles) return actionTiles.error();
+  auto grid = TileGrid<Index>::create(task, settings, kMostWeights / static_cast<double>(actionTiles->count()));
   if (!grid) return grid.error();
-  return TileCoder(std::move(*grid));
+  return TileCoder(std::move(*grid), std::move(*actionTiles));
 }
 
 nlohmann::json TileCoder::layout() const {
-  return grid_.layout();
+  nlohmann::json layout = grid_.layout();
+  if (actionTiles_.shared()) layout["action_tiles"] = actionTiles_.layout();
+  return layout;
 }
 
 }  // namespace surefoot

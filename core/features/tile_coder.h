@@ -2,6 +2,7 @@
 // Tile coding over a dense table: every tile of every tiling is a feature, and one set of numbers serves all actions.
 #pragma once
 
+#include "core/features/action_tiles.h"
 #include "core/features/tile_grid.h"
 
 namespace surefoot {
@@ -17,6 +18,7 @@ class TileCoder {
 
   Index size() const { return grid_.size(); }
   double total() const { return grid_.tilings(); }
+  const ActionTiles& actionTiles() const { return actionTiles_; }
   Cover find(std::span<const double> state, Active& x) const {
     x.count = grid_.tilings();
     const Cover cover = grid_.find(state, {x.index.data(), static_cast<std::size_t>(x.count)});
@@ -27,8 +29,11 @@ class TileCoder {
   std::vector<std::size_t> shape() const { return grid_.shape(); }
 
  private:
-  explicit TileCoder(TileGrid<Index> grid) : grid_(std::move(grid)) {}
+  TileCoder(TileGrid<Index> grid, ActionTiles actionTiles)
+      : grid_(std::move(grid)),
+        actionTiles_(std::move(actionTiles)) {}
   TileGrid<Index> grid_;
+  ActionTiles actionTiles_;
 };
 
 static_assert(FeatureMap<TileCoder>);

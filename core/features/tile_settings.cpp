@@ -7,7 +7,8 @@
 
 namespace surefoot {
 
-TileSettings::TileSettings(const Task& task) : variables_(task.state) {
+TileSettings::TileSettings(const Task& task) : variables_(task.state), actionVariables_(task.actionVariables) {
+  for (const ActionVariable& v : task.actionVariables) actionResolution.push_back(v.resolution);
   for (const StateVariable& v : task.state) {
     resolution.push_back(v.resolution);
     from.push_back(v.low);
@@ -33,6 +34,23 @@ void TileSettings::declare(Fields& f) {
         resolutionParameter(
             v, fmt::format("Tiles per {} of the {}: few generalise far, many tell states apart.", v.spanText, v.title),
             "thesis, section 3.1.3"));
+  }
+  for (std::size_t j = 0; j < actionVariables_.size(); ++j) {
+    const ActionVariable& v = actionVariables_[j];
+    f.real(actionResolution[j],
+           {.key = v.key,
+            .title = capitalised(v.title),
+            .symbol = v.symbol,
+            .unit = "/" + v.unit,
+            .low = 0.001,
+            .high = 1000,
+            .sliderLow = 0.05,
+            .sliderHigh = 1,
+            .when = When::NewTable,
+            .group = Group::Representation,
+            .help = fmt::format("Tiles per {} of the {}: few let near actions share more.", v.unit, v.title),
+            .origin = "wcaarls/grl, addons/leosim",
+            .order = 2});
   }
   f.real(scale, factorParameter("scale", "Scale", "Multiplies every resolution: the fraction of Q_opt in chapter 6.",
                                 "thesis, section 6.3"));

@@ -108,14 +108,19 @@ class Estimate {
   template <class Trace>
   void mark(Trace& trace, Action a, const TraceSettings& traces) {
     if (traces.otherActions == OtherActions::Clear)
-      for (const Index feature : x().indices())
-        for (Action b = 0; b < values_.actions(); ++b)
-          if (b != a) trace.drop(values_.weights(), values_.weight(feature, b));
-    if constexpr (std::is_same_v<Trace, DeferredTrace>)
-      return trace.replace(values_.weights(), x().indices(), values_.weight(1, 0), static_cast<Index>(a));
-    else
+      for (std::size_t k = 0; k < static_cast<std::size_t>(x().count); ++k)
+        for (Index c = 0; c < values_.columns(); ++c)
+          if (const Index other = x().index[k] * values_.columns() + c; other != values_.weight(x(), k, a))
+            trace.drop(values_.weights(), other);
+    if constexpr (std::is_same_v<Trace, DeferredTrace>) {
+      if (!values_.sharesWeights())
+        return trace.replace(values_.weights(), x().indices(), values_.columns(), static_cast<Index>(a));
+      std::array<Index, std::tuple_size_v<decltype(Active::index)>> marked;
+      for (std::size_t k = 0; k < static_cast<std::size_t>(x().count); ++k) marked[k] = values_.weight(x(), k, a);
+      trace.replace(values_.weights(), {marked.data(), static_cast<std::size_t>(x().count)}, 1, 0);
+    } else
       for (std::size_t k = 0; k < static_cast<std::size_t>(x().count); ++k) {
-        const Index weight = values_.weight(x().index[k], a);
+        const Index weight = values_.weight(x(), k, a);
         if (traces.kind == TraceKind::Accumulating)
           trace.accumulate(values_.weights(), weight, x().valueOf(k));
         else

@@ -3,10 +3,12 @@
 //
 //   q̂(s, a, w) = Σ_i w(i, a) x_i(s) over the active features i of s, where x_i is 1 for binary features
 //
-// Weights lie as [feature][action], so that one feature number serves all actions.
+// Weights lie as [feature][column], so that one feature number serves all actions. A column is an action, or, where
+// near actions share weights, one of their tiles (ActionTiles): then w(i, a) is that of the action's tile.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <vector>
@@ -63,7 +65,8 @@ class LinearActionValue final : public ActionValueFunction {
   LinearActionValue(F features, int actions, const InitialValue& initial, std::uint64_t seed)
       : features_(std::move(features)),
         actions_(static_cast<std::size_t>(actions)),
-        weights_(features_.size() * actions_) {
+        columns_(columnsOf(features_, actions)),
+        weights_(features_.size() * columns_) {
     const double low = initial.low / features_.total();
     const double high = initial.high / features_.total();
     for (std::size_t i = 0; i < weights_.size(); ++i) weights_.add(i, low + (high - low) * uniformAt(seed, i));
@@ -81,17 +84,25 @@ class LinearActionValue final : public ActionValueFunction {
   }
   /// q ← q̂(s, ·) for the state with the active features x.
   void values(const Active& x, std::span<double> q) const {
+    if (sharesWeights()) return sharedValues(x, q);
     if constexpr (F::kBinary) return weights_.sumRows(x.indices(), actions_, q.data());
     for (double& value : q) value = 0.0;
     for (std::size_t k = 0; k < static_cast<std::size_t>(x.count); ++k)
       for (std::size_t a = 0; a < actions_; ++a) q[a] += weights_[x.index[k] * actions_ + a] * x.valueOf(k);
   }
+  /// Whether near actions share weights.
+  bool sharesWeights() const {
+    if constexpr (ActionSharing<F>)
+      return features_.actionTiles().shared();
+    else
+      return false;
+  }
   /// q̂(s, a).
   double value(const Active& x, Action a) const {
-    if constexpr (F::kBinary) return weights_.sum(x.indices(), static_cast<Index>(actions_), static_cast<Index>(a));
+    if (F::kBinary && !sharesWeights())
+      return weights_.sum(x.indices(), static_cast<Index>(actions_), static_cast<Index>(a));
     double sum = 0.0;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(x.count); ++k)
-      sum += weights_[weight(x.index[k], a)] * x.valueOf(k);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(x.count); ++k) sum += weights_[weight(x, k, a)] * x.valueOf(k);
     return sum;
   }
   /// Σ x², the share of the error that a step size of 1 would close too much. (Outside a box no feature is on; what is
@@ -102,8 +113,15 @@ class LinearActionValue final : public ActionValueFunction {
     for (std::size_t k = 0; k < static_cast<std::size_t>(x.count); ++k) sum += x.valueOf(k) * x.valueOf(k);
     return sum;
   }
-  /// The number of the weight of feature i and action a.
-  Index weight(Index i, Action a) const { return i * static_cast<Index>(actions_) + static_cast<Index>(a); }
+  /// The number of the weight of the k-th feature of x and action a.
+  Index weight(const Active& x, std::size_t k, Action a) const {
+    std::size_t column = static_cast<std::size_t>(a);
+    if constexpr (ActionSharing<F>)
+      if (sharesWeights()) column = features_.actionTiles().column(k, a);
+    return static_cast<Index>(x.index[k] * columns_ + column);
+  }
+  /// Weights of a feature.
+  Index columns() const { return static_cast<Index>(columns_); }
   WeightTable& weights() { return weights_; }
   const WeightTable& weights() const { return weights_; }
   std::size_t weightCount() const { return weights_.size(); }
@@ -126,7 +144,7 @@ class LinearActionValue final : public ActionValueFunction {
     for (std::size_t a = 0; a < actions_; ++a) {
       const double error = q[a] - value(x, static_cast<Action>(a));
       for (std::size_t k = 0; k < static_cast<std::size_t>(x.count); ++k)
-        weights_.add(weight(x.index[k], static_cast<Action>(a)), share * error * x.valueOf(k) / length);
+        weights_.add(weight(x, k, static_cast<Action>(a)), share * error * x.valueOf(k) / length);
     }
     const auto count = static_cast<std::uint32_t>(std::min(std::ceil(visits), static_cast<double>(kMostVisits)));
     for (const Index i : x.indices()) visits_[i] = std::max(visits_[i], count);
@@ -140,7 +158,7 @@ class LinearActionValue final : public ActionValueFunction {
       archive.table("tiles", tiles, shape);
       if (archive.reading()) features_.setTiles(tiles);
     }
-    shape.push_back(actions_);
+    shape.push_back(columns_);
     std::vector<double> weights = weights_.settled();
     archive.table("weights", weights, shape);
     if (archive.reading()) weights_.assign(std::span<const double>(weights));
@@ -163,8 +181,14 @@ class LinearActionValue final : public ActionValueFunction {
     return mean(state, [&](Index i) { return visits_[i] > 0 ? 1.0 : 0.0; });
   }
   void average(std::span<const float> perWeight, std::span<const double> state, std::span<double> out) const override {
-    for (std::size_t a = 0; a < actions_; ++a)
-      out[a] = mean(state, [&](Index i) { return static_cast<double>(perWeight[i * actions_ + a]); });
+    Active x;
+    features_.find(state, x);
+    for (std::size_t a = 0; a < actions_; ++a) {
+      double sum = 0.0;
+      for (std::size_t k = 0; k < static_cast<std::size_t>(x.count); ++k)
+        sum += x.valueOf(k) * static_cast<double>(perWeight[weight(x, k, static_cast<Action>(a))]);
+      out[a] = sum / features_.total();
+    }
   }
   std::vector<std::vector<double>> tables() const override { return {weights_.settled()}; }
   std::vector<MemoryUse> memoryUse() const override {
@@ -185,6 +209,18 @@ class LinearActionValue final : public ActionValueFunction {
   }
 
  private:
+  /// A block of weights is settled once and then serves all actions.
+  void sharedValues(const Active& x, std::span<double> q) const {
+    if constexpr (ActionSharing<F>) {
+      std::fill(q.begin(), q.end(), 0.0);
+      std::array<double, kMostColumns> block;
+      for (std::size_t k = 0; k < static_cast<std::size_t>(x.count); ++k) {
+        weights_.settle(x.index[k] * columns_, columns_, block.data());
+        const std::uint16_t* const column = features_.actionTiles().columnsOf(k).data();
+        for (std::size_t a = 0; a < actions_; ++a) q[a] += block[column[a]];
+      }
+    }
+  }
   /// How much q̂(s) moves if every weight of x moves by its x: Σ x², and more where hashed features share a weight.
   double response(const Active& x) const {
     if constexpr (!ClaimingFeatureMap<F>) return squaredLength(x);
@@ -203,10 +239,11 @@ class LinearActionValue final : public ActionValueFunction {
   }
 
   static constexpr std::uint32_t kMostVisits = ~std::uint32_t{0};
+  static constexpr std::size_t kMostColumns = 4096;  // of ActionTiles
 
   F features_;
-  std::size_t actions_;
-  WeightTable weights_;                // [feature][action]
+  std::size_t actions_, columns_;
+  WeightTable weights_;                // [feature][column]
   std::vector<std::uint32_t> visits_;  // [feature]
 };
 

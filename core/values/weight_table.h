@@ -33,6 +33,11 @@ class WeightTable {
     for (std::size_t k = 0; k < size(); ++k) weights_[k] = {other[k], 0.0};
     sum_ = 0.0;
   }
+  /// out ← w of so many weights in a row. Hot.
+  void settle(std::size_t first, std::size_t count, double* out) const {
+    const Weight* const w = weights_.data() + first;
+    for (std::size_t k = 0; k < count; ++k) out[k] = w[k].v + sum_ * w[k].e;
+  }
   /// w_k ← w_k + change.
   void add(std::size_t k, double change) { weights_[k].v += change; }
 

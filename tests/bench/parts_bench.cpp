@@ -34,7 +34,7 @@ struct Learned {
 
 void tileCoder(benchmark::State& state) {
   const Registry registry = filledRegistry();
-  const auto environment = registry.environments.back().make();  // the pendulum: three variables
+  const auto environment = (*findEntry(registry.environments, "environment", "pendulum"))->make();  // three variables
   const auto coder = TileCoder::create(environment->task(), TileSettings(environment->task()));
   Random random(1);
   std::vector<double> s(environment->task().state.size());

@@ -11,6 +11,25 @@ namespace surefoot {
 
 namespace {
 
+/// All but the hand-made controller where there is none, which is refused with a word; and tables that fit a test.
+bool isRefused(const Registry& r, const Names& names) {
+  const auto environment = (*findEntry(r.environments, "environment", names.environment))->make();
+  if (names.agent != "scripted" || environment->task().handMade) return false;
+  const auto configuration = configure(r, names, {});
+  EXPECT_FALSE(configuration);
+  EXPECT_NE(configuration.error().message.find("hand-made"), std::string::npos);
+  return true;
+}
+
+/// Small tables where they would be hashed in large ones.
+std::vector<Assignment> smallTables(const Registry& r, const Names& names, std::vector<Assignment> more = {}) {
+  const auto configuration = configure(r, names, {});
+  if (configuration)
+    for (const char* key : {"features.memory", "positive.memory", "negative.memory", "shaping.memory"})
+      if (configuration->parameters.find(key) && names.environment == "leo") more.push_back({key, "4096"});
+  return more;
+}
+
 template <class Entry>
 void expectGoodNames(const std::vector<Entry>& entries) {
   std::set<std::string> names;
@@ -135,7 +154,10 @@ TEST(Contract, EveryPresetAndScenarioConfigures) {
       (list == &r.presets ? names.preset : names.scenario) = entry.name;
       const auto configuration = configure(r, names, {});
       ASSERT_TRUE(configuration) << configuration.error().message;
-      for (const auto& [key, value] : entry.values) EXPECT_EQ(configuration->parameters.get(key), value);
+      for (const auto& [key, value] : entry.values)
+        if (configuration->parameters.find(key)) {  // some are for other learning rules
+          EXPECT_EQ(configuration->parameters.get(key), value);
+        }
     }
 }
 
@@ -147,13 +169,19 @@ TEST(Contract, EveryAgentLearnsOnEveryFeatureMapThatFits) {
       for (const AgentEntry& agent : r.agents) {
         Names names;
         names.environment = environment.name, names.agent = agent.name, names.features = features.name;
-        auto configuration = configure(r, names, {{"shaping.rewards", "all"}});
+        if (isRefused(r, names)) continue;
+        const std::vector<Assignment> shaped =
+            agent.name == "scripted" ? std::vector<Assignment>() : std::vector<Assignment>{{"shaping.rewards", "all"}};
+        auto configuration = configure(r, names, smallTables(r, names, shaped));
         ASSERT_TRUE(configuration) << configuration.error().message;
         configuration->episodes = 3;
         auto life = makeLife(r, *configuration, 0, false);
         if (!life) {
-          EXPECT_EQ(features.name, "table") << life.error().message;
-          EXPECT_NE(life.error().message.find("whole numbers"), std::string::npos) << life.error().message;
+          // Tables are for states of whole numbers, and radial bases for few state variables.
+          const bool wide = environment.name == "leo" && features.name == "radial-basis";
+          EXPECT_TRUE(features.name == "table" || wide) << life.error().message;
+          EXPECT_NE(life.error().message.find(wide ? "centres" : "whole numbers"), std::string::npos)
+              << life.error().message;
           continue;
         }
         while (!(*life)->finished()) (*life)->step();
@@ -169,7 +197,8 @@ TEST(Contract, LookingDoesNotTouchTheLearner) {
       for (const PolicyEntry& policy : r.policies) {
         Names names;
         names.environment = environment.name, names.agent = agent.name, names.policy = policy.name;
-        auto configuration = configure(r, names, {});
+        if (isRefused(r, names)) continue;
+        auto configuration = configure(r, names, smallTables(r, names));
         ASSERT_TRUE(configuration);
         configuration->episodes = 30;
         auto watched = makeLife(r, *configuration, 0, true), alone = makeLife(r, *configuration, 0, false);

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/features/action_tiles.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace surefoot {
+
+Result<ActionTiles> ActionTiles::create(const Task& task, const TileSettings& settings) {
+  constexpr std::size_t kMost = 4096;
+  ActionTiles tiles;
+  tiles.actions_ = tiles.count_ = task.actions.size();
+  if (task.actionVariables.empty()) return tiles;
+
+  const auto n = static_cast<std::size_t>(settings.tilings);
+  tiles.count_ = 1;
+  tiles.columns_.assign(n * tiles.actions_, 0);
+  tiles.layout_ = nlohmann::json::array();
+  std::size_t repeat = tiles.actions_;  // actions in a row that have one level of this variable
+  for (std::size_t j = 0; j < task.actionVariables.size(); ++j) {
+    const ActionVariable& v = task.actionVariables[j];
+    repeat /= v.levels.size();
+    const double stepsPerUnit = settings.actionTilesPerUnit(j) * static_cast<double>(n);
+    const auto tileOf = [&](std::size_t tiling, double level) {
+      const auto position = static_cast<std::size_t>(std::floor((level - v.levels.front()) * stepsPerUnit + 1e-9));
+      const std::size_t displacement = tiling * (2 * (task.state.size() + j) + 1) % n;
+      return (position + displacement) / n;
+    };
+    const std::size_t along = tileOf(n - 1, v.levels.back()) + 2;  // whatever the displacement
+    for (std::size_t i = 0; i < n; ++i)
+      for (std::size_t a = 0; a < tiles.actions_; ++a) {
+        auto& column = tiles.columns_[i * tiles.actions_ + a];
+        column = static_cast<std::uint16_t>(column * along + tileOf(i, v.levels[a / repeat % v.levels.size()]));
+      }
+    tiles.count_ *= along;
+    if (tiles.count_ > kMost)
+      return Error{fmt::format("features.{}: with it an action has {} tiles; at most {} are allowed.", v.key,
+                               tiles.count_, kMost)};
+    tiles.layout_.push_back(
+        {{"variable", v.key}, {"tiles_per_unit", settings.actionTilesPerUnit(j)}, {"levels", v.levels}});
+  }
+  // Only columns that some action has, so that a block is as small as it can be.
+  std::vector<std::uint16_t> names(tiles.count_, 0);
+  std::uint16_t used = 0;
+  for (std::uint16_t& column : tiles.columns_) {
+    if (names[column] == 0) names[column] = ++used;
+    column = static_cast<std::uint16_t>(names[column] - 1);
+  }
+  tiles.count_ = used;
+  return tiles;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tiles over actions that are combinations of several variables (Task::actionVariables). In tiling i an action lies, in
+// action variable j, in the tile floor((u/width·n + i·(2d + 1)) / n), with d counting on from the state variables, so
+// that actions which are near share weights in most tilings and tell themselves apart in some. The tiles of all action
+// variables together are the columns of a block of weights: one look-up of a state's tile serves all actions.
+//
+// Without action variables every action has a column of its own in every tiling.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <vector>
+
+#include "core/features/tile_settings.h"
+
+namespace surefoot {
+
+class ActionTiles {
+ public:
+  static Result<ActionTiles> create(const Task& task, const TileSettings& settings);
+
+  /// Whether actions share columns.
+  bool shared() const { return !columns_.empty(); }
+  /// Weights of a feature.
+  std::size_t count() const { return count_; }
+  /// [action] in a tiling; only where shared().
+  std::span<const std::uint16_t> columnsOf(std::size_t tiling) const {
+    return {columns_.data() + tiling * actions_, actions_};
+  }
+  std::size_t column(std::size_t tiling, int action) const {
+    const auto a = static_cast<std::size_t>(action);
+    return shared() ? columns_[tiling * actions_ + a] : a;
+  }
+  /// null where there is nothing to say.
+  nlohmann::json layout() const { return layout_; }
+
+ private:
+  std::size_t actions_ = 0, count_ = 0;
+  std::vector<std::uint16_t> columns_;  // [tiling][action]; empty: each its own
+  nlohmann::json layout_;
+};
+
+}  // namespace surefoot

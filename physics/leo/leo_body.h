@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The bodies and joints of LEO (wcaarls/grl, addons/leosim; facts). Planar: x forward, y up, angles counter-clockwise,
+// so a leg in front is positive, a torso that leans forward negative, a bent knee negative. Lengths in m, in the frame
+// of each body.
+#pragma once
+
+#include <array>
+
+namespace surefoot::leo {
+
+struct Vec {
+  double x, y;
+};
+
+/// The torso holds the boom as a virtual mass and the arm, which is welded on.
+enum Body { kTorso, kLeftThigh, kRightThigh, kLeftShank, kRightShank, kLeftFoot, kRightFoot, kBodies };
+/// A joint bears the name of its child; `left` and `right` are the legs 0 and 1.
+enum Joint { kLeftHip, kRightHip, kLeftKnee, kRightKnee, kLeftAnkle, kRightAnkle, kJoints };
+
+struct Mass {
+  double mass;     // [kg]
+  double inertia;  // about its centre [kg m²]
+  Vec centre;
+};
+
+inline constexpr Mass kTorsoMass{1.32599, 0.0097049, {0.00059, -0.02640}};
+inline constexpr Mass kThighMass{0.17978, 0.000273133, {0.00285, -0.00481}};
+inline constexpr Mass kShankMass{0.12691, 0.000153379, {0.00804, -0.00867}};
+inline constexpr Mass kFootMass{0.07319, 0.000048812, {0.00048, 0.00461}};
+
+/// A kind of joint: where it is in parent and child, its limits [rad], and the spring and damper at them [N m/rad, N m
+/// s/rad].
+struct JointKind {
+  Vec inParent, inChild;
+  double low, high;
+  double stopStiffness, stopDamping;
+};
+
+inline constexpr JointKind kHip{{0.00273, -0.120775}, {0.0, 0.058}, -0.785398, 2.548181, 100.0, 10.0};
+inline constexpr JointKind kKnee{{0.0, -0.058}, {-0.00405, 0.05225}, -2.617994, 0.034907, 50.0, 5.0};
+inline constexpr JointKind kAnkle{{0.0, -0.05225}, {-0.009, 0.03559}, -1.570796, 1.448623, 100.0, 10.0};
+
+/// What meets the floor, and nothing else.
+struct Circle {
+  Vec centre;
+  double radius;
+};
+inline constexpr Circle kHeel{{-0.0405, -0.0095}, 0.0035};
+inline constexpr Circle kToe{{0.0405, -0.0095}, 0.0035};
+inline constexpr Circle kKneeCap{{0.0405, 0.06875}, 0.0035};  // on the shank
+inline constexpr Circle kSeat{{-0.01116, -0.122005}, 0.068};  // on the torso
+
+inline constexpr Vec kBoomPoint{0.02, -0.120775};  // on the torso
+
+inline constexpr double kTorqueConstant = 0.00992;  // k [N m/A]
+inline constexpr double kGearRatio = 193.0;         // G
+inline constexpr double kArmature = 0.002414;       // reflected inertia of a motor [kg m²]
+
+/// At the start, at rest: angles of the bodies [rad]. The left leg stands.
+inline constexpr std::array<double, kBodies> kStart = {-0.10, 0.0, 0.72, 0.0, -0.55, 0.0, -0.55};
+
+}  // namespace surefoot::leo

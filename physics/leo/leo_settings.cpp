@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/leo/leo_settings.h"
+
+namespace surefoot {
+
+namespace {
+
+constexpr const char* kLeosim = "wcaarls/grl, addons/leosim";
+
+Parameter model(const char* key, const char* title, const char* symbol, const char* unit, double low, double high,
+                const char* help, const char* origin = kLeosim, int order = 2) {
+  return {.key = key,
+          .title = title,
+          .symbol = symbol,
+          .unit = unit,
+          .low = low,
+          .high = high,
+          .sliderLow = low,
+          .sliderHigh = high,
+          .when = When::NextEpisode,
+          .group = Group::Model,
+          .help = help,
+          .origin = origin,
+          .order = order};
+}
+
+Parameter reward(const char* key, const char* title, double low, double high, const char* help) {
+  return {.key = key,
+          .title = title,
+          .low = -1e6,
+          .high = 1e6,
+          .sliderLow = low,
+          .sliderHigh = high,
+          .when = When::Now,
+          .group = Group::Rewards,
+          .help = help,
+          .origin = kLeosim};
+}
+
+}  // namespace
+
+void LeoSettings::declare(Fields& f) {
+  f.real(footstepReward, reward("footstep_reward", "Footstep", 0, 600, "Reward of a metre by which the ankles part."));
+  f.real(energyReward, reward("energy_reward", "Energy", -10, 0, "Reward of a joule that hips and knees take."));
+  f.real(fallReward, reward("fall_reward", "Fall", -400, 0, "Reward for being doomed to fall."));
+  f.real(timeReward, reward("time_reward", "Time", -5, 0, "Reward of every step."));
+  f.real(resistance, model("resistance", "Resistance", "R", "Ω", 1, 100, "Of a motor's windings.", kLeosim, 1));
+  f.real(dryFriction, model("dry_friction", "Dry friction", "F", "N m", 0, 2, "Of every joint.", kLeosim, 1));
+  f.real(torsoMass, model("torso_mass", "Torso mass", "m", "kg", 0.2, 10, "With the boom and the arm.", kLeosim, 1));
+  f.real(efficiency, model("efficiency", "Efficiency", "η", "", 0.05, 1, "Of the gears."));
+  f.real(voltage, model("voltage", "Voltage", "U", "V", 1, 30, "The largest; actions are levels between ± this."));
+  f.real(boomForce, model("boom_force", "Boom force", "", "N", -20, 20, "What the boom adds, upwards positive."));
+  f.real(grip, model("contact_friction", "Grip", "", "", 0.01, 100, "Of feet and floor.", "ours", 3));
+  f.real(hipTarget, model("hip_target", "Hip target", "", "rad", 0, 1.5,
+                          "The angle between the hips that the hand-made controller aims at.", kLeosim, 3));
+  f.integer(substeps,
+            model("substeps", "Substeps", "", "", 1, 1000, "Steps of the simulation in one transition.", "ours", 3));
+  f.integer(maxSteps, model("max_steps", "Step limit", "", "", 1, 1e9, "An episode is cut off after so many; no fall.",
+                            kLeosim, 3));
+  Parameter levelsOf =
+      model("levels", "Levels", "", "", 2, 15, "Of each voltage; actions are their combinations.", kLeosim, 3);
+  levelsOf.when = When::NewTable;
+  levelsOf.group = Group::Representation;
+  f.integer(levels, levelsOf);
+}
+
+}  // namespace surefoot

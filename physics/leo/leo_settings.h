@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every constant of the walking robot LEO that can be set. Facts from the same laboratory's published simulation
+// (wcaarls/grl, addons/leosim); the code is ours. Masses and shapes that are not meant to be turned stand in
+// leo_body.h.
+#pragma once
+
+#include "core/parameters.h"
+
+namespace surefoot {
+
+struct LeoSettings {
+  // The motors: Dynamixel RX-28, six of them (torque constant k, gear ratio G).
+  double resistance = 8.6;     ///< R of the windings [Ω]
+  double efficiency = 0.75;    ///< η of the gears
+  double dryFriction = 0.20;   ///< of a joint [N m]
+  double voltage = 10.69;      ///< largest [V]
+  double torsoMass = 1.32599;  ///< with boom and arm [kg]
+  double boomForce = -1.0269;  ///< what the boom adds, vertically [N]
+  double grip = 1.5;           ///< friction of feet and floor; more takes more substeps to hold (10: twice as many)
+  int substeps = 17;           ///< Box2D steps a transition
+  double hipTarget = 0.68;     ///< of the hand-made controller: between the hips [rad]
+
+  // The task.
+  double timeReward = -1.0;       ///< a step
+  double energyReward = -3.0;     ///< a joule
+  double footstepReward = 300.0;  ///< a metre by which the ankles move apart
+  double fallReward = -125.0;     ///< when doomed
+  int levels = 7;                 ///< of each voltage
+  int maxSteps = 750;             ///< 25 s
+
+  void declare(Fields& f);
+};
+
+}  // namespace surefoot
