@@ -165,10 +165,11 @@ QWidget* ExperimentPage::makeResults() {
     header->layOutExtra();
   };
   connect(other, &QToolButton::clicked, this, [lower, turn] { turn(1 - lower->currentIndex()); });
-  const auto offer = [claims, other, header, turn] {
-    other->setVisible(claims->rowCount() > 0);
+  const auto offer = [claims, lower, other, header, turn] {
+    turn(claims->rowCount() == 0 ? 0 : lower->currentIndex());
+    other->setEnabled(claims->rowCount() > 0);
+    if (claims->rowCount() == 0) other->setText({});
     header->layOutExtra();
-    if (claims->rowCount() == 0) turn(0);
   };
   connect(&experiment_, &Experiment::resultsChanged, claims, offer);
   offer();

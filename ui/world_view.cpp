@@ -156,7 +156,13 @@ void WorldView::paintEvent(QPaintEvent*) {
   for (const Shape& shape : scene_.shapes) std::visit(painter, shape);
   drawSpring(p, t);
   drawReadOuts(p, t);
-  drawFocusRing(p, *this);
+  if (ring_) drawFocusRing(p, *this);
+}
+
+// The ring is for those who walk by keys; a click or the start of the program needs none.
+void WorldView::focusInEvent(QFocusEvent* event) {
+  ring_ = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;
+  QWidget::focusInEvent(event);
 }
 
 void WorldView::drawFloor(QPainter& p, const Theme& t) const {

@@ -29,6 +29,7 @@ class WorldView final : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent*) override;
+  void focusInEvent(QFocusEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
@@ -49,6 +50,7 @@ class WorldView final : public QWidget {
 
   Session& session_;
   Scene scene_;
+  bool ring_ = false;
   double camera_ = 0;  // what stands in the middle [m]
   std::deque<Point> trail_;
   double zoom_ = 1.0;
