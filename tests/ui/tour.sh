@@ -5,6 +5,7 @@
 #   tour.sh PROGRAM OUTPUT_FOLDER
 set -uo pipefail
 program=$1 out=$2
+mkdir -p "$out"
 for tool in Xvfb xdotool import; do command -v "$tool" >/dev/null || { echo "skipped: $tool is missing"; exit 77; }; done
 
 home=$(mktemp -d)
