@@ -33,7 +33,8 @@ Rival::Rival(Session& first, QWidget* parent)
       policies_(new Combo(tr("Policy of the second"), this)) {
   world_ = new WorldView(*session_, this);
   world_->setAccessibleName(tr("World of the second"));
-  for (const auto& entry : first.registry().agents) agents_->addItem(toText(entry.title), toText(entry.name));
+  for (const auto& entry : first.registry().agents)
+    if (entry.name != "scripted" || first.task().handMade) agents_->addItem(toText(entry.title), toText(entry.name));
   for (const auto& entry : first.registry().policies) policies_->addItem(toText(entry.title), toText(entry.name));
   agents_->setCurrentIndex(agents_->findData(toText(agent_)));
   policies_->setCurrentIndex(policies_->findData(toText(policy_)));

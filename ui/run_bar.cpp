@@ -65,6 +65,7 @@ RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
   scenario_->setPlaceholderText(tr("Changed model"));
   agent_ = new Combo(tr("Learning rule"), this);
   for (const auto& entry : session.registry().agents) {
+    if (entry.name == "scripted" && !session.task().handMade) continue;  // nothing acts there
     agent_->addItem(toText(entry.title), toText(entry.name));
     agent_->setItemData(agent_->count() - 1, toText(entry.help), Qt::ToolTipRole);
   }

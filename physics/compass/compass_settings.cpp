@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/compass/compass_settings.h"
 
+#include "physics/world/walking.h"
+
 namespace surefoot {
 
 namespace {
@@ -21,19 +23,6 @@ Parameter model(const char* key, const char* title, const char* unit, double usu
           .order = order};
 }
 
-Parameter reward(const char* key, const char* title, double low, double high, const char* help) {
-  return {.key = key,
-          .title = title,
-          .low = -1e6,
-          .high = 1e6,
-          .sliderLow = low,
-          .sliderHigh = high,
-          .when = When::Now,
-          .group = Group::Rewards,
-          .help = help,
-          .origin = "ours"};
-}
-
 Parameter signedModel(Parameter p, double low, double high, double sliderLow, double sliderHigh) {
   p.low = low, p.high = high, p.sliderLow = sliderLow, p.sliderHigh = sliderHigh;
   return p;
@@ -42,9 +31,10 @@ Parameter signedModel(Parameter p, double low, double high, double sliderLow, do
 }  // namespace
 
 void CompassSettings::declare(Fields& f) {
-  f.real(footstepReward, reward("footstep_reward", "Footstep", 0, 500, "Reward of a footstep, a metre of its length."));
-  f.real(fallReward, reward("fall_reward", "Fall", -400, 0, "Reward for falling."));
-  f.real(timeReward, reward("time_reward", "Time", -5, 0, "Reward of every step; 0 or below."));
+  f.real(footstepReward, rewardParameter("footstep_reward", "Footstep", 0, 500,
+                                         "Reward of a footstep, a metre of its length.", "ours"));
+  f.real(fallReward, rewardParameter("fall_reward", "Fall", -400, 0, "Reward for falling.", "ours"));
+  f.real(timeReward, rewardParameter("time_reward", "Time", -5, 0, "Reward of every step; 0 or below.", "ours"));
   f.real(slope, signedModel(model("slope", "Slope", "rad", 0, "Of the floor: below 0 it goes uphill.", 1), -0.3, 0.3,
                             -0.05, 0.05));
   f.real(torque, model("torque", "Torque", "N m", torque, "Of the hip; the actions are −, 0 and + this.", 1));

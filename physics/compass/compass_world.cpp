@@ -3,13 +3,13 @@
 
 #include <cmath>
 
+#include "physics/world/walking.h"
+
 namespace surefoot {
 
 namespace {
 
-constexpr double kGravity = 9.81;         // [m/s²]
-constexpr double kFloorHalfLength = 500;  // [m]
-constexpr std::int16_t kRobot = -1;       // parts of one group do not meet
+constexpr double kGravity = 9.81;  // [m/s²]
 
 float f(double x) {
   return static_cast<float>(x);
@@ -18,7 +18,7 @@ float f(double x) {
 /// Whose foot touches the floor.
 int legOf(b2Contact& contact) {
   b2Fixture* a = contact.GetFixtureA();
-  b2Fixture* robot = a->GetFilterData().groupIndex == kRobot ? a : contact.GetFixtureB();
+  b2Fixture* robot = a->GetFilterData().groupIndex == kRobotGroup ? a : contact.GetFixtureB();
   return static_cast<int>(robot->GetUserData().pointer);
 }
 
@@ -31,14 +31,7 @@ CompassWorld::CompassWorld(const CompassSettings& s, const Posture& posture, dou
   world_.SetContinuousPhysics(false);
   world_.SetContactListener(this);
 
-  b2BodyDef floorDef;
-  b2Body* floor = world_.CreateBody(&floorDef);
-  b2PolygonShape box;
-  box.SetAsBox(f(kScale * kFloorHalfLength), 1.0f, b2Vec2(0.0f, -1.0f), 0.0f);
-  b2FixtureDef floorFixture;
-  floorFixture.shape = &box;
-  floorFixture.friction = f(s.friction);
-  floor->CreateFixture(&floorFixture);
+  addFloor(world_, kScale, s.friction);
 
   const double toFoot = s.legLength - s.footRadius;  // the centre of the foot's circle
   const double sole = s.footRadius;
@@ -64,7 +57,7 @@ CompassWorld::CompassWorld(const CompassSettings& s, const Posture& posture, dou
     b2FixtureDef fixture;
     fixture.shape = &circle;
     fixture.friction = f(s.friction);
-    fixture.filter.groupIndex = kRobot;
+    fixture.filter.groupIndex = kRobotGroup;
     fixture.userData.pointer = static_cast<std::uintptr_t>(leg);
     body->CreateFixture(&fixture);
     const b2MassData data{f(mass), {0.0f, f(-kScale * centre)}, f(kScale * kScale * inertia)};

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/leo/leo_settings.h"
 
+#include "physics/world/walking.h"
+
 namespace surefoot {
 
 namespace {
@@ -24,26 +26,15 @@ Parameter model(const char* key, const char* title, const char* symbol, const ch
           .order = order};
 }
 
-Parameter reward(const char* key, const char* title, double low, double high, const char* help) {
-  return {.key = key,
-          .title = title,
-          .low = -1e6,
-          .high = 1e6,
-          .sliderLow = low,
-          .sliderHigh = high,
-          .when = When::Now,
-          .group = Group::Rewards,
-          .help = help,
-          .origin = kLeosim};
-}
-
 }  // namespace
 
 void LeoSettings::declare(Fields& f) {
-  f.real(footstepReward, reward("footstep_reward", "Footstep", 0, 600, "Reward of a metre by which the ankles part."));
-  f.real(energyReward, reward("energy_reward", "Energy", -10, 0, "Reward of a joule that hips and knees take."));
-  f.real(fallReward, reward("fall_reward", "Fall", -400, 0, "Reward for being doomed to fall."));
-  f.real(timeReward, reward("time_reward", "Time", -5, 0, "Reward of every step."));
+  f.real(footstepReward, rewardParameter("footstep_reward", "Footstep", 0, 600,
+                                         "Reward of a metre by which the ankles part.", kLeosim));
+  f.real(energyReward,
+         rewardParameter("energy_reward", "Energy", -10, 0, "Reward of a joule that hips and knees take.", kLeosim));
+  f.real(fallReward, rewardParameter("fall_reward", "Fall", -400, 0, "Reward for being doomed to fall.", kLeosim));
+  f.real(timeReward, rewardParameter("time_reward", "Time", -5, 0, "Reward of every step.", kLeosim));
   f.real(resistance, model("resistance", "Resistance", "R", "Ω", 1, 100, "Of a motor's windings.", kLeosim, 1));
   f.real(dryFriction, model("dry_friction", "Dry friction", "F", "N m", 0, 2, "Of every joint.", kLeosim, 1));
   f.real(torsoMass, model("torso_mass", "Torso mass", "m", "kg", 0.2, 10, "With the boom and the arm.", kLeosim, 1));

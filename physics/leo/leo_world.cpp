@@ -4,17 +4,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/world/walking.h"
+
 namespace surefoot {
 
 using namespace leo;
 
 namespace {
 
-constexpr double kGravity = 9.81;         // [m/s²]
-constexpr double kFloorHalfLength = 500;  // [m]
-constexpr double kSlowest = 0.05;         // [rad/s]: below, dry friction is a damper
-constexpr double kFree = 1e-6;            // stiffness of a weld that does not weld: Box2D wants more than 0
-constexpr std::int16_t kRobot = -1;       // parts of one group do not meet
+constexpr double kGravity = 9.81;  // [m/s²]
+constexpr double kSlowest = 0.05;  // [rad/s]: below, dry friction is a damper
+constexpr double kFree = 1e-6;     // stiffness of a weld that does not weld: Box2D wants more than 0
 
 float f(double x) {
   return static_cast<float>(x);
@@ -64,24 +64,17 @@ LeoWorld::LeoWorld(const LeoSettings& s, const Angles& angles, const Angles& rat
   for (int leg = 0; leg < 2; ++leg) low(shank(leg), kKneeCap), low(foot(leg), kHeel), low(foot(leg), kToe);
   for (Vec& origin : at) origin.y -= lowest;
 
-  b2BodyDef floorDef;
-  floor_ = world_.CreateBody(&floorDef);
-  b2PolygonShape box;
-  box.SetAsBox(f(kScale * kFloorHalfLength), 1.0f, b2Vec2(0.0f, -1.0f), 0.0f);
-  b2FixtureDef floorFixture;
-  floorFixture.shape = &box;
-  floorFixture.friction = f(s.grip);
-  floor_->CreateFixture(&floorFixture);
+  addFloor(world_, kScale, s.grip);
 
   Mass torso = kTorsoMass;
   torso.inertia *= s.torsoMass / torso.mass;
   torso.mass = s.torsoMass;
-  addBody(kTorso, torso, at[kTorso], angles[kTorso]);
+  addBody(kTorso, at[kTorso], angles[kTorso]);
   addCircle(kTorso, kSeat);
   for (int leg = 0; leg < 2; ++leg) {
-    addBody(thigh(leg), kThighMass, at[thigh(leg)], angles[thigh(leg)]);
-    addBody(shank(leg), kShankMass, at[shank(leg)], angles[shank(leg)]);
-    addBody(foot(leg), kFootMass, at[foot(leg)], angles[foot(leg)]);
+    addBody(thigh(leg), at[thigh(leg)], angles[thigh(leg)]);
+    addBody(shank(leg), at[shank(leg)], angles[shank(leg)]);
+    addBody(foot(leg), at[foot(leg)], angles[foot(leg)]);
     addCircle(shank(leg), kKneeCap);
     addCircle(foot(leg), kHeel);
     addCircle(foot(leg), kToe);
@@ -132,7 +125,7 @@ LeoWorld::LeoWorld(const LeoSettings& s, const Angles& angles, const Angles& rat
   spin(foot(other), hold, moves);
 }
 
-void LeoWorld::addBody(Body body, const Mass&, Vec origin, double angle) {
+void LeoWorld::addBody(Body body, Vec origin, double angle) {
   b2BodyDef def;
   def.type = b2_dynamicBody;
   def.position = {f(kScale * origin.x), f(kScale * origin.y)};
@@ -148,7 +141,7 @@ void LeoWorld::addCircle(Body body, const Circle& circle) {
   fixture.shape = &shape;
   fixture.friction = f(settings_.grip);
   fixture.restitution = 0.0f;
-  fixture.filter.groupIndex = kRobot;
+  fixture.filter.groupIndex = kRobotGroup;
   bodies_[body]->CreateFixture(&fixture);
 }
 

@@ -48,7 +48,7 @@ class LeoWorld {
   static constexpr double kScale = 10.0;
   static constexpr int kVelocityIterations = 16, kPositionIterations = 3;
 
-  void addBody(leo::Body body, const leo::Mass& mass, leo::Vec origin, double angle);
+  void addBody(leo::Body body, leo::Vec origin, double angle);
   void addCircle(leo::Body body, const leo::Circle& circle);
   void addJoint(leo::Joint joint, leo::Body parent, leo::Body child, const leo::JointKind& kind);
   void drive(leo::Joint joint, double voltage, double h);
@@ -62,7 +62,6 @@ class LeoWorld {
 
   LeoSettings settings_;
   b2World world_;
-  b2Body* floor_ = nullptr;
   std::array<b2Body*, leo::kBodies> bodies_{};
   std::array<Hinge, leo::kJoints> joints_{};
 };

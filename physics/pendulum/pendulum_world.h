@@ -32,9 +32,9 @@ class PendulumWorld {
   float profiledStep() const { return world_.GetProfile().step; }
 
  private:
-  // Without contacts 4 velocity and 1 position iterations are as exact as the customary 8 and 3. Without friction 1 and 1
-  // are, too: against the equations they err by 0.0146 rad after 125 ms, 4 and 1 by 0.0142, all of it the time step's.
-  // With friction 1 is not enough, and without position iterations the joints drift apart.
+  // Without contacts 4 velocity and 1 position iterations are as exact as the customary 8 and 3. Without friction 1 and
+  // 1 are, too: against the equations they err by 0.0146 rad after 125 ms, 4 and 1 by 0.0142, all of it the time
+  // step's. With friction 1 is not enough, and without position iterations the joints drift apart.
   static constexpr int kVelocityIterations = 1, kFrictionIterations = 4;
   static constexpr int kPositionIterations = 1;
 

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What walkers share: the floor, whose friction they stand on, and how their rewards are declared.
+#pragma once
+
+#include <box2d/box2d.h>
+
+#include "core/parameters.h"
+
+namespace surefoot {
+
+/// Parts of one group do not meet each other; the floor is in none.
+inline constexpr std::int16_t kRobotGroup = -1;
+
+/// A flat floor at height 0, 500 m to either side; `scale` is Box2D's units per metre.
+inline b2Body* addFloor(b2World& world, double scale, double friction) {
+  constexpr double kHalfLength = 500;  // [m]
+  const b2BodyDef def;
+  b2Body* floor = world.CreateBody(&def);
+  b2PolygonShape box;
+  box.SetAsBox(static_cast<float>(scale * kHalfLength), 1.0f, b2Vec2(0.0f, -1.0f), 0.0f);
+  b2FixtureDef fixture;
+  fixture.shape = &box;
+  fixture.friction = static_cast<float>(friction);
+  floor->CreateFixture(&fixture);
+  return floor;
+}
+
+/// A reward that applies at once; low and high are the slider's.
+inline Parameter rewardParameter(const char* key, const char* title, double low, double high, const char* help,
+                                 const char* origin) {
+  return {.key = key,
+          .title = title,
+          .low = -1e6,
+          .high = 1e6,
+          .sliderLow = low,
+          .sliderHigh = high,
+          .when = When::Now,
+          .group = Group::Rewards,
+          .help = help,
+          .origin = origin};
+}
+
+}  // namespace surefoot

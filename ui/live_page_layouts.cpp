@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of the Live page that says where its panels stand.
+#include "ui/live_page.h"
+#include "ui/panel.h"
+
+namespace surefoot {
+
+// Not by saveState() and restoreState(): they break while a dock is on its way.
+void LivePage::toggleFull(QWidget* panel) {
+  const bool back = full_ != nullptr;
+  if (back) {
+    centralWidget()->show();
+    QList<QDockWidget*> docks;
+    QList<int> widths, heights;
+    for (const auto& [shown, size] : before_) {
+      shown->show();
+      docks << shown, widths << size.width(), heights << size.height();
+    }
+    resizeDocks(docks, widths, Qt::Horizontal);
+    resizeDocks(docks, heights, Qt::Vertical);
+  } else {
+    before_.clear();
+    for (Panel* other : panels_) {
+      if (other->isVisible()) before_.emplace_back(other, other->size());
+      other->setVisible(other == panel);
+    }
+    centralWidget()->setVisible(panel == centralWidget());
+  }
+  full_ = back ? nullptr : panel;
+  worldHeader_->setFull(full_ == centralWidget());
+  for (Panel* p : panels_) p->header().setFull(full_ == p);
+}
+
+// Named layouts: the usual one, one that explains, one of maps.
+void LivePage::useLayout(Layout layout) {
+  resetLayout();
+  const auto panel = [this](const char* name) { return findChild<Panel*>(QLatin1String(name)); };
+  switch (layout) {
+    case Layout::Usual:
+      return;
+    case Layout::Teaching:
+      for (const char* name : {"parameters", "reward"}) panel(name)->hide();
+      for (Panel* p : {steps_, rule_}) p->show();
+      addDockWidget(Qt::BottomDockWidgetArea, steps_);
+      splitDockWidget(panel("actions"), steps_, Qt::Vertical);
+      addDockWidget(Qt::RightDockWidgetArea, rule_);
+      resizeDocks({panel("maps")}, {440}, Qt::Horizontal);
+      break;
+    case Layout::Falls:
+      panel("parameters")->hide();
+      list_->show();
+      break;
+    case Layout::Maps:
+      for (const char* name : {"parameters", "reward", "falls"}) panel(name)->hide();
+      resizeDocks({panel("maps")}, {width() * 6 / 10}, Qt::Horizontal);
+      break;
+  }
+  untouched_ = false;
+}
+
+void LivePage::resetLayout() {
+  if (full_) toggleFull(full_);
+  const auto panel = [this](const char* name) { return findChild<Panel*>(QLatin1String(name)); };
+  for (Panel* p : panels_) {
+    p->setFloating(false);
+    p->show();
+  }
+  addDockWidget(Qt::LeftDockWidgetArea, panel("parameters"));
+  addDockWidget(Qt::BottomDockWidgetArea, panel("actions"));
+  addDockWidget(Qt::RightDockWidgetArea, panel("maps"));
+  addDockWidget(Qt::RightDockWidgetArea, panel("reward"));
+  addDockWidget(Qt::RightDockWidgetArea, panel("falls"));
+  addDockWidget(Qt::BottomDockWidgetArea, panel("step"));
+  addDockWidget(Qt::BottomDockWidgetArea, panel("rule"));
+  addDockWidget(Qt::RightDockWidgetArea, panel("list"));
+  // Those that are not shown at first share the place of one that is, or they would cut each other.
+  for (Panel* extra : {steps_, rule_}) tabifyDockWidget(panel("actions"), extra);
+  tabifyDockWidget(panel("falls"), list_);
+  for (Panel* extra : {steps_, rule_, list_}) extra->hide();
+  for (const char* front : {"actions", "falls"}) panel(front)->raise();
+  untouched_ = true;
+  shareSpace();
+}
+
+void LivePage::shareSpace() {
+  // The columns of the 1280 px window are 264, 576 and 440; a wider one gives most to the middle.
+  const auto panel = [this](const char* name) { return findChild<Panel*>(QLatin1String(name)); };
+  const bool wide = width() >= 1800;
+  resizeDocks({panel("parameters"), panel("maps")}, {wide ? 288 : 264, wide ? 632 : 440}, Qt::Horizontal);
+  resizeDocks({panel("actions")}, {268}, Qt::Vertical);
+  resizeDocks({panel("maps"), panel("reward"), panel("falls")}, {wide ? 440 : 300, wide ? 288 : 196, wide ? 274 : 190},
+              Qt::Vertical);
+}
+
+QByteArray LivePage::layoutState() {
+  if (full_) toggleFull(full_);
+  return saveState(kLayoutVersion);
+}
+
+bool LivePage::restoreLayout(const QByteArray& state) {
+  laidOut_ = restoreState(state, kLayoutVersion);
+  untouched_ = !laidOut_;
+  return laidOut_;
+}
+
+}  // namespace surefoot
