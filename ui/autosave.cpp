@@ -59,6 +59,7 @@ void Autosave::forget(const QString& file) {
 void Autosave::takeOver(const QString& file) {
   takenOver_ = file;
   saved_ = -1;
+  again_ = writing_;  // what is being written is still the session before
   save();
 }
 
@@ -70,12 +71,18 @@ void Autosave::save(std::function<void()> then) {
   saved_ = session_.snapshot().steps;
   writing_ = true;
   // A full disk is no reason to disturb; the next try may work.
-  session_.save(SavedAs::Session, path().toStdString(), [this, then = std::move(then)](const Status& s) {
+  const auto written = [this, replaces = takenOver_, then = std::move(then)](const Status& s) {
     writing_ = false;
-    if (s && !takenOver_.isEmpty() && takenOver_ != path()) QFile::remove(takenOver_);
-    if (s) takenOver_.clear();
+    if (s && !replaces.isEmpty() && replaces != path()) QFile::remove(replaces);
+    if (s && replaces == takenOver_) takenOver_.clear();
     if (then) then();
-  });
+    if (again_ && !leaving_) {
+      again_ = false;
+      saved_ = -1;
+      save();
+    }
+  };
+  session_.save(SavedAs::Session, path().toStdString(), written);
 }
 
 void Autosave::leave(std::function<void()> then) {

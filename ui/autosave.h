@@ -40,7 +40,7 @@ class Autosave final : public QObject {
   QString folder_;
   QTimer timer_;
   std::int64_t saved_ = -1;  // steps of the life then
-  bool writing_ = false, leaving_ = false;
+  bool writing_ = false, leaving_ = false, again_ = false;
   QString takenOver_;
   std::unique_ptr<QLockFile> lock_;
 };
