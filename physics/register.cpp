@@ -50,7 +50,7 @@ AssignmentEntry leoPreset(const char* name, const char* title, const char* help,
   addForEstimates(entry.values, "step_size", 0.2);
   addForEstimates(entry.values, "trace_decay", 0.8582);
   addForFeatures(entry.values, "initial_high", 0.01);
-  addForFeatures(entry.values, "memory", 1 << 17);
+  addForFeatures(entry.values, "memory", 1 << 18);
   entry.values.push_back({"agent.discount", 0.9962});
   return entry;
 }

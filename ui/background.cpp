@@ -3,33 +3,54 @@
 
 namespace surefoot {
 
-void Background::start(std::function<void(const std::atomic<bool>&)> work, std::function<void()> then) {
+Background::~Background() {
   cancel();
-  interrupted_ = false;
-  busy_ = true;
-  const std::uint64_t number = ++number_;
-  thread_ = std::thread([this, number, work = std::move(work), then = std::move(then)] {
-    work(interrupted_);
+  if (thread_.joinable()) thread_.join();
+}
+
+void Background::start(std::function<void(const std::atomic<bool>&)> work, std::function<void()> then,
+                       std::chrono::milliseconds patience) {
+  auto job = std::make_shared<Job>();
+  job->work = std::move(work);
+  job->then = std::move(then);
+  if (running_) {
+    running_->interrupted = true;
+    next_ = std::move(job);
+    return;
+  }
+  auto done = job->done.get_future();
+  run(job);
+  if (done.wait_for(patience) == std::future_status::ready)
+    finished(job);
+  else
+    Q_EMIT busyChanged();
+}
+
+void Background::run(std::shared_ptr<Job> job) {
+  running_ = job;
+  thread_ = std::thread([this, job] {
+    job->work(job->interrupted);
+    job->done.set_value();
     QMetaObject::invokeMethod(
-        this,
-        [this, number, then] {
-          if (number != number_ || interrupted_) return;
-          thread_.join();
-          busy_ = false;
-          Q_EMIT busyChanged();
-          then();
-        },
-        Qt::QueuedConnection);
+        this, [this, job] { finished(job); }, Qt::QueuedConnection);
   });
+}
+
+void Background::finished(const std::shared_ptr<Job>& job) {
+  if (running_ != job) return;  // it was waited for
+  thread_.join();
+  running_.reset();
+  if (next_) {
+    run(std::exchange(next_, nullptr));
+    return;
+  }
   Q_EMIT busyChanged();
+  if (!job->interrupted) job->then();
 }
 
 void Background::cancel() {
-  if (!thread_.joinable()) return;
-  interrupted_ = true;
-  thread_.join();
-  busy_ = false;
-  Q_EMIT busyChanged();
+  next_.reset();
+  if (running_) running_->interrupted = true;
 }
 
 }  // namespace surefoot

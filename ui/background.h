@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One piece of work at a time on a thread of its own, so that the window goes on meanwhile.
+// One piece of work at a time on a thread of its own, so that the window goes on meanwhile. What was started last
+// counts: it waits until the one before, which is told to stop, has done so.
 #pragma once
 
 #include <QObject>
 #include <atomic>
+#include <chrono>
 #include <functional>
+#include <future>
+#include <memory>
+#include <optional>
 #include <thread>
 
 namespace surefoot {
@@ -14,22 +19,30 @@ class Background final : public QObject {
 
  public:
   explicit Background(QObject* parent = nullptr) : QObject(parent) {}
-  /// Ends the work in hand.
-  ~Background() override { cancel(); }
+  /// Waits for the work in hand to stop.
+  ~Background() override;
 
-  /// Runs `work` on the thread, then `then` on the window's, unless it was cancelled meanwhile. What runs is cancelled
-  /// first.
-  void start(std::function<void(const std::atomic<bool>& interrupted)> work, std::function<void()> then);
+  /// Runs `work` on the thread, then `then` on the window's, unless it was cancelled meanwhile. Work that takes less
+  /// than `patience` is waited for: then both are done when this returns.
+  void start(std::function<void(const std::atomic<bool>& interrupted)> work, std::function<void()> then,
+             std::chrono::milliseconds patience = std::chrono::milliseconds(0));
   void cancel();
-  bool busy() const { return busy_; }
+  bool busy() const { return running_ || next_; }
 
  Q_SIGNALS:
   void busyChanged();
 
  private:
-  std::atomic<bool> interrupted_{false};
-  bool busy_ = false;
-  std::uint64_t number_ = 0;
+  struct Job {
+    std::function<void(const std::atomic<bool>&)> work;
+    std::function<void()> then;
+    std::atomic<bool> interrupted{false};
+    std::promise<void> done;
+  };
+  void run(std::shared_ptr<Job> job);
+  void finished(const std::shared_ptr<Job>& job);
+
+  std::shared_ptr<Job> running_, next_;
   std::thread thread_;
 };
 

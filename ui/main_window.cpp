@@ -79,6 +79,10 @@ MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent)
     troubleShown_ = trouble;
     session_.setLookedAt(isVisible() && !isMinimized());
   });
+  connect(&session_, &Session::refused, messages_, &MessageBar::say);
+  connect(&session_.background(), &Background::busyChanged, this, [this] {
+    if (session_.background().busy()) messages_->tell(tr("It is being made ready; the world goes on meanwhile."));
+  });
   connect(bar_, &RunBar::agentAsked, this, [this](const QString& name, const QString& title) {
     messages_->ask(
         tr("%1 needs a new table, so learning starts again from the beginning, with the same seed.").arg(title),
@@ -91,15 +95,13 @@ MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent)
     const auto told = [this](const Status& status) {
       if (!status) messages_->say(toText(status.error().message));
     };
-    messages_->ask(tr("%1 = %2 needs a new table. Start again from the beginning, with the same seed, or carry what "
-                      "is learned over into it?")
-                       .arg(toText(entry->parameter.title), toText(formatValue(entry->parameter, value))),
-                   {{tr("Start again"),
-                     [this, key, value, told] { told(session_.setParameterAndRestart(key.toStdString(), value)); }},
-                    {tr("Carry over"), [this, key, value, told] {
-                       messages_->say(tr("Carrying over; the world goes on meanwhile."));
-                       session_.carryOver(key.toStdString(), value, told);
-                     }}});
+    messages_->ask(
+        tr("%1 = %2 needs a new table. Start again from the beginning, with the same seed, or carry what "
+           "is learned over into it?")
+            .arg(toText(entry->parameter.title), toText(formatValue(entry->parameter, value))),
+        {{tr("Start again"),
+          [this, key, value, told] { told(session_.setParameterAndRestart(key.toStdString(), value)); }},
+         {tr("Carry over"), [this, key, value, told] { session_.carryOver(key.toStdString(), value, told); }}});
   });
   messages_->raise();
   refresh();

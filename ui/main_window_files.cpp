@@ -44,12 +44,12 @@ void MainWindow::openFile(const QString& path) {
     experiment_->open(path);
     return remember(path);
   }
-  if (const Status s = session_.open(path.toStdString()); !s) return messages_->say(toText(s.error().message));
-  setPage(0);
-  setSessionPath(path.endsWith(QStringLiteral(".surefoot")) ? path : QString());
-  remember(path);
-  if (session_.background().busy())
-    messages_->tell(tr("It is lived again up to its end; the world goes on meanwhile."));
+  session_.open(path.toStdString(), [this, path](const Status& status) {
+    if (!status) return messages_->say(toText(status.error().message));
+    setPage(0);
+    setSessionPath(path.endsWith(QStringLiteral(".surefoot")) ? path : QString());
+    remember(path);
+  });
 }
 
 void MainWindow::remember(const QString& path) {
@@ -107,12 +107,11 @@ void MainWindow::offerToRestore() {
   messages_->ask(tr("The last session was not closed. Its last minutes may be missing."),
                  {{tr("Restore it"),
                    [this, left] {
-                     if (const Status s = session_.open(left.toStdString()); !s) {
+                     session_.open(left.toStdString(), [this, left](const Status& s) {
+                       if (s) return autosave_->takeOver(left);
                        messages_->say(toText(s.error().message) + ' ' + tr("It is set aside as %1.damaged.").arg(left));
                        QFile::rename(left, left + QStringLiteral(".damaged"));
-                       return;
-                     }
-                     autosave_->takeOver(left);
+                     });
                    }},
                   {tr("Forget it"), [this, left] { autosave_->forget(left); }}});
 }

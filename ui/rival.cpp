@@ -56,6 +56,7 @@ Rival::Rival(Session& first, QWidget* parent)
   connect(&first_, &Session::configurationChanged, this, &Rival::followParameters);
   connect(&first_, &Session::lifeReplaced, this, &Rival::startAgain);
   connect(session_.get(), &Session::frame, this, [this] { update(0, 0, width(), kHead); });
+  connect(session_.get(), &Session::refused, this, &Rival::refused);
   follow();
 }
 

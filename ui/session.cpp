@@ -244,11 +244,7 @@ void Session::adopt(std::unique_ptr<Life> life) {
 }
 
 Status Session::restart() {
-  auto life = makeLifeOf(configuration_);
-  if (!life) return life.error();
-  began_ = configuration_;
-  adopt(std::move(*life));
-  return Done{};
+  return beginAgain(configuration_);
 }
 
 std::unique_ptr<Life> Session::finish() {

@@ -91,6 +91,9 @@ class Session final : public QObject {
   void hold(std::optional<double> target);
   /// Puts the learner's world into a state: a new episode begins there.
   Status place(const std::vector<double>& state);
+  // What begins a new life: where the tables are large, it is made while the old one goes on, and comes when it is
+  // ready; then background() is busy, and what went wrong is said by `refused`.
+
   /// A new life with the present configuration and the same seed; the old one stays as a faint curve.
   Status restart();
   /// Changes a parameter of the running life, or, if it needs a new table, asks for a restart first (needsNewTable).
@@ -102,10 +105,12 @@ class Session final : public QObject {
   Status setAgent(const std::string& name);
   void setScenario(const std::string& name);
 
+  using Then = std::function<void(const Status&)>;
   /// Writes the life to a file; `then` is called when it is written, or could not be.
-  void save(SavedAs what, const std::string& path, std::function<void(const Status&)> then);
-  /// A saved session goes on, a Q-function is what a new life begins with, a journal is lived again.
-  Status open(const std::string& path);
+  void save(SavedAs what, const std::string& path, Then then);
+  /// A saved session goes on, a Q-function is what a new life begins with, a journal is lived again; `then` is called
+  /// when it has begun, or could not.
+  void open(const std::string& path, const Then& then);
   /// The present configuration under other names, with every parameter that both know.
   Result<Configuration> configurationUnder(const Names& names) const;
   /// A new life under another configuration.
@@ -114,7 +119,7 @@ class Session final : public QObject {
   Status beginEnvironment(const std::string& name);
   Status setSeed(std::uint64_t seed);
   /// A new life with a parameter that needs a new table, which begins with what was learned, fitted anew.
-  void carryOver(const std::string& key, double value, std::function<void(const Status&)> then);
+  void carryOver(const std::string& key, double value, Then then);
   Background& background() { return background_; }
   QUndoStack& undo() { return undo_; }
 
@@ -130,7 +135,8 @@ class Session final : public QObject {
   void playbackChanged();
   void configurationChanged();
   void lifeReplaced();
-  void parametersReplaced();  ///< another agent: other parameters
+  void parametersReplaced();         ///< another agent: other parameters
+  void refused(const QString& why);  ///< a life that was begun could not be made
   void needsNewTable(const QString& key, double value);
 
  private:
@@ -141,8 +147,18 @@ class Session final : public QObject {
   void fillParts(const ActionValueFunction& values);
   void measureSpeed();
   void restartMeasuring();
-  Status openJournal(const std::string& text, const std::string& path);
-  Status beginWithLife(Configuration began, std::unique_ptr<Life> life);
+  struct Beginning {
+    Configuration configuration;
+    std::unique_ptr<Life> life;
+  };
+  using Make = std::function<Result<Beginning>(const std::atomic<bool>& interrupted)>;
+  using Adopt = std::function<Status(Beginning)>;
+  Status whenMade(Make make, Adopt adopt, const Then& then = {});
+  Status beginAgain(Configuration configuration);
+  Make makeOf(Configuration configuration) const;
+  Make makeOfFile(const std::string& path) const;
+  Make makeOfJournal(const std::string& path) const;
+  Status beginWithLife(Beginning made);
   Status apply(const std::string& key, double value);
   void makeViewer();
   Result<std::unique_ptr<Life>> makeLifeOf(const Configuration& configuration) const;

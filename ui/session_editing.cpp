@@ -74,12 +74,7 @@ Status Session::apply(const std::string& key, double value) {
 Status Session::setParameterAndRestart(const std::string& key, double value) {
   Configuration changed = configuration_;
   if (const Status s = changed.parameters.set(key, value); !s) return s;
-  auto life = makeLifeOf(changed);
-  if (!life) return life.error();
-  began_ = configuration_ = std::move(changed);
-  adopt(std::move(*life));
-  Q_EMIT configurationChanged();
-  return Done{};
+  return beginAgain(std::move(changed));
 }
 
 void Session::setPolicy(const std::string& name) {

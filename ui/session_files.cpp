@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of Session that begins lives anew: from files, with what was learned before, or in another environment.
+#include <chrono>
 #include <new>
 
 #include "core/experiment/checkpoint.h"
@@ -14,6 +15,9 @@
 namespace surefoot {
 
 namespace {
+
+/// So long the window may stand still for a table, so that those of usual size are there at once.
+constexpr std::chrono::milliseconds kPatience(100);
 
 /// A journal longer than this is left to `surefoot replay`: about ten seconds.
 constexpr std::int64_t kMostReplayed = 10'000'000;  // [steps]
@@ -34,7 +38,7 @@ std::string bytesOf(const Life& life, const Configuration& began, const Configur
 }  // namespace
 
 // Written on the learner's thread, between two steps: the life stands still meanwhile.
-void Session::save(SavedAs what, const std::string& path, std::function<void(const Status&)> then) {
+void Session::save(SavedAs what, const std::string& path, Then then) {
   learner_->send(
       Visit{[this, what, path, then = std::move(then), began = began_, now = configuration_](const Life& life) {
         Status status = Done{};
@@ -49,56 +53,99 @@ void Session::save(SavedAs what, const std::string& path, std::function<void(con
       }});
 }
 
-Status Session::open(const std::string& path) {
+void Session::open(const std::string& path, const Then& then) {
   const auto head = readHead(path, 1);
-  if (!head) return head.error();
-  if (*head == "{") {
-    const auto text = readText(path);
-    return text ? openJournal(*text, path) : Status(text.error());
-  }
-  auto file = readQFile(path);
-  if (!file) return file.error();
-  if ((*file)->about.value("kind", "") == "checkpoint") {
-    auto resumed = resume(registry_, *file, {});
-    if (!resumed) return resumed.error();
-    resumed->life->keepInputs();
-    return beginWithLife(std::move(resumed->configuration), std::move(resumed->life));
-  }
-  auto learned = configurationOf(registry_, **file);
-  if (!learned) return learned.error();
-  learned->seed = configuration_.seed;
-  learned->minutes = configuration_.minutes;
-  learned->episodes = configuration_.episodes;
-  beginWith(*learned, std::move(*file));
-  return begin(std::move(*learned));
+  if (!head) return then(head.error());
+  static_cast<void>(whenMade(
+      *head == "{" ? makeOfJournal(path) : makeOfFile(path),
+      [this](Beginning made) { return beginWithLife(std::move(made)); }, then));
 }
 
-Status Session::openJournal(const std::string& text, const std::string& path) {
-  auto journal = parseJournal(registry_, text, path);
-  if (!journal) return journal.error();
-  if (journal->steps > kMostReplayed)
-    return Error{path + ": the life in it is too long to be lived again while one waits; `surefoot replay` does it."};
-  auto made = makeLifeOf(journal->configuration);
-  if (!made) return made.error();
-  // It may take seconds: meanwhile the window goes on with what it has.
-  const auto life = std::make_shared<std::unique_ptr<Life>>(std::move(*made));
+Session::Make Session::makeOfFile(const std::string& path) const {
+  return [this, path, now = configuration_](const std::atomic<bool>&) -> Result<Beginning> {
+    try {
+      auto file = readQFile(path);
+      if (!file) return file.error();
+      if ((*file)->about.value("kind", "") == "checkpoint") {
+        auto resumed = resume(registry_, *file, {});
+        if (!resumed) return resumed.error();
+        resumed->life->keepInputs();
+        return Beginning{std::move(resumed->configuration), std::move(resumed->life)};
+      }
+      auto learned = configurationOf(registry_, **file);
+      if (!learned) return learned.error();
+      learned->seed = now.seed;
+      learned->minutes = now.minutes;
+      learned->episodes = now.episodes;
+      beginWith(*learned, std::move(*file));
+      auto life = makeLifeOf(*learned);
+      if (!life) return life.error();
+      return Beginning{std::move(*learned), std::move(*life)};
+    } catch (const std::bad_alloc&) {
+      return Error{path + ": there is not enough memory for what it holds."};
+    }
+  };
+}
+
+Session::Make Session::makeOf(Configuration configuration) const {
+  return [this, configuration = std::move(configuration)](const std::atomic<bool>&) -> Result<Beginning> {
+    auto life = makeLifeOf(configuration);
+    if (!life) return life.error();
+    return Beginning{configuration, std::move(*life)};
+  };
+}
+
+Status Session::whenMade(Make make, Adopt adopt, const Then& then) {
+  struct Work {
+    Result<Beginning> made = Error{"cancelled"};
+    bool returned = false;
+    Status status = Done{};
+  };
+  const auto work = std::make_shared<Work>();
   background_.start(
-      [life, steps = journal->steps](const std::atomic<bool>& interrupted) {
-        while ((*life)->steps() < steps && !(*life)->finished() && !interrupted) (*life)->step();
+      [work, make = std::move(make)](const std::atomic<bool>& interrupted) { work->made = make(interrupted); },
+      [this, work, adopt = std::move(adopt), then] {
+        work->status = work->made ? adopt(std::move(*work->made)) : Status(work->made.error());
+        if (then) return then(work->status);
+        if (work->returned && !work->status) Q_EMIT refused(QString::fromStdString(work->status.error().message));
       },
-      [this, life, configuration = std::move(journal->configuration)] {
-        static_cast<void>(static_cast<bool>(beginWithLife(configuration, std::move(*life))));
-      });
-  return Done{};
+      kPatience);
+  work->returned = true;
+  return work->status;
+}
+
+Status Session::beginAgain(Configuration configuration) {
+  return whenMade(makeOf(std::move(configuration)), [this](Beginning made) -> Status {
+    began_ = configuration_ = std::move(made.configuration);
+    adopt(std::move(made.life));
+    Q_EMIT configurationChanged();
+    return Done{};
+  });
+}
+
+Session::Make Session::makeOfJournal(const std::string& path) const {
+  return [this, path](const std::atomic<bool>& interrupted) -> Result<Beginning> {
+    const auto text = readText(path);
+    if (!text) return text.error();
+    auto journal = parseJournal(registry_, *text, path);
+    if (!journal) return journal.error();
+    if (journal->steps > kMostReplayed)
+      return Error{path + ": the life in it is too long to be lived again while one waits; `surefoot replay` does it."};
+    auto made = makeOf(std::move(journal->configuration))(interrupted);
+    if (!made) return made;
+    Life& life = *made->life;
+    while (life.steps() < journal->steps && !life.finished() && !interrupted) life.step();
+    return made;
+  };
 }
 
 Status Session::begin(Configuration configuration) {
-  auto life = makeLifeOf(configuration);
-  if (!life) return life.error();
-  return beginWithLife(std::move(configuration), std::move(*life));
+  return whenMade(makeOf(std::move(configuration)), [this](Beginning made) { return beginWithLife(std::move(made)); });
 }
 
-Status Session::beginWithLife(Configuration began, std::unique_ptr<Life> life) {
+Status Session::beginWithLife(Beginning made) {
+  Configuration& began = made.configuration;
+  const std::unique_ptr<Life>& life = made.life;
   const auto entry = findEntry(registry_.environments, "environment", began.names.environment);
   if (!entry) return entry.error();
   if (!(*entry)->inWindow) return Error{"The window does not show the environment " + (*entry)->name + " yet."};
@@ -109,7 +156,7 @@ Status Session::beginWithLife(Configuration began, std::unique_ptr<Life> life) {
   configuration_.names.policy = life->policyName();
   base_ = baseOf(configuration_.names);
   undo_.clear();
-  adopt(std::move(life));
+  adopt(std::move(made.life));
   Q_EMIT parametersReplaced();
   Q_EMIT configurationChanged();
   return Done{};
@@ -160,7 +207,7 @@ Result<TensorFile> fitted(const Registry& registry, const CarriedOver& work, con
 
 }  // namespace
 
-void Session::carryOver(const std::string& key, double value, std::function<void(const Status&)> then) {
+void Session::carryOver(const std::string& key, double value, Then then) {
   auto work = std::make_shared<CarriedOver>();
   work->to = configuration_;
   if (const Status s = work->to.parameters.set(key, value); !s) return then(s);

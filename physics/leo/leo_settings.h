@@ -16,7 +16,7 @@ struct LeoSettings {
   double voltage = 10.69;      ///< largest [V]
   double torsoMass = 1.32599;  ///< with boom and arm [kg]
   double boomForce = -1.0269;  ///< what the boom adds, vertically [N]
-  double grip = 1.5;           ///< friction of feet and floor; more takes more substeps to hold (10: twice as many)
+  double grip = 10.0;          ///< friction of feet and floor
   int substeps = 17;           ///< Box2D steps a transition
   double hipTarget = 0.68;     ///< of the hand-made controller: between the hips [rad]
 

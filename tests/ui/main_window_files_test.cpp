@@ -173,7 +173,9 @@ TEST(Autosave, ACrashLeavesTheSessionAndAProperEndNothing) {
   const QString left = folder.filePath("autosave-1.surefoot");
   ASSERT_TRUE(QFile::rename(folder.filePath(files()[0]), left));
   EXPECT_EQ(autosave.leftBehind(), left);
-  EXPECT_TRUE(w.session->open(left.toStdString()));
+  bool opened = false;
+  w.session->open(left.toStdString(), [&](const Status& s) { opened = static_cast<bool>(s); });
+  EXPECT_TRUE(w.waitFor([&] { return opened; }));
   autosave.takeOver(left);
   EXPECT_TRUE(w.waitFor([&] { return files().size() == 1 && !QFile::exists(left); }))
       << "gone when there is one of this process, not before";

@@ -2,6 +2,7 @@
 #include "ui/session.h"
 
 #include <QSignalSpy>
+#include <QTest>
 
 #include "core/experiment/experiment.h"
 #include "tests/ui/window_setup.h"
@@ -72,9 +73,44 @@ TEST(Session, ATableParameterAsksFirst) {
 TEST(Session, ATableThatIsTooLargeIsRefusedAndTheOldOneKept) {
   Window w;
   ASSERT_TRUE(w.session->setParameterAndRestart("features.pole_angle", 1000));
+  ASSERT_TRUE(w.waitFor([&] { return !w.session->background().busy(); }));
   const Status s = w.session->setParameterAndRestart("features.pole_rate", 1000);
   ASSERT_FALSE(s);
   EXPECT_EQ(w.session->configuration().parameters.get("features.pole_rate"), 6);
+}
+
+// Work that takes long enough for the window not to wait for it.
+TEST(Background, TheLastThatWasStartedCounts) {
+  Background background;
+  std::atomic<bool> go{false};
+  std::vector<int> done;
+  const auto work = [&](const std::atomic<bool>& interrupted) {
+    while (!go && !interrupted) std::this_thread::yield();
+  };
+  for (int i = 0; i < 3; ++i) background.start(work, [&done, i] { done.push_back(i); });
+  EXPECT_TRUE(background.busy());
+  EXPECT_TRUE(done.empty());
+  go = true;
+  for (int i = 0; i < 5000 && background.busy(); ++i) QTest::qWait(1);
+  EXPECT_EQ(done, std::vector<int>{2});
+}
+
+TEST(Background, ShortWorkIsDoneAtOnceAndCancelledWorkNever) {
+  Background background;
+  bool done = false;
+  background.start([](const std::atomic<bool>&) {}, [&] { done = true; }, std::chrono::seconds(30));
+  EXPECT_TRUE(done);
+  EXPECT_FALSE(background.busy());
+  done = false;
+  background.start(
+      [](const std::atomic<bool>& interrupted) {
+        while (!interrupted) std::this_thread::yield();
+      },
+      [&] { done = true; });
+  background.cancel();
+  for (int i = 0; i < 5000 && background.busy(); ++i) QTest::qWait(1);
+  EXPECT_FALSE(background.busy());
+  EXPECT_FALSE(done);
 }
 
 TEST(Session, ParametersThatDoNotGoTogetherAreRefused) {
