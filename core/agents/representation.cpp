@@ -70,7 +70,7 @@ Result<AnyFeatures> makeFeatures(const Task& task, const std::string& features, 
 }
 
 Status checkLayout(const TensorFile& stored, const std::string& name, const Json& layout,
-                   const std::vector<std::size_t>& shape) {
+                   const std::vector<std::size_t>& shape, bool growing) {
   const Json& about = stored.about;
   if (!about.contains("estimates") || !about["estimates"].is_object())
     return fileError(stored.name, "its description names no estimates; the file is damaged.");
@@ -87,10 +87,14 @@ Status checkLayout(const TensorFile& stored, const std::string& name, const Json
                                  "over with `surefoot resample`.",
                                  found->where, found->theirs, found->ours));
   const Tensor* weights = stored.find(name + ".weights");
-  if (!weights || weights->type != ElementType::F64 || weights->shape != shape)
+  const auto fits = [&](const std::vector<std::size_t>& theirs) {
+    return theirs.size() == shape.size() && std::equal(theirs.begin() + 1, theirs.end(), shape.begin() + 1) &&
+           (growing ? theirs[0] <= shape[0] : theirs[0] == shape[0]);
+  };
+  if (!weights || weights->type != ElementType::F64 || !fits(weights->shape))
     return fileError(stored.name,
-                     fmt::format("the tensor \"{}.weights\" is missing, or not a table of {} numbers of type F64.",
-                                 name, fmt::join(shape, " × ")));
+                     fmt::format("the tensor \"{}.weights\" is missing, or not a table of {}{} numbers of type F64.",
+                                 name, growing ? "at most " : "", fmt::join(shape, " × ")));
   return Done{};
 }
 

@@ -34,9 +34,10 @@ template <FeatureMap F>
 Result<Estimate<F>> makeEstimate(const std::string& name, F features, int actions, const InitialValue& initial,
                                  std::uint64_t seed, const EstimateSettings& learning, const TensorFile* stored);
 
-/// Whether a stored estimate is laid out like ours: the first difference, with both values.
+/// Whether a stored estimate is laid out like ours: the first difference, with both values. The tables of a hashed one
+/// are as long as it has features (`growing`).
 Status checkLayout(const TensorFile& stored, const std::string& name, const Json& layout,
-                   const std::vector<std::size_t>& shape);
+                   const std::vector<std::size_t>& shape, bool growing);
 
 template <FeatureMap F>
 Result<Estimate<F>> makeEstimate(const std::string& name, F features, int actions, const InitialValue& initial,
@@ -44,7 +45,8 @@ Result<Estimate<F>> makeEstimate(const std::string& name, F features, int action
   if (stored) {
     std::vector<std::size_t> shape = features.shape();
     shape.push_back(columnsOf(features, actions));
-    if (const Status s = checkLayout(*stored, name, features.layout(), shape); !s) return s.error();
+    if (const Status s = checkLayout(*stored, name, features.layout(), shape, ClaimingFeatureMap<F>); !s)
+      return s.error();
   }
   return Estimate<F>(LinearActionValue<F>(std::move(features), actions, initial, seed), learning);
 }

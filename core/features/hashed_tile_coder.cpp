@@ -27,12 +27,13 @@ Result<HashedTileCoder> HashedTileCoder::create(const Task& task, const TileSett
 }
 
 HashedTileCoder::Probe HashedTileCoder::probe(std::uint64_t tile) const {
-  const auto slots = static_cast<std::uint64_t>(tiles_.size());
+  const auto slots = static_cast<std::uint64_t>(features_.size());
   const auto home = static_cast<Index>(mix64(tile + 0x9e3779b97f4a7c15ULL) % slots);
   Index slot = home;
   for (int i = 0; i < kMostProbes; ++i) {
-    if (tiles_[slot] == tile + 1) return {slot, false, false};
-    if (tiles_[slot] == 0) return {slot, true, false};
+    const Index feature = features_[slot];
+    if (feature == kFree) return {slot, true, false};
+    if (tiles_[feature] == tile) return {slot, false, false};
     if (++slot == slots) slot = 0;
   }
   return {home, false, true};
@@ -44,7 +45,11 @@ Cover HashedTileCoder::find(std::span<const double> state, Active& x) const {
   const auto n = static_cast<std::size_t>(x.count);
   const Cover cover = grid_.find(state, std::span(tiles.data(), n));
   if (cover == Cover::Nothing) return x.count = 0, cover;
-  for (std::size_t i = 0; i < n; ++i) x.index[i] = probe(tiles[i]).slot;
+  Index next = occupied();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Probe found = probe(tiles[i]);
+    x.index[i] = found.free ? std::min(next++, size() - 1) : features_[found.slot];
+  }
   return cover;
 }
 
@@ -56,22 +61,29 @@ Cover HashedTileCoder::claim(std::span<const double> state, Active& x) {
   if (cover == Cover::Nothing) return x.count = 0, cover;
   for (std::size_t i = 0; i < n; ++i) {
     const Probe found = probe(tiles[i]);
-    if (found.free) tiles_[found.slot] = tiles[i] + 1, ++occupied_;
+    if (found.free) features_[found.slot] = occupied(), tiles_.push_back(tiles[i]);
     failed_ += found.failed;
-    x.index[i] = found.slot;
+    x.index[i] = features_[found.slot];
   }
   return cover;
 }
 
-void HashedTileCoder::setTiles(std::span<const std::uint64_t> tiles) {
-  std::copy(tiles.begin(), tiles.end(), tiles_.begin());
-  occupied_ = static_cast<Index>(std::count_if(tiles_.begin(), tiles_.end(), [](std::uint64_t t) { return t != 0; }));
+Status HashedTileCoder::setTiles(std::span<const std::uint64_t> tiles) {
+  std::fill(features_.begin(), features_.end(), kFree);
+  tiles_.clear();
+  for (const std::uint64_t tile : tiles) {
+    const Probe found = probe(tile);
+    if (!found.free) return Error{"names a tile twice, or more than fit"};
+    features_[found.slot] = occupied();
+    tiles_.push_back(tile);
+  }
+  return Done{};
 }
 
 nlohmann::json HashedTileCoder::layout() const {
   nlohmann::json layout = grid_.layout();
   layout["kind"] = "hashed-tile-coder";
-  layout["memory"] = tiles_.size();
+  layout["memory"] = features_.size();
   if (actionTiles_.shared()) layout["action_tiles"] = actionTiles_.layout();
   return layout;
 }

@@ -15,8 +15,8 @@ void EligibilityTrace::decay(const WeightTable&, double factor, double cutoff) {
   }
 }
 
-void EligibilityTrace::drop(const WeightTable& table, Index weight) {
-  if (slot_.size() == table.size() && slot_[weight] != kNone) remove(slot_[weight]);
+void EligibilityTrace::drop(const WeightTable&, Index weight) {
+  if (weight < slot_.size() && slot_[weight] != kNone) remove(slot_[weight]);
 }
 
 void EligibilityTrace::clear(const WeightTable&) {
@@ -39,7 +39,7 @@ void EligibilityTrace::transfer(const WeightTable& table, Archive& archive) {
 }
 
 EligibilityTrace::Entry& EligibilityTrace::entry(const WeightTable& table, Index weight) {
-  if (slot_.size() != table.size()) slot_.assign(table.size(), kNone);
+  if (slot_.size() < table.size()) slot_.resize(table.size(), kNone);
   std::uint32_t& slot = slot_[weight];
   if (slot == kNone) {
     slot = static_cast<std::uint32_t>(entries_.size());

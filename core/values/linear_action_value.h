@@ -11,6 +11,9 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <functional>
+#include <memory>
+#include <numeric>
 #include <vector>
 
 #include "core/action_value.h"
@@ -66,21 +69,24 @@ class LinearActionValue final : public ActionValueFunction {
       : features_(std::move(features)),
         actions_(static_cast<std::size_t>(actions)),
         columns_(columnsOf(features_, actions)),
-        weights_(features_.size() * columns_) {
-    const double low = initial.low / features_.total();
-    const double high = initial.high / features_.total();
-    for (std::size_t i = 0; i < weights_.size(); ++i) weights_.add(i, low + (high - low) * uniformAt(seed, i));
-    visits_.assign(features_.size(), 0);
+        initial_(initial),
+        seed_(seed),
+        weights_(0, features_.size() * columns_) {
+    visits_.reserve(features_.size());
+    grow();
   }
 
   // Called by the learner, once a state and not once a feature. Hot.
 
   /// The active features of a state that a learner comes to.
   Cover claim(std::span<const double> state, Active& x) {
-    if constexpr (ClaimingFeatureMap<F>)
-      return features_.claim(state, x);
-    else
+    if constexpr (ClaimingFeatureMap<F>) {
+      const Cover cover = features_.claim(state, x);
+      if (rows() != visits_.size()) grow();
+      return cover;
+    } else {
       return features_.find(state, x);
+    }
   }
   /// q ← q̂(s, ·) for the state with the active features x.
   void values(const Active& x, std::span<double> q) const {
@@ -124,6 +130,7 @@ class LinearActionValue final : public ActionValueFunction {
   Index columns() const { return static_cast<Index>(columns_); }
   WeightTable& weights() { return weights_; }
   const WeightTable& weights() const { return weights_; }
+  /// Of the features that there are so far, and a few more.
   std::size_t weightCount() const { return weights_.size(); }
   /// Counts the features of x; of those that are not binary, the ones at least half as strong as the strongest.
   void countVisit(const Active& x) {
@@ -152,16 +159,30 @@ class LinearActionValue final : public ActionValueFunction {
   /// Whole tables, to a file or from one.
   void transfer(Archive& archive) {
     std::vector<std::size_t> shape = features_.shape();
-    archive.table("visits", visits_, shape);
     if constexpr (ClaimingFeatureMap<F>) {
       std::vector<std::uint64_t> tiles(features_.tiles().begin(), features_.tiles().end());
-      archive.table("tiles", tiles, shape);
-      if (archive.reading()) features_.setTiles(tiles);
+      archive.list("tiles", tiles, features_.size());
+      archive.value("initial_low", initial_.low);  // of features that are yet to come
+      archive.value("initial_high", initial_.high);
+      archive.value("initial_seed", seed_);
+      if (archive.reading() && archive.good()) {
+        if (const Status s = features_.setTiles(tiles); !s) return archive.refuse("tiles", s.error().message);
+        weights_.resize(0);
+        visits_.clear();
+        grow();
+      }
+      shape = {features_.occupied()};
     }
+    const std::size_t count = std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
+    std::vector<std::uint32_t> visits(visits_.begin(), visits_.begin() + static_cast<std::ptrdiff_t>(count));
+    archive.table("visits", visits, shape);
     shape.push_back(columns_);
-    std::vector<double> weights = weights_.settled();
+    std::vector<double> weights = weights_.settled(count * columns_);
     archive.table("weights", weights, shape);
-    if (archive.reading()) weights_.assign(std::span<const double>(weights));
+    if (!archive.reading() || !archive.good()) return;
+    weights_.settle();
+    std::copy(visits.begin(), visits.end(), visits_.begin());
+    for (std::size_t k = 0; k < weights.size(); ++k) weights_.set(k, weights[k]);
   }
   const F& features() const { return features_; }
   F& features() { return features_; }
@@ -199,16 +220,49 @@ class LinearActionValue final : public ActionValueFunction {
     }
     return {use};
   }
-  std::unique_ptr<ActionValueFunction> clone() const override { return std::make_unique<LinearActionValue>(*this); }
+  std::unique_ptr<ActionValueFunction> clone() const override { return copy(); }
+  std::unique_ptr<LinearActionValue> copy() const {
+    auto copy = std::make_unique<LinearActionValue>(*this);
+    copy->unsettled_.assign(visits_.size(), false);
+    for (std::size_t i = 0; i < visits_.size(); ++i)
+      for (std::size_t k = i * columns_; k < (i + 1) * columns_ && !copy->unsettled_[i]; ++k)
+        copy->unsettled_[i] = weights_.putOff(k);
+    copy->weights_.settle();
+    return copy;
+  }
+  /// Rows that were not visited since are left as they are: `other` is what this is a clone of.
   void assign(const ActionValueFunction& other) override {
     const auto& same = dynamic_cast<const LinearActionValue&>(other);
-    assert(same.weights_.size() == weights_.size());
-    weights_.assign(same.weights_);
-    std::copy(same.visits_.begin(), same.visits_.end(), visits_.begin());
-    if constexpr (ClaimingFeatureMap<F>) features_ = same.features_;
+    assert(same.columns_ == columns_ && same.visits_.size() >= visits_.size() && !unsettled_.empty());
+    if constexpr (ClaimingFeatureMap<F>)
+      if (features_.occupied() != same.features_.occupied()) features_ = same.features_;
+    grow();
+    unsettled_.resize(visits_.size(), false);
+    const bool all = !F::kBinary || same.weights_.added();
+    for (std::size_t i = 0; i < visits_.size(); ++i) {
+      if (!all && !unsettled_[i] && visits_[i] == same.visits_[i] && visits_[i] != kMostVisits) continue;
+      unsettled_[i] = weights_.copy(same.weights_, i * columns_, columns_);
+      visits_[i] = same.visits_[i];
+    }
   }
 
  private:
+  /// Features that have weights: all, or, of a hashed table, the claimed ones and as many more as one look-up can meet.
+  std::size_t rows() const {
+    if constexpr (ClaimingFeatureMap<F>)
+      return std::min<std::size_t>(features_.size(), features_.occupied() + std::tuple_size_v<decltype(Active::index)>);
+    else
+      return features_.size();
+  }
+  /// Gives the rows that have none their initial weights; the memory is there already.
+  void grow() {
+    const double low = initial_.low / features_.total();
+    const double high = initial_.high / features_.total();
+    const std::size_t before = weights_.size();
+    weights_.resize(rows() * columns_);
+    for (std::size_t k = before; k < weights_.size(); ++k) weights_.set(k, low + (high - low) * uniformAt(seed_, k));
+    visits_.resize(rows(), 0);
+  }
   /// A block of weights is settled once and then serves all actions.
   void sharedValues(const Active& x, std::span<double> q) const {
     if constexpr (ActionSharing<F>) {
@@ -243,8 +297,11 @@ class LinearActionValue final : public ActionValueFunction {
 
   F features_;
   std::size_t actions_, columns_;
+  InitialValue initial_;
+  std::uint64_t seed_;
   WeightTable weights_;                // [feature][column]
   std::vector<std::uint32_t> visits_;  // [feature]
+  std::vector<bool> unsettled_;        // [feature] of a clone: may have changed without another visit
 };
 
 }  // namespace surefoot

@@ -42,8 +42,8 @@ class SplitActionValue final : public ActionValueFunction {
   }
   std::unique_ptr<ActionValueFunction> clone() const override {
     auto copy = std::make_unique<SplitActionValue>(*positive_, *negative_);
-    copy->ownPositive_ = std::make_unique<LinearActionValue<P>>(*positive_);
-    copy->ownNegative_ = std::make_unique<LinearActionValue<N>>(*negative_);
+    copy->ownPositive_ = positive_->copy();
+    copy->ownNegative_ = negative_->copy();
     copy->positive_ = copy->ownPositive_.get();
     copy->negative_ = copy->ownNegative_.get();
     return copy;

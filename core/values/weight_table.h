@@ -3,6 +3,8 @@
 // DeferredTrace, which keeps D and e; without one e is 0 everywhere). Whoever reads gets w.
 #pragma once
 
+#include <algorithm>
+#include <cassert>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -13,33 +15,64 @@ namespace surefoot {
 
 class WeightTable {
  public:
-  explicit WeightTable(std::size_t size) : weights_(size) {}
+  /// So many weights of 0, with room for `most`.
+  explicit WeightTable(std::size_t size, std::size_t most = 0) {
+    weights_.reserve(std::max(size, most));
+    weights_.resize(size);
+  }
+  /// With the same room.
+  WeightTable(const WeightTable& other) : sum_(other.sum_), added_(other.added_) {
+    weights_.reserve(other.weights_.capacity());
+    weights_ = other.weights_;
+  }
+  WeightTable(WeightTable&&) = default;
+  WeightTable& operator=(const WeightTable&) = default;
+  WeightTable& operator=(WeightTable&&) = default;
+  ~WeightTable() = default;
 
   std::size_t size() const { return weights_.size(); }
+  /// Drops weights, or adds some of 0 in the room that there is.
+  void resize(std::size_t size) {
+    assert(size <= weights_.capacity());
+    weights_.resize(size);
+  }
+  void set(std::size_t k, double w) { weights_[k] = {w, 0.0}; }
   double operator[](std::size_t k) const { return weights_[k].v + sum_ * weights_[k].e; }
-  /// All of w, with nothing put off any more.
-  std::vector<double> settled() const {
-    std::vector<double> w(size());
-    for (std::size_t k = 0; k < w.size(); ++k) w[k] = (*this)[k];
+  /// All of w, or the first so many, with nothing put off any more.
+  std::vector<double> settled() const { return settled(size()); }
+  std::vector<double> settled(std::size_t count) const {
+    std::vector<double> w(count);
+    settle(0, count, w.data());
     return w;
   }
-  /// w ← values, as many as there are; nothing put off.
-  void assign(std::span<const double> values) {
-    for (std::size_t k = 0; k < size(); ++k) weights_[k] = {values[k], 0.0};
+  /// w stays as it is, nothing is put off.
+  void settle() {
+    for (std::size_t k = 0; k < size(); ++k) set(k, (*this)[k]);
     sum_ = 0.0;
   }
-  /// w ← those of a table of the same size, nothing put off; without allocation.
-  void assign(const WeightTable& other) {
-    for (std::size_t k = 0; k < size(); ++k) weights_[k] = {other[k], 0.0};
-    sum_ = 0.0;
+  /// w_k ← those of another table, for so many weights in a row, in a table where nothing is put off. Whether something
+  /// is put off in the other, so that they may change without being marked again.
+  bool copy(const WeightTable& other, std::size_t first, std::size_t count) {
+    bool putOff = false;
+    for (std::size_t k = first; k < first + count; ++k) {
+      set(k, other[k]);
+      putOff |= other.weights_[k].e != 0.0;
+    }
+    return putOff;
   }
+  bool putOff(std::size_t k) const { return weights_[k].e != 0.0; }
+  /// A weight was changed other than through what is put off.
+  bool added() const { return added_; }
   /// out ← w of so many weights in a row. Hot.
   void settle(std::size_t first, std::size_t count, double* out) const {
     const Weight* const w = weights_.data() + first;
     for (std::size_t k = 0; k < count; ++k) out[k] = w[k].v + sum_ * w[k].e;
   }
   /// w_k ← w_k + change.
-  void add(std::size_t k, double change) { weights_[k].v += change; }
+  void add(std::size_t k, double change) {
+    weights_[k].v += change;
+    added_ = true;
+  }
 
   /// q_a ← Σ_i w(i, a) over the rows i of a table with `actions` columns. Hot.
   void sumRows(std::span<const Index> rows, std::size_t actions, double* q) const;
@@ -69,6 +102,7 @@ class WeightTable {
 
   std::vector<Weight> weights_;
   double sum_ = 0.0;  // D
+  bool added_ = false;
 };
 
 }  // namespace surefoot

@@ -205,6 +205,7 @@ TEST(Contract, LookingDoesNotTouchTheLearner) {
         ASSERT_TRUE(watched && alone);
         std::vector<double> q((*watched)->environment().task().actions.size());
         std::vector<float> z;
+        const auto follows = (*watched)->agent().values().clone();
         constexpr std::int64_t kLong = 5000;
         while (!(*watched)->finished() && (*watched)->steps() < kLong) {
           (*watched)->step();
@@ -213,6 +214,12 @@ TEST(Contract, LookingDoesNotTouchTheLearner) {
             values.evaluate((*watched)->environment().state(), layer, q);
           if ((*watched)->steps() % 50 == 0)
             (*watched)->agent().eligibility(z), values.average(z, (*watched)->environment().state(), q);
+          if ((*watched)->steps() % 500 == 0) {  // a copy of what changed is as good as a copy of everything
+            follows->assign(values);
+            ASSERT_EQ(follows->tables(), values.clone()->tables()) << environment.name << " " << agent.name;
+            ASSERT_EQ(follows->visits((*watched)->environment().state()),
+                      values.visits((*watched)->environment().state()));
+          }
         }
         while (!(*alone)->finished() && (*alone)->steps() < kLong) (*alone)->step();
         EXPECT_EQ((*watched)->hash(), (*alone)->hash()) << environment.name << " " << agent.name << " " << policy.name;

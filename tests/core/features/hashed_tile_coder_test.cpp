@@ -71,12 +71,32 @@ TEST(HashedTileCoder, LookingClaimsNothingAndFindsWhatClaimingWouldGive) {
     coder.find(s, seen);
     EXPECT_EQ(coder.occupied(), before);
     coder.claim(s, claimed);
-    if (trial == 0) {
-      EXPECT_TRUE(std::ranges::equal(seen.indices(), claimed.indices()));
-    }
+    EXPECT_TRUE(std::ranges::equal(seen.indices(), claimed.indices()));
     coder.find(s, seen);
     EXPECT_TRUE(std::ranges::equal(seen.indices(), claimed.indices())) << "and afterwards it stays";
   }
+}
+
+TEST(HashedTileCoder, FeaturesAreNumberedAsTheyAreClaimedAndMadeAgainFromTheirTiles) {
+  const Task task = taskOf(3, 8);
+  HashedTileCoder coder = coderWith(task, 3000), again = coderWith(task, 3000);
+  Random random(6);
+  HashedTileCoder::Active x, y;
+  for (int trial = 0; trial < 150; ++trial) {
+    const Index before = coder.occupied();
+    coder.claim(randomState(task, random), x);
+    for (const Index i : x.indices()) EXPECT_LT(i, before + 16);
+  }
+  ASSERT_EQ(coder.tiles().size(), coder.occupied());
+  ASSERT_TRUE(again.setTiles(coder.tiles()));
+  for (int trial = 0; trial < 100; ++trial) {
+    const auto s = randomState(task, random);
+    coder.find(s, x);
+    again.find(s, y);
+    EXPECT_TRUE(std::ranges::equal(x.indices(), y.indices()));
+  }
+  const std::vector<std::uint64_t> twice = {7, 8, 7};
+  EXPECT_FALSE(again.setTiles(twice));
 }
 
 // 10 dimensions of 8 tiles a unit: 16^10 tiles and more in a table of 5,000.
