@@ -52,6 +52,21 @@ OrderedJson ruleAsJson(const std::optional<RuleOfThumb>& rule) {
           {"pre_learned", rule->preLearned}};
 }
 
+/// Every greedy test, column by column.
+OrderedJson testsAsJson(const LifeResult& r) {
+  OrderedJson columns;
+  for (const GreedyTest& t : r.greedyTests) {
+    columns["episode"].push_back(t.episode);
+    if (r.steps > 0 && std::isfinite(r.simulatedSeconds))
+      columns["minutes"].push_back(r.simulatedSeconds / 60.0 * static_cast<double>(t.lifeSteps) /
+                                   static_cast<double>(r.steps));
+    columns["reward"].push_back(t.reward);
+    columns["falls"].push_back(t.falls);
+    for (std::size_t m = 0; m < r.taskMeasures.size(); ++m) columns[r.taskMeasures[m].key].push_back(t.measures[m]);
+  }
+  return columns;
+}
+
 /// "213.5 ± 8.9": mean and 95 % half-width (Student t over the lives); just the value for one life.
 std::string meanText(const std::vector<double>& values, int decimals) {
   const auto interval = meanInterval(values);
@@ -80,6 +95,8 @@ std::string resultAsJson(const Configuration& configuration, const std::vector<L
         {"complete", r.complete},
         {"steps_per_second", finite(r.cpuSeconds > 0 ? static_cast<double>(r.steps) / r.cpuSeconds : std::nan(""))},
         {"hash", fmt::format("{:016x}", r.hash)}};
+    for (const NamedValue& m : measuresOf(r)) life[m.name] = finite(m.value);
+    if (!r.greedyTests.empty()) life["greedy_tests"] = testsAsJson(r);
     if (!r.divergence.empty()) life["diverged"] = r.divergence;
     for (const Change& change : r.changes)
       life["changes"].push_back(
@@ -96,12 +113,16 @@ std::string resultAsJson(const Configuration& configuration, const std::vector<L
 std::string logAsCsv(const std::vector<LifeResult>& lives, std::optional<double> stepTime) {
   fmt::memory_buffer out;
   const auto to = std::back_inserter(out);
-  fmt::format_to(to, "life,episode,transitions,reward,falls,ending,average_reward,steps,simulated_minutes\n");
+  fmt::format_to(to, "life,episode,transitions,reward,falls,ending,average_reward,steps,simulated_minutes");
+  if (!lives.empty())
+    for (const TaskMeasure& m : lives[0].taskMeasures) fmt::format_to(to, ",{}", m.key);
+  fmt::format_to(to, "\n");
   for (const LifeResult& r : lives)
     for (const EpisodeRow& row : r.rows) {
       fmt::format_to(to, "{},{},{},{},{},{},{},{},", r.life, row.episode, row.steps, row.reward, row.falls,
                      endingName(endingCode(row)), row.averageReward, row.lifeSteps);
       if (stepTime) fmt::format_to(to, "{:.9g}", static_cast<double>(row.lifeSteps) * *stepTime / 60.0);
+      for (std::size_t m = 0; m < r.taskMeasures.size(); ++m) fmt::format_to(to, ",{:.9g}", row.measures[m]);
       fmt::format_to(to, "\n");
     }
   return fmt::to_string(out);
@@ -119,9 +140,9 @@ std::string resultAsTable(const Configuration& c, const std::vector<LifeResult>&
     return count > 0 ? static_cast<double>(sum) / static_cast<double>(count) : std::nan("");
   };
   const std::string variant = c.names.scenario.empty() ? c.names.preset : c.names.scenario;
-  std::string text = fmt::format("{}{}{}, {}, {}, {}, seed {}: {} {}\n", c.names.environment, variant.empty() ? "" : " ", variant,
-                                 c.names.agent, c.names.features, c.names.policy, c.seed, lives.size(),
-                                 lives.size() == 1 ? "life" : "lives, mean ± 95 % interval");
+  std::string text = fmt::format("{}{}{}, {}, {}, {}, seed {}: {} {}\n", c.names.environment,
+                                 variant.empty() ? "" : " ", variant, c.names.agent, c.names.features, c.names.policy,
+                                 c.seed, lives.size(), lives.size() == 1 ? "life" : "lives, mean ± 95 % interval");
   const auto row = [&](const char* name, const std::string& value) {
     text += fmt::format("  {:<28}{}\n", name, value);
   };
@@ -133,6 +154,22 @@ std::string resultAsTable(const Configuration& c, const std::vector<LifeResult>&
       column([&](const LifeResult& r) { return ratio(r.totals.successSteps, r.totals.successes); }, 1));
   row("transitions of a failure",
       column([&](const LifeResult& r) { return ratio(r.totals.failureSteps, r.totals.failures); }, 1));
+  for (const auto& [name, title] : {std::pair{"falls_per_hour", "falls an hour"},
+                                    {"distance", "distance [m]"},
+                                    {"net_footsteps", "net footsteps"},
+                                    {"energy", "energy [J]"},
+                                    {"greedy_distance", "greedy: distance [m]"},
+                                    {"greedy_falls", "greedy: falls a test"},
+                                    {"walks_after", "walks after [min]"}}) {
+    if (lives[0].taskMeasures.empty()) break;
+    row(title, column(
+                   [name = name](const LifeResult& r) {
+                     for (const NamedValue& m : measuresOf(r))
+                       if (m.name == name) return m.value;
+                     return std::nan("");
+                   },
+                   1));
+  }
   row("simulated minutes", column([](const LifeResult& r) { return r.simulatedSeconds / 60.0; }, 2));
   row("steps per CPU-second",
       column([](const LifeResult& r) { return static_cast<double>(r.steps) / r.cpuSeconds; }, 0));

@@ -42,6 +42,14 @@ struct ActionVariable {
   double resolution = 1.0;  ///< default number of tiles per unit: actions that are near share what they learn
 };
 
+/// Something besides reward and falls by which an episode is measured, such as the distance walked. Adds up over
+/// episodes.
+struct TaskMeasure {
+  std::string key{};    ///< "distance"
+  std::string title{};  ///< "distance"
+  std::string unit{};   ///< "m"
+};
+
 /// What can be said of a task before it starts.
 struct Task {
   std::vector<StateVariable> state;
@@ -54,6 +62,8 @@ struct Task {
   std::vector<std::string> rewardTerms;             ///< names of Outcome::terms, in their order
   std::optional<double> goalReward{};               ///< of a success, if there is such a reward
   double timeReward = 0.0;                          ///< of every step
+  std::vector<TaskMeasure> measures{};              ///< at most kMaxMeasures
+  int testEvery = 0;                                ///< episodes between two tests of the greedy policy; 0: none
   std::optional<double> stepTime{};                 ///< [s] simulated per step; none: the task has no clock
   bool handMade = false;                            ///< step() knows kHandMade
   double lowestReturn = -1.0, highestReturn = 1.0;  ///< reward of an episode, as far as it is bounded: axes start there
@@ -81,6 +91,9 @@ class Environment : public Configurable {
   virtual Outcome step(Action action) = 0;
   /// The state now; the view is valid until the next call. Hot.
   virtual std::span<const double> state() const = 0;
+
+  /// Task::measures of the episode up to now; valid until the next call.
+  virtual std::span<const double> measures() const { return {}; }
 
   /// Pushes the body to the right by an impulse [N s], between two steps; false: there is no body to push.
   virtual bool push(double impulse) {

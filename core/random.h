@@ -31,7 +31,7 @@ constexpr double toUnit(std::uint64_t bits) {
 }
 
 /// The streams of one life. They never share numbers: a policy that draws more does not change the world.
-enum class Stream : std::uint64_t { World = 1, Policy = 2, Weights = 3, Viewer = 4 };
+enum class Stream : std::uint64_t { World = 1, Policy = 2, Weights = 3, Viewer = 4, Tests = 5 };
 
 /// The seed of one stream of life `life` (from 0) under the master seed of an experiment.
 constexpr std::uint64_t deriveSeed(std::uint64_t master, std::uint64_t life, Stream stream) {

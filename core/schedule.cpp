@@ -7,7 +7,7 @@
 
 namespace surefoot {
 
-void Scheduled::declare(Fields& f, const Parameter& parameter) {
+void Scheduled::declare(Fields& f, const Parameter& parameter, bool byRule) {
   f.real(start_, parameter);
   Parameter p = parameter;
   p.order = 3;
@@ -19,6 +19,12 @@ void Scheduled::declare(Fields& f, const Parameter& parameter) {
   p.help = "How it changes while the life goes on: not at all, in a straight line, or by halves.";
   p.label = "Schedule";
   p.choices = {"constant", "linear", "exponential"};
+  if (byRule) {
+    p.choices.emplace_back("rule");
+    p.help =
+        "How it changes while the life goes on: not at all, in a straight line, by halves, or as the rule of thumb "
+        "says.";
+  }
   f.choice(kind_, p);
 
   p.needs = parameter.key + "_schedule";
@@ -52,6 +58,10 @@ void Scheduled::declare(Fields& f, const Parameter& parameter) {
 }
 
 void Scheduled::advance(const LifeTime& time) {
+  if (kind_ == Kind::Rule) {
+    now_ = time.rule.value_or(start_);
+    return;
+  }
   constexpr double kLn2 = 0.69314718055994531;
   const double t = static_cast<double>(per_ == Per::Steps ? time.steps : time.episodes) / over_;
   now_ = kind_ == Kind::Linear ? start_ + (end_ - start_) * std::min(t, 1.0)

@@ -5,11 +5,13 @@
 //   constant     v(t) = start
 //   linear       v(t) = start + (end − start)·min(t/T, 1)
 //   exponential  v(t) = end + (start − end)·2^(−t/T)
+//   rule         v(t) = what the rule of thumb says by then (a threshold only); start as long as it says nothing
 //
 // T is the time to the end, or the half-life. Values; used by one thread at a time.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "core/parameters.h"
 
@@ -18,14 +20,16 @@ namespace surefoot {
 /// How far a life has come.
 struct LifeTime {
   std::int64_t episodes = 0, steps = 0;  ///< finished
+  std::optional<double> rule{};          ///< the threshold by the rule of thumb (rule_of_thumb.h)
 };
 
 class Scheduled {
  public:
   Scheduled(double start) : start_(start), end_(start) {}
 
-  /// Declares the parameter itself, and behind it `key`_schedule, _end, _over and _per.
-  void declare(Fields& f, const Parameter& parameter);
+  /// Declares the parameter itself, and behind it `key`_schedule, _end, _over and _per. `byRule`: it may follow the
+  /// rule of thumb.
+  void declare(Fields& f, const Parameter& parameter, bool byRule = false);
   /// The value now. Hot.
   double now() const { return kind_ == Kind::Constant ? start_ : now_; }
   /// Time goes on.
@@ -34,7 +38,7 @@ class Scheduled {
   bool everyStep() const { return kind_ != Kind::Constant && per_ == Per::Steps; }
 
  private:
-  enum class Kind : int { Constant, Linear, Exponential };
+  enum class Kind : int { Constant, Linear, Exponential, Rule };
   enum class Per : int { Episodes, Steps };
 
   double start_, end_, over_ = 1000.0, now_ = 0.0;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -20,6 +21,10 @@ inline constexpr Action kHandMade = -2;
 inline constexpr int kMaxActions = 4096;
 inline constexpr int kMaxStateVariables = 32;
 inline constexpr int kMaxRewardTerms = 8;
+/// Most measures of an episode (Task::measures).
+inline constexpr std::size_t kMaxMeasures = 4;
+/// What an episode is measured by, besides its reward and its falls; 0 behind those that there are.
+using EpisodeMeasures = std::array<double, kMaxMeasures>;
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 

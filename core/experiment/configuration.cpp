@@ -160,6 +160,11 @@ Result<LifeParts> makeParts(const Registry& registry, const Configuration& c, st
   if (!agent) return agent.error();
   LifeParts parts{std::move(environment), std::move(*policy), std::move(*agent), c.parameters, c.names.policy, {}};
   parts.preLearned = c.start != nullptr;
+  if (parts.environment->task().testEvery > 0) {
+    auto tests = makeEnvironment(registry, c);
+    if (!tests) return tests.error();
+    parts.tests = std::move(*tests);
+  }
   Configuration then = c;  // as it is after the commands so far
   for (const CommandText& text : c.commands) {
     auto command = makeCommand(registry, c, text);
@@ -191,6 +196,7 @@ Result<std::unique_ptr<Life>> makeLife(const Registry& registry, const Configura
   limits->steps = std::min(limits->steps, mostSteps);
   auto parts = makeParts(registry, c, deriveSeed(c.seed, life, Stream::Weights), std::move(*environment));
   if (!parts) return parts.error();
+  parts->testSeed = deriveSeed(c.seed, life, Stream::Tests);
   return std::make_unique<Life>(std::move(*parts), Random(deriveSeed(c.seed, life, Stream::World)),
                                 Random(deriveSeed(c.seed, life, Stream::Policy)), *limits, keepRows);
 }

@@ -18,7 +18,8 @@ void Hash64::add(std::string_view text) {
   for (const char c : text) add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
 }
 
-const EpisodeRow& EpisodeLog::finish(Ending ending, std::int64_t lifeSteps, double bestReturn) {
+const EpisodeRow& EpisodeLog::finish(Ending ending, std::int64_t lifeSteps, double bestReturn,
+                                     std::span<const double> measures) {
   recent_[static_cast<std::size_t>(totals_.episodes % kAverageOver)] = current_.reward;
   ++totals_.episodes;
   totals_.falls += current_.falls;
@@ -38,6 +39,9 @@ const EpisodeRow& EpisodeLog::finish(Ending ending, std::int64_t lifeSteps, doub
   last_.lifeSteps = lifeSteps;
   last_.ending = ending;
   last_.averageReward = sum / static_cast<double>(count);
+  std::copy(measures.begin(), measures.end(), last_.measures.begin());
+  for (std::size_t m = 0; m < measures.size(); ++m) totals_.measures[m] += measures[m];
+  totals_.highestReward = std::max(totals_.highestReward, last_.highest);
   current_ = {};
   end_.add(last_.episode, last_.averageReward, lifeSteps, bestReturn);
 
@@ -45,6 +49,7 @@ const EpisodeRow& EpisodeLog::finish(Ending ending, std::int64_t lifeSteps, doub
                           static_cast<std::int64_t>(last_.success), static_cast<std::int64_t>(last_.ending)})
     hash_.add(static_cast<std::uint64_t>(word));
   hash_.add(last_.reward);
+  for (const double measure : measures) hash_.add(measure);
   if (keepRows_) rows_.push_back(last_);
   return last_;
 }
@@ -57,12 +62,14 @@ constexpr std::int64_t kMostSteps = 1'000'000'000'000'000;
 void transferRows(Archive& archive, const std::string& name, std::vector<EpisodeRow>& rows) {
   constexpr std::size_t kMost = 1'000'000'000;
   std::vector<std::int64_t> episode, steps, lifeSteps, falls;
-  std::vector<double> reward, average;
+  std::vector<double> reward, average, measures, highest;
   std::vector<std::uint8_t> success, ending;
   for (const EpisodeRow& r : rows) {
     episode.push_back(r.episode), steps.push_back(r.steps), lifeSteps.push_back(r.lifeSteps), falls.push_back(r.falls);
     reward.push_back(r.reward), average.push_back(r.averageReward);
     success.push_back(r.success), ending.push_back(static_cast<std::uint8_t>(r.ending));
+    measures.insert(measures.end(), r.measures.begin(), r.measures.end());
+    highest.push_back(r.highest);
   }
   archive.under(name + ".", [&] {
     archive.list("episode", episode, kMost);
@@ -73,9 +80,11 @@ void transferRows(Archive& archive, const std::string& name, std::vector<Episode
     archive.list("average_reward", average, kMost);
     archive.list("success", success, kMost);
     archive.list("ending", ending, kMost);
+    archive.list("measures", measures, kMost * kMaxMeasures);
+    archive.list("highest", highest, kMost);
     const std::size_t n = episode.size();
-    for (const std::size_t size :
-         {steps.size(), lifeSteps.size(), falls.size(), reward.size(), average.size(), success.size(), ending.size()})
+    for (const std::size_t size : {steps.size(), lifeSteps.size(), falls.size(), reward.size(), average.size(),
+                                   success.size(), ending.size(), measures.size() / kMaxMeasures, highest.size()})
       if (size != n) archive.refuse("episode", "is not as long as the other columns");
     if (!archive.reading() || !archive.good()) return;
     rows.resize(n);
@@ -90,7 +99,10 @@ void transferRows(Archive& archive, const std::string& name, std::vector<Episode
                  static_cast<int>(falls[i]),
                  success[i] != 0,
                  static_cast<Ending>(ending[i]),
-                 average[i]};
+                 average[i],
+                 {},
+                 highest[i]};
+      for (std::size_t m = 0; m < kMaxMeasures; ++m) rows[i].measures[m] = measures[i * kMaxMeasures + m];
     }
   });
 }
@@ -119,6 +131,8 @@ void EpisodeLog::transfer(Archive& archive) {
         std::pair{"successes_after", &totals_.successesAfter},
         std::pair{"success_steps_after", &totals_.successStepsAfter}})
     archive.value(name, *total, 0, kMostSteps);
+  archive.table("measures", totals_.measures);
+  archive.value("highest_reward", totals_.highestReward);
   archive.under("end_of_learning.", [&] { end_.transfer(archive); });
   if (totals_.successes + totals_.failures > totals_.episodes || totals_.successesAfter > totals_.successes)
     archive.refuse("episodes", "is less than its successes and failures");

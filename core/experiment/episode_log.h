@@ -2,6 +2,7 @@
 // What happened in a life, an episode at a time.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <string_view>
@@ -13,6 +14,9 @@
 
 namespace surefoot {
 
+/// Below every reward; a number that files can hold.
+inline constexpr double kNoReward = -1e300;
+
 /// One finished episode.
 struct EpisodeRow {
   std::int64_t episode = 0;    ///< from 1
@@ -23,6 +27,8 @@ struct EpisodeRow {
   bool success = false;  ///< it ended in a success
   Ending ending = Ending::None;
   double averageReward = 0.0;  ///< over the last 80 episodes, this one included
+  EpisodeMeasures measures{};  ///< Task::measures
+  double highest = kNoReward;  ///< reward of one transition
 };
 
 /// 64 bits over a sequence of words, in order.
@@ -43,6 +49,8 @@ struct LifeTotals {
   std::int64_t episodes = 0, falls = 0, successes = 0, failures = 0;
   std::int64_t successSteps = 0, failureSteps = 0;         ///< transitions of the successful and of the failed episodes
   std::int64_t successesAfter = 0, successStepsAfter = 0;  ///< of the successes, those after the end of learning
+  EpisodeMeasures measures{};
+  double highestReward = kNoReward;  ///< of one transition
 };
 
 class EpisodeLog {
@@ -56,12 +64,14 @@ class EpisodeLog {
   void add(const Outcome& outcome) {
     ++current_.steps;
     current_.reward += outcome.reward;
+    current_.highest = std::max(current_.highest, outcome.reward);
     current_.falls += outcome.event == Event::Fall;
     current_.success |= outcome.event == Event::Success;
   }
   /// The episode in hand is over. Returns its row.
-  /// `bestReturn` is the highest reward of an episode, for the end of learning.
-  const EpisodeRow& finish(Ending ending, std::int64_t lifeSteps, double bestReturn = kInfinity);
+  /// `bestReturn` is the highest reward of an episode, for the end of learning; `measures` are its Task::measures.
+  const EpisodeRow& finish(Ending ending, std::int64_t lifeSteps, double bestReturn = kInfinity,
+                           std::span<const double> measures = {});
 
   const LifeTotals& totals() const { return totals_; }
   /// Mean total reward of the last 80 episodes, or of those so far; 0 before the first.

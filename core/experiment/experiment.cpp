@@ -24,8 +24,40 @@ LifeResult summarise(const Life& life, int index, double cpuSeconds) {
   r.changesLeftOut = life.changesLeftOut();
   r.memory = life.agent().values().memoryUse();
   r.ruleOfThumb = ruleOfThumbOf(life);
+  r.taskMeasures = life.environment().task().measures;
+  r.greedyTests = life.greedyTests();
   r.rows = life.log().rows();
   return r;
+}
+
+std::vector<NamedValue> measuresOf(const LifeResult& r) {
+  std::vector<NamedValue> all;
+  const double hours = r.simulatedSeconds / 3600.0;
+  if (r.taskMeasures.empty()) return all;
+  for (std::size_t m = 0; m < r.taskMeasures.size(); ++m) all.push_back({r.taskMeasures[m].key, r.totals.measures[m]});
+  if (hours > 0) all.push_back({"falls_per_hour", static_cast<double>(r.totals.falls) / hours});
+  if (r.greedyTests.empty()) return all;
+
+  constexpr std::size_t kLast = 10;
+  const std::span<const GreedyTest> last = std::span(r.greedyTests).last(std::min(kLast, r.greedyTests.size()));
+  const auto mean = [&](const auto& of) {
+    double sum = 0.0;
+    for (const GreedyTest& t : last) sum += of(t);
+    return sum / static_cast<double>(last.size());
+  };
+  for (std::size_t m = 0; m < r.taskMeasures.size(); ++m)
+    all.push_back({"greedy_" + r.taskMeasures[m].key, mean([m](const GreedyTest& t) { return t.measures[m]; })});
+  all.push_back({"greedy_reward", mean([](const GreedyTest& t) { return t.reward; })});
+  all.push_back({"greedy_falls", mean([](const GreedyTest& t) { return static_cast<double>(t.falls); })});
+  for (std::size_t m = 0; m < r.taskMeasures.size(); ++m) {
+    if (r.taskMeasures[m].key != "distance" || !(hours > 0)) continue;
+    const auto first =
+        std::find_if(r.greedyTests.begin(), r.greedyTests.end(), [m](const GreedyTest& t) { return walked(t, m); });
+    if (first != r.greedyTests.end())
+      all.push_back(
+          {"walks_after", 60.0 * hours * static_cast<double>(first->lifeSteps) / static_cast<double>(r.steps)});
+  }
+  return all;
 }
 
 namespace {

@@ -26,14 +26,26 @@ struct LifeResult {
   std::vector<MemoryUse> memory;   ///< of its tables
   std::optional<RuleOfThumb> ruleOfThumb;
   std::uint64_t hash = 0;
-  std::string divergence;        ///< why it stopped, or empty
-  std::vector<Change> changes;   ///< what was done to it while it went on
-  bool changesLeftOut = false;   ///< and more
-  bool complete = false;         ///< a limit was reached; false: diverged or interrupted
+  std::string divergence;       ///< why it stopped, or empty
+  std::vector<Change> changes;  ///< what was done to it while it went on
+  bool changesLeftOut = false;  ///< and more
+  bool complete = false;        ///< a limit was reached; false: diverged or interrupted
+  std::vector<TaskMeasure> taskMeasures;
+  std::vector<GreedyTest> greedyTests;
   std::vector<EpisodeRow> rows;  ///< only if asked for
 };
 
 LifeResult summarise(const Life& life, int index, double cpuSeconds);
+
+/// A measure of a life by its name.
+struct NamedValue {
+  std::string name;
+  double value = 0.0;
+};
+/// What a task measures, over a whole life: the sums by their keys; of the last ten greedy tests the means greedy_KEY,
+/// greedy_reward, greedy_falls; walks_after, the simulated minutes up to the first test that walked. Where the task has
+/// a clock, falls_per_hour. What a life has not got is left out.
+std::vector<NamedValue> measuresOf(const LifeResult& result);
 
 struct RunOptions {
   /// Makes life number `index`, if not makeLife.

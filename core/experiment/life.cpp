@@ -7,6 +7,8 @@
 #include <cassert>
 #include <limits>
 
+#include "core/experiment/rule_of_thumb.h"
+
 namespace surefoot {
 
 namespace {
@@ -24,7 +26,8 @@ Life::Life(LifeParts parts, Random world, Random policy, LifeLimits limits, bool
       worldRandom_(world),
       policyRandom_(policy),
       limits_(limits),
-      log_(keepRows) {
+      log_(keepRows),
+      tester_(std::move(parts.tests), parts.testSeed) {
   agent_->setPolicy(*policy_);
   beginEpisode();
 }
@@ -33,6 +36,7 @@ void Life::beginEpisode(const std::vector<double>& state) {
   if (environmentChanged_) {
     parameters_.applyTo(*environment_, "environment.");
     environment_->parametersChanged();
+    tester_.follow(*environment_);
     environmentChanged_ = false;
   }
   inputs_.clear();
@@ -45,8 +49,12 @@ void Life::beginEpisode(const std::vector<double>& state) {
   inEpisode_ = true;
 }
 
-void Life::tellTime() {
-  const LifeTime time{log_.totals().episodes, steps_};
+void Life::tellTime(bool inTheMiddle) {
+  if (!inTheMiddle) {
+    const auto rule = ruleOfThumbOf(*this);
+    rule_ = rule ? std::optional(rule->threshold) : std::nullopt;
+  }
+  const LifeTime time{log_.totals().episodes, steps_, rule_};
   policy_->advance(time);
   agent_->advance(time);
   everyStep_ = policy_->everyStep() || agent_->everyStep();
@@ -55,7 +63,7 @@ void Life::tellTime() {
 void Life::step() {
   while (nextCommand_ < commands_.size() && commands_[nextCommand_].step <= steps_) obey(commands_[nextCommand_++]);
   if (!inEpisode_) beginEpisode();
-  if (everyStep_) tellTime();
+  if (everyStep_) tellTime(true);
   if (keepInputs_) inputs_.actions.push_back(static_cast<std::uint16_t>(action_));
   const Outcome outcome = environment_->step(action_);
   ++steps_;
@@ -71,8 +79,10 @@ void Life::step() {
       agent_->truncate(outcome, environment_->state(), policyRandom_);
       break;
   }
-  log_.finish(outcome.ending, steps_, environment_->task().highestReturn);
+  log_.finish(outcome.ending, steps_, environment_->task().highestReturn, environment_->measures());
   inEpisode_ = false;
+  if (const std::int64_t episodes = log_.totals().episodes; action_ != kHandMade && tester_.due(episodes))
+    tester_.test(agent_->values(), episodes, steps_);
 }
 
 Status Life::set(std::string_view key, double value) {

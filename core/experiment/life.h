@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "core/environment.h"
 #include "core/experiment/episode_inputs.h"
 #include "core/experiment/episode_log.h"
+#include "core/experiment/greedy_test.h"
 #include "core/random.h"
 #include "core/result.h"
 
@@ -41,9 +43,11 @@ struct LifeParts {
   std::unique_ptr<Agent> agent;
   Parameters parameters;  ///< complete; the parts were made from it
   std::string policyName;
-  std::vector<TimedCommand> commands;  ///< in the order of their steps
-  bool preLearned = false;             ///< it begins with something learned before
-  std::vector<Change> changes{};       ///< what happened so far, to a life that goes on
+  std::vector<TimedCommand> commands;    ///< in the order of their steps
+  bool preLearned = false;               ///< it begins with something learned before
+  std::vector<Change> changes{};         ///< what happened so far, to a life that goes on
+  std::unique_ptr<Environment> tests{};  ///< another environment, for tests of the greedy policy; null: none
+  std::uint64_t testSeed = 0;
 };
 
 /// Whichever comes first.
@@ -96,6 +100,7 @@ class Life {
   const Parameters& parameters() const { return parameters_; }
   const EpisodeLog& log() const { return log_; }
   const std::vector<Change>& changes() const { return changes_; }
+  const std::vector<GreedyTest>& greedyTests() const { return tester_.tests(); }
   /// More was changed than changes() holds.
   bool changesLeftOut() const { return changesLeftOut_; }
   const LifeLimits& limits() const { return limits_; }
@@ -115,8 +120,8 @@ class Life {
  private:
   /// In a state, or where the environment begins if that is empty.
   void beginEpisode(const std::vector<double>& state = {});
-  /// Policy and agent may follow a schedule.
-  void tellTime();
+  /// Policy and agent may follow a schedule. `inTheMiddle`: nothing but a step since the last time.
+  void tellTime(bool inTheMiddle = false);
   void note(const std::string& key, const std::string& before, const std::string& after);
   bool reachedAverage() const {
     return log_.averageReward() >= limits_.averageReward && log_.totals().episodes >= EpisodeLog::kAverageOver;
@@ -144,7 +149,9 @@ class Life {
   Action action_ = 0;
   bool inEpisode_ = false;
   bool environmentChanged_ = false;
-  bool everyStep_ = false;  // a schedule changes with every step
+  GreedyTester tester_;
+  std::optional<double> rule_;  // of thumb, as of the last episode
+  bool everyStep_ = false;      // a schedule changes with every step
 
   // What the environment was given since the beginning of the episode: everything that a resumed life needs to bring it
   // to the same state, whatever it is inside.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/experiment/life.h"
+#include "core/experiment/rule_of_thumb.h"
 
 namespace surefoot {
 
@@ -25,11 +26,14 @@ Life::Life(LifeParts parts, LifeLimits limits, bool keepRows, Archive& archive)
       limits_(limits),
       log_(keepRows),
       changes_(std::move(parts.changes)),
+      tester_(std::move(parts.tests), parts.testSeed),
       keepInputs_(true) {
   agent_->setPolicy(*policy_);
+  tester_.follow(*environment_);
   transfer(archive);
   if (archive.good()) repeatEpisode(archive);
   while (nextCommand_ < commands_.size() && commands_[nextCommand_].step < steps_) ++nextCommand_;
+  if (const auto rule = ruleOfThumbOf(*this)) rule_ = rule->threshold;
   tellTime();
 }
 
@@ -52,6 +56,7 @@ void Life::transfer(Archive& archive) {
   archive.list("episode.push_steps", inputs_.pushSteps, kMostInputs);
   archive.list("episode.push_impulses", inputs_.pushImpulses, kMostInputs);
   archive.under("log.", [&] { log_.transfer(archive); });
+  tester_.transfer(archive);
   if (!archive.reading()) agent_->transferValues(archive);  // when reading, the agent was made from them
   archive.under("learning.", [&] { agent_->transferLearning(archive); });
 }

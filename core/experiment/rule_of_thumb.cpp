@@ -3,11 +3,32 @@
 
 namespace surefoot {
 
+namespace {
+
+/// From footstep to footstep.
+std::optional<RuleOfThumb> ruleForWalking(const Life& life, double discount) {
+  const Task& task = life.environment().task();
+  const LifeTotals& t = life.log().totals();
+  for (std::size_t m = 0; m < task.measures.size(); ++m) {
+    if (task.measures[m].key != "net_footsteps" || t.measures[m] < 1.0) continue;
+    RuleOfThumb rule;
+    rule.preLearned = life.preLearned();
+    rule.transitions = static_cast<double>(life.log().last().lifeSteps) / t.measures[m];
+    rule.threshold = ruleOfThumb(discount, rule.transitions, t.highestReward, task.timeReward);
+    return rule;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<RuleOfThumb> ruleOfThumbOf(const Life& life) {
   const Task& task = life.environment().task();
   const Parameters::Entry* discount = life.parameters().find("agent.discount");
   const LifeTotals& t = life.log().totals();
-  if (!task.goalReward || !discount || t.successes == 0) return std::nullopt;
+  if (!discount) return std::nullopt;
+  if (!task.goalReward) return ruleForWalking(life, discount->value);
+  if (t.successes == 0) return std::nullopt;
 
   const auto threshold = [&](double transitions) {
     return surefoot::ruleOfThumb(discount->value, transitions, *task.goalReward, task.timeReward);

@@ -28,7 +28,9 @@ struct RuleOfThumb {
   bool preLearned = false;
 };
 
-/// None without a reward for success in the task, without a discount, or before the first success.
+/// A task without a goal goes by the highest intermediate reward instead (thesis, section 4.5; expected there, not
+/// tested): for one that is walked through, R_goal is the highest reward of a transition so far and n* the transitions
+/// of a net footstep. None without either, without a discount, or before the first success.
 std::optional<RuleOfThumb> ruleOfThumbOf(const Life& life);
 
 }  // namespace surefoot

@@ -24,6 +24,11 @@ constexpr NamedMeasure kMeasures[] = {{"falls", [](const LifeMeasures& l) { retu
                                       {"failure_after", [](const LifeMeasures& l) { return l.after.failure; }},
                                       {"first_transitions", [](const LifeMeasures& l) { return l.firstTransitions; }}};
 
+/// What a task may measure besides (measuresOf).
+constexpr const char* kOwnMeasures[] = {"falls_per_hour", "distance",        "net_footsteps",        "energy",
+                                        "greedy_falls",   "greedy_distance", "greedy_net_footsteps", "greedy_energy",
+                                        "greedy_reward",  "walks_after"};
+
 }  // namespace
 
 Result<std::vector<Evidence>> readEvidence(const Store& store) {
@@ -45,6 +50,7 @@ Result<std::vector<Evidence>> readEvidence(const Store& store) {
 std::vector<std::string> measureNames() {
   std::vector<std::string> names;
   for (const NamedMeasure& m : kMeasures) names.emplace_back(m.name);
+  names.insert(names.end(), std::begin(kOwnMeasures), std::end(kOwnMeasures));
   return names;
 }
 
@@ -53,6 +59,11 @@ std::vector<double> valuesOf(const Evidence& evidence, std::string_view measure)
   for (const NamedMeasure& m : kMeasures)
     if (measure == m.name)
       for (const LifeMeasures& l : evidence.lives) values.push_back(m.of(l));
+  if (std::find(std::begin(kOwnMeasures), std::end(kOwnMeasures), measure) == std::end(kOwnMeasures)) return values;
+  for (const LifeMeasures& l : evidence.lives) {
+    const auto found = std::find_if(l.own.begin(), l.own.end(), [&](const auto& m) { return m.name == measure; });
+    values.push_back(found == l.own.end() ? std::numeric_limits<double>::quiet_NaN() : found->value);
+  }
   return values;
 }
 

@@ -25,7 +25,7 @@ struct Evidence {
 Result<std::vector<Evidence>> readEvidence(const Store& store);
 
 /// The names of what is measured of a life: falls, minutes, all_falls, end_performance, average_reward, success_during,
-/// success_after, failure_during, failure_after, first_transitions.
+/// success_after, failure_during, failure_after, first_transitions; and what a task may measure itself (measuresOf).
 std::vector<std::string> measureNames();
 /// One value a life; NaN where a life has none. Empty for a name that is not there.
 std::vector<double> valuesOf(const Evidence& evidence, std::string_view measure);

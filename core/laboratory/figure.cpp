@@ -32,7 +32,17 @@ std::string titleOf(const std::string& measure) {
       {"success_after", "transitions of a success, after learning"},
       {"failure_during", "transitions of a failure, during learning"},
       {"failure_after", "transitions of a failure, after learning"},
-      {"first_transitions", "transitions of an episode, first 80"}};
+      {"first_transitions", "transitions of an episode, first 80"},
+      {"falls_per_hour", "falls an hour"},
+      {"distance", "distance of a life [m]"},
+      {"net_footsteps", "net footsteps of a life"},
+      {"energy", "energy of a life [J]"},
+      {"greedy_falls", "falls of a greedy test, last 10"},
+      {"greedy_distance", "distance of a greedy test, last 10 [m]"},
+      {"greedy_net_footsteps", "net footsteps of a greedy test, last 10"},
+      {"greedy_energy", "energy of a greedy test, last 10 [J]"},
+      {"greedy_reward", "reward of a greedy test, last 10"},
+      {"walks_after", "time to the first greedy walk [min]"}};
   const auto found = kTitles.find(measure);
   return found == kTitles.end() ? measure : found->second;
 }

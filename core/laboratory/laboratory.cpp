@@ -130,7 +130,7 @@ class Laboratory {
     if ((*life)->diverged()) return Error{"pre-learning: " + (*life)->divergence(), ErrorKind::Diverged};
     if (!(*life)->finished()) return Done{};
     const EpisodeLog& log = (*life)->log();
-    const bool reached = log.averageReward() >= *c.until;
+    const bool reached = !c.until || log.averageReward() >= *c.until;
     lesson.finish(std::make_shared<const TensorFile>(qFileOf(**life, c)), {.qFunction = lesson.number,
                                                                            .episodes = log.totals().episodes,
                                                                            .falls = log.totals().falls,
@@ -163,24 +163,25 @@ class Laboratory {
   }
 
   Status save(const Task& task, const Life& life) {
+    const LifeResult r = summarise(life, task.life, 0.0);
     StoredLife row{.condition = task.condition,
                    .life = task.life,
                    .qFunction = task.lesson ? task.lesson->number : -1,
-                   .episodes = life.log().totals().episodes,
-                   .steps = life.steps(),
-                   .falls = life.log().totals().falls,
-                   .statesOutside = life.agent().statesOutside(),
-                   .diverged = life.diverged() ? life.divergence() : "",
-                   .hash = life.hash()};
+                   .episodes = r.totals.episodes,
+                   .steps = r.steps,
+                   .falls = r.totals.falls,
+                   .statesOutside = r.statesOutside,
+                   .diverged = r.divergence,
+                   .hash = r.hash};
     std::vector<StoredEpisode> episodes;
-    for (const EpisodeRow& e : life.log().rows()) episodes.push_back({e.steps, e.reward, e.falls, endingCode(e)});
+    for (const EpisodeRow& e : r.rows) episodes.push_back({e.steps, e.reward, e.falls, endingCode(e)});
     std::optional<StoredPreLearning> before;
     if (task.lesson) {
       before = task.lesson->facts();
       before->condition = task.condition;
     }
     const std::lock_guard lock(mutex_);
-    return store_.save(row, episodes, before);
+    return store_.save(row, episodes, before, measuresToStore(r));
   }
 
   const Registry& registry_;

@@ -138,6 +138,9 @@ Result<std::vector<ConditionRecord>> readConditions(const Store& store) {
     if (!episodes) return episodes.error();
     record.lives.push_back(life);
     record.episodes.push_back(std::move(*episodes));
+    auto measures = store.measures(life.condition, life.life);
+    if (!measures) return measures.error();
+    record.measures.push_back(std::move(*measures));
   }
   for (const StoredPreLearning& p : *before) {
     if (!known(p.condition)) return damaged;
@@ -196,6 +199,9 @@ std::vector<LifeMeasures> measure(const ConditionRecord& record, std::optional<s
          .firstTransitions = transitionsOf(whole.first(std::min<std::size_t>(EpisodeLog::kAverageOver, whole.size()))),
          .during = lengthsOf(during),
          .after = lengthsOf(after)});
+    if (all.size() <= record.measures.size())
+      for (const StoredMeasure& m : record.measures[all.size() - 1])
+        if (m.episode == 0) all.back().own.push_back(m);
   }
   return all;
 }

@@ -16,6 +16,7 @@ struct ConditionRecord {
   StoredCondition condition;
   std::vector<StoredLife> lives;
   std::vector<std::vector<StoredEpisode>> episodes;  ///< [life][episode]
+  std::vector<std::vector<StoredMeasure>> measures;  ///< [life]; of greedy tests, too
   std::vector<StoredPreLearning> preLearned;
   int diverged = 0;  ///< lives left out
 
@@ -44,12 +45,13 @@ struct Lengths {
 
 /// One life, measured up to the end of its condition's learning.
 struct LifeMeasures {
-  double falls = 0.0;             ///< during learning
-  double minutes = 0.0;           ///< simulated, of learning; NaN without a clock
-  double allFalls = 0.0;          ///< of the whole life
-  double endPerformance = 0.0;    ///< falls per episode over the last 500
-  double averageReward = 0.0;     ///< at the end of the life
-  double firstTransitions = 0.0;  ///< per episode, over the first 80
+  double falls = 0.0;                ///< during learning
+  double minutes = 0.0;              ///< simulated, of learning; NaN without a clock
+  double allFalls = 0.0;             ///< of the whole life
+  double endPerformance = 0.0;       ///< falls per episode over the last 500
+  double averageReward = 0.0;        ///< at the end of the life
+  double firstTransitions = 0.0;     ///< per episode, over the first 80
+  std::vector<StoredMeasure> own{};  ///< what its task measures (measuresOf)
   Lengths during, after;
 };
 

@@ -81,7 +81,7 @@ class ConditionMaker {
     Names names;
     std::vector<Assignment> assignments;
     std::string name, reference, file;
-    std::optional<double> minutes, episodes, until, cap;
+    std::optional<double> minutes, episodes, until, preMinutes, cap;
     int pool = 5;
   };
 
@@ -135,12 +135,14 @@ class ConditionMaker {
         status = readNumber(key, value, -1e6, 1e6, draft.until);
       else if (key == "cap")
         status = readNumber(key, value, 1, 1e9, draft.cap);
+      else if (key == "minutes")
+        status = readNumber(key, value, 1e-6, 1e9, draft.preMinutes);
       else if (key == "pool" && value == "each")
         draft.pool = 0;
       else if (key == "pool")
         status = readCount(key, value, kMostPool, draft.pool);
       else
-        status = unknownKey(key, {"scenario", "preset", "policy", "set", "until", "cap", "pool", "file"});
+        status = unknownKey(key, {"scenario", "preset", "policy", "set", "until", "minutes", "cap", "pool", "file"});
       if (!status) return planError(path_, c.where.at(fullKey)->line, "pre-learning: " + status.error().message);
     }
     if (head_.preset) draft.names.preset = *head_.preset;
@@ -160,16 +162,24 @@ class ConditionMaker {
     if (!wanted) return wanted.error();
     if (!*wanted) return Done{};
     if (!draft.file.empty()) return refuse("with a file nothing is learned before; take the other keys away.");
-    if (!draft.until) return refuse("until is missing: the average reward at which it ends, e.g. until = 198.");
+    if (!draft.until && !draft.preMinutes)
+      return refuse(
+          "until is missing: the average reward at which it ends, e.g. until = 198; or minutes, how long it takes.");
     auto configuration = configure(registry_, draft.names, draft.assignments);
     if (!configuration) return refuse(configuration.error().message);
     if (const Status s = checkPolicy(draft); !s) return refuse(s.error().message);
 
     PreLearning pre{.configuration = std::move(*configuration), .pool = draft.pool, .text = {}};
-    const double cap = draft.cap.value_or(kCap);
     pre.configuration.until = draft.until;
-    pre.configuration.episodes = static_cast<std::int64_t>(cap);
-    pre.text = fmt::format("{} until={} cap={}", describe(registry_, pre.configuration), *draft.until, cap);
+    pre.configuration.minutes = draft.preMinutes;
+    pre.text = describe(registry_, pre.configuration);
+    if (draft.until) pre.text += fmt::format(" until={}", *draft.until);
+    if (draft.preMinutes) pre.text += fmt::format(" minutes={}", *draft.preMinutes);
+    if (draft.until || draft.cap) {
+      const double cap = draft.cap.value_or(kCap);
+      pre.configuration.episodes = static_cast<std::int64_t>(cap);
+      pre.text += fmt::format(" cap={}", cap);
+    }
     pre.configuration.seed = hashText(pre.text, head_.seed);
     condition.text += fmt::format(" pre-learning=({}) pool={}", pre.text,
                                   pre.pool == 0 ? std::string("each") : std::to_string(pre.pool));

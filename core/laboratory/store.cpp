@@ -21,6 +21,12 @@ namespace {
 constexpr int kApplicationId = 0x53726674;  // "Srft"
 constexpr int kFormat = 1;
 
+/// Not in stores of the first days.
+constexpr const char* kMeasures = R"(
+CREATE TABLE IF NOT EXISTS measures (condition INTEGER NOT NULL, life INTEGER NOT NULL, episode INTEGER NOT NULL,
+  name TEXT NOT NULL, value REAL NOT NULL, PRIMARY KEY (condition, life, episode, name)) WITHOUT ROWID;
+)";
+
 constexpr const char* kSchema = R"(
 CREATE TABLE experiment (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
 CREATE TABLE conditions (condition INTEGER PRIMARY KEY, name TEXT NOT NULL, reference TEXT NOT NULL, text TEXT NOT NULL, configuration TEXT NOT NULL,
@@ -98,6 +104,7 @@ namespace {
 void fill(SQLite::Database& db, const StoredPlan& plan) {
   SQLite::Transaction whole(db);
   db.exec(kSchema);
+  db.exec(kMeasures);
   db.exec(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", kApplicationId, kFormat));
   SQLite::Statement pair(db, "INSERT INTO experiment VALUES (?, ?)");
   for (const auto& [key, value] : {std::pair<const char*, std::string>{"version", kVersion},
@@ -161,6 +168,7 @@ Result<Store> Store::openAs(const std::string& path, bool write) {
     if (write) {
       db.exec("PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL");
       db.exec("BEGIN EXCLUSIVE; COMMIT");  // from now on the file is ours
+      db.exec(kMeasures);
     }
     return Store(path, std::move(data));
   });
@@ -173,13 +181,27 @@ Result<Store> Store::open(const std::string& path) {
   return openAs(path, false);
 }
 
+std::vector<StoredMeasure> measuresToStore(const LifeResult& r) {
+  std::vector<StoredMeasure> all;
+  for (const NamedValue& m : measuresOf(r)) all.push_back({0, m.name, m.value});
+  for (const GreedyTest& t : r.greedyTests) {
+    all.push_back({t.episode, "transitions", static_cast<double>(t.steps)});
+    all.push_back({t.episode, "reward", t.reward});
+    all.push_back({t.episode, "falls", static_cast<double>(t.falls)});
+    for (std::size_t m = 0; m < r.taskMeasures.size(); ++m)
+      all.push_back({t.episode, r.taskMeasures[m].key, t.measures[m]});
+  }
+  return all;
+}
+
 Status Store::save(const StoredLife& life, const std::vector<StoredEpisode>& episodes,
-                   const std::optional<StoredPreLearning>& before) {
+                   const std::optional<StoredPreLearning>& before, const std::vector<StoredMeasure>& measures) {
   return guarded<Done>(path_, [&]() -> Status {
     Database& d = *database_;
     if (!d.addLife) {
       d.addLife = std::make_unique<SQLite::Statement>(d.db, "INSERT INTO lives VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
       d.addEpisode = std::make_unique<SQLite::Statement>(d.db, "INSERT INTO episodes VALUES (?, ?, ?, ?, ?, ?, ?)");
+      d.addMeasure = std::make_unique<SQLite::Statement>(d.db, "INSERT INTO measures VALUES (?, ?, ?, ?, ?)");
     }
     SQLite::Transaction whole(d.db);
     d.addLife->reset();
@@ -194,6 +216,11 @@ Status Store::save(const StoredLife& life, const std::vector<StoredEpisode>& epi
       SQLite::bind(*d.addEpisode, life.condition, life.life, ++number, e.transitions, e.reward, e.falls,
                    static_cast<int>(e.ending));
       d.addEpisode->exec();
+    }
+    for (const StoredMeasure& m : measures) {
+      d.addMeasure->reset();
+      SQLite::bind(*d.addMeasure, life.condition, life.life, m.episode, m.name, m.value);
+      d.addMeasure->exec();
     }
     if (before) {
       SQLite::Statement row(d.db, "INSERT OR REPLACE INTO pre_learned VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
@@ -233,6 +260,8 @@ Status Store::add(const Store& part) {
       db.exec(
           "INSERT OR IGNORE INTO main.pre_learned SELECT * FROM part.pre_learned; "
           "INSERT INTO main.lives SELECT * FROM part.lives; INSERT INTO main.episodes SELECT * FROM part.episodes");
+      if (db.execAndGet("SELECT count(*) FROM part.sqlite_master WHERE name = 'measures'").getInt() > 0)
+        db.exec("INSERT INTO main.measures SELECT * FROM part.measures");
       whole.commit();
     }
     db.exec("DETACH part");

@@ -9,6 +9,8 @@
 //   pre_learned  condition, q_function, episodes, falls, steps, average_reward, reached, hash
 //   lives        condition, life, q_function, episodes, steps, falls, states_outside, diverged, hash
 //   episodes     condition, life, episode, transitions, reward, falls, ending
+//   measures     condition, life, episode, name, value    episode 0: of the life (measuresOf); else of the greedy test
+//                                                         behind that episode
 //   endings      ending, name                0 end, 1 success, 2 fall, 3 truncated
 #pragma once
 
@@ -46,6 +48,15 @@ struct StoredPlan {
   int shard = 1, shards = 1;  ///< this store holds part `shard` of `shards`
   std::vector<StoredCondition> conditions;
 };
+
+/// Of a life, or of the greedy test behind an episode of it.
+struct StoredMeasure {
+  std::int64_t episode = 0;  ///< 0: of the life
+  std::string name;
+  double value = 0.0;
+};
+/// What a store keeps of a life besides its episodes.
+std::vector<StoredMeasure> measuresToStore(const LifeResult& result);
 
 /// A life without its episodes.
 struct StoredLife {
@@ -89,7 +100,7 @@ class Store {
 
   /// Writes a life with all that belongs to it, or nothing.
   Status save(const StoredLife& life, const std::vector<StoredEpisode>& episodes,
-              const std::optional<StoredPreLearning>& before);
+              const std::optional<StoredPreLearning>& before, const std::vector<StoredMeasure>& measures = {});
   /// Takes everything over from another store of the same plan.
   Status add(const Store& part);
   /// More lives than were planned at first.
@@ -100,6 +111,8 @@ class Store {
   Result<std::vector<StoredLife>> lives() const;
   Result<std::vector<StoredPreLearning>> preLearned() const;
   Result<std::vector<StoredEpisode>> episodes(int condition, int life) const;
+  /// Ordered by episode and name.
+  Result<std::vector<StoredMeasure>> measures(int condition, int life) const;
   /// Over everything but the shard and the program's version, ordered by condition, life and episode.
   Result<std::uint64_t> contentHash() const;
 

@@ -25,14 +25,14 @@ Result<T> guarded(const std::string& path, F f) {
 struct Store::Database {
   Database(const std::string& path, int flags) : db(path, flags, 0), writes((flags & SQLite::OPEN_READWRITE) != 0) {}
   ~Database() {
-    addLife.reset(), addEpisode.reset();
+    addLife.reset(), addEpisode.reset(), addMeasure.reset();
     // A file that can be read where nothing can be written. If it fails, the next who opens it will try again.
     if (writes) static_cast<void>(db.tryExec("PRAGMA journal_mode = DELETE"));
   }
   SQLite::Database db;
   bool writes;
   // Prepared once, because a life has a thousand episodes.
-  std::unique_ptr<SQLite::Statement> addLife, addEpisode;
+  std::unique_ptr<SQLite::Statement> addLife, addEpisode, addMeasure;
 };
 
 }  // namespace surefoot

@@ -83,6 +83,20 @@ Result<std::vector<StoredEpisode>> Store::episodes(int condition, int life) cons
   });
 }
 
+Result<std::vector<StoredMeasure>> Store::measures(int condition, int life) const {
+  return guarded<std::vector<StoredMeasure>>(path_, [&] {
+    std::vector<StoredMeasure> measures;
+    if (!database_->db.tableExists("measures")) return measures;
+    SQLite::Statement row(database_->db,
+                          "SELECT episode, name, value FROM measures WHERE condition = ? AND life = ? ORDER BY "
+                          "episode, name");
+    SQLite::bind(row, condition, life);
+    while (row.executeStep())
+      measures.push_back({row.getColumn(0).getInt64(), row.getColumn(1), row.getColumn(2).getDouble()});
+    return measures;
+  });
+}
+
 Result<std::uint64_t> Store::contentHash() const {
   Hash64 hash;
   const auto addText = [&](const std::string& text) {
@@ -111,6 +125,9 @@ Result<std::uint64_t> Store::contentHash() const {
     const auto rows = episodes(l.condition, l.life);
     if (!rows) return rows.error();
     for (const StoredEpisode& e : *rows) addAll(e.transitions, e.falls, e.ending), hash.add(e.reward);
+    const auto own = measures(l.condition, l.life);
+    if (!own) return own.error();
+    for (const StoredMeasure& m : *own) addAll(m.episode), addText(m.name), hash.add(m.value);
   }
   return hash.value();
 }

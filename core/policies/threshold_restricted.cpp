@@ -6,18 +6,20 @@
 namespace surefoot {
 
 void ThresholdRestricted::Settings::declare(Fields& f) {
-  threshold.declare(f, {.key = "threshold",
-                        .title = "Threshold",
-                        .symbol = "",
-                        .unit = "",
-                        .low = -1e6,
-                        .high = 1e6,
-                        .sliderLow = -100,
-                        .sliderHigh = 200,
-                        .when = When::Now,
-                        .group = Group::Policy,
-                        .help = "An exploring step picks among the actions worth more than this.",
-                        .origin = "thesis, section 4.2.1"});
+  threshold.declare(f,
+                    {.key = "threshold",
+                     .title = "Threshold",
+                     .symbol = "",
+                     .unit = "",
+                     .low = -1e6,
+                     .high = 1e6,
+                     .sliderLow = -100,
+                     .sliderHigh = 200,
+                     .when = When::Now,
+                     .group = Group::Policy,
+                     .help = "An exploring step picks among the actions worth more than this.",
+                     .origin = "thesis, section 4.2.1"},
+                    true);
   exploration.declare(f);
   f.real(below, {.key = "below",
                  .title = "Share below",

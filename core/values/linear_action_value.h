@@ -268,7 +268,11 @@ class LinearActionValue final : public ActionValueFunction {
     if constexpr (ActionSharing<F>) {
       std::fill(q.begin(), q.end(), 0.0);
       std::array<double, kMostColumns> block;
-      for (std::size_t k = 0; k < static_cast<std::size_t>(x.count); ++k) {
+      constexpr std::size_t kAhead = 3;  // blocks that are on their way from memory
+      const auto count = static_cast<std::size_t>(x.count);
+      for (std::size_t k = 0; k < std::min(kAhead, count); ++k) weights_.fetch(x.index[k] * columns_, columns_);
+      for (std::size_t k = 0; k < count; ++k) {
+        if (k + kAhead < count) weights_.fetch(x.index[k + kAhead] * columns_, columns_);
         weights_.settle(x.index[k] * columns_, columns_, block.data());
         const std::uint16_t* const column = features_.actionTiles().columnsOf(k).data();
         for (std::size_t a = 0; a < actions_; ++a) q[a] += block[column[a]];

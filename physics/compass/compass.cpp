@@ -39,6 +39,8 @@ Task makeTask(const CompassSettings& s) {
   task.actionUnit = "N m";
   task.rewardTerms = {"footstep", "fall", "time"};
   task.timeReward = s.timeReward;
+  task.measures = {{"distance", "distance", "m"}, {"net_footsteps", "net footsteps", ""}};
+  task.testEvery = 10;
   task.stepTime = CompassWorld::kStepTime;
   task.lowestReturn = s.fallReward + s.timeReward * 100;
   task.highestReturn = s.footstepReward * 5;  // about 20 steps of 0.3 m in 20 s, less their time
@@ -71,6 +73,8 @@ void Compass::resetTo(const CompassWorld::Posture& posture) {
   world_ = std::make_unique<CompassWorld>(settings_, posture);
   steps_ = 0;
   torque_ = 0.0;
+  start_ = world_->hipX();
+  measures_ = {};
   observe();
 }
 
@@ -84,6 +88,8 @@ Outcome Compass::step(Action action) {
   const double footstep = world_->step(torque_);
   observe();
   ++steps_;
+  measures_[0] = world_->hipX() - start_;
+  if (footstep != 0.0) measures_[1] += footstep > 0 ? 1.0 : -1.0;
 
   Outcome outcome;
   outcome.terms[kTime] = settings_.timeReward;

@@ -24,6 +24,8 @@ class Compass final : public Environment {
   void reset(Random& random) override;
   Outcome step(Action action) override;
   std::span<const double> state() const override { return state_; }
+  /// How far the hip got [m], footsteps forward less those back.
+  std::span<const double> measures() const override { return measures_; }
   /// At the hip.
   bool push(double impulse) override;
   bool place(std::span<const double> state) override;
@@ -44,8 +46,9 @@ class Compass final : public Environment {
   Task task_;
   std::unique_ptr<CompassWorld> world_;  // a new one for every episode: nothing of the last is left
   std::array<double, 4> state_{};
-  double torque_ = 0.0;
+  double torque_ = 0.0, start_ = 0.0;
   int steps_ = 0;
+  std::array<double, 2> measures_{};
 };
 
 }  // namespace surefoot

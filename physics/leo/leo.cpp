@@ -12,6 +12,7 @@ using namespace leo;
 namespace {
 
 enum RewardTerm { kTime, kEnergy, kFootstep, kFall };
+enum Measure { kDistance, kNetFootsteps, kEnergyTaken };
 
 constexpr double kMostTorso = 1.0, kMostStanceThigh = 0.36 * std::numbers::pi;  // [rad]
 constexpr double kStanceKneeGain = 21.21, kAnkleGain = 42.42;                   // [V/rad]
@@ -75,6 +76,8 @@ Task makeTask(const LeoSettings& s) {
   task.actionUnit = "V";
   task.rewardTerms = {"time", "energy", "footstep", "fall"};
   task.timeReward = s.timeReward;
+  task.measures = {{"distance", "distance", "m"}, {"net_footsteps", "net footsteps", ""}, {"energy", "energy", "J"}};
+  task.testEvery = 10;
   task.stepTime = LeoWorld::kStepTime;
   task.handMade = true;
   task.lowestReturn = 2 * s.fallReward;
@@ -103,6 +106,8 @@ void Leo::begin(const LeoWorld::Angles& angles, const LeoWorld::Angles& rates) {
   swingsForward_ = false;
   command_ = {};
   distance_ = ankleDistance();
+  start_ = world_->hip().x;
+  measures_ = {};
   observe();
 }
 
@@ -173,8 +178,12 @@ Outcome Leo::step(Action action) {
   if (const int leg = supportingLeg(); leg != stance_) {  // a footstep
     stance_ = leg;
     distance_ = -distance_;
-    if (ankleDistance() < 0) sinceFootstep_ = 0, swingsForward_ = true;  // the new stance leg is in front
+    const bool forward = ankleDistance() < 0;  // the new stance leg is in front
+    if (forward) sinceFootstep_ = 0, swingsForward_ = true;
+    measures_[kNetFootsteps] += forward ? 1.0 : -1.0;
   }
+  measures_[kDistance] = world_->hip().x - start_;
+  measures_[kEnergyTaken] += energy;
   const double distance = ankleDistance();
   observe();
 

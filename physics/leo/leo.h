@@ -9,6 +9,8 @@
 // towards 0) and both ankles (42.42 V/rad towards 3.72°) look after themselves. Step: 1/30 s.
 // Rewards: time −1 a step; energy −3 a joule that hips and knees take; footstep +300·(L − L_before), L the distance of
 // the ankles [m], swing minus stance, which changes its sign with a footstep; fall −125 when doomed.
+// Measures: how far the hip got; footsteps forward less those back, which tells a walk from a limp that drags one toe
+// behind the other foot; the energy of hips and knees.
 // Ends: abs(torso) > 1 rad or abs(torso + stance hip) > 0.36π, doomed (terminal, a fall); the step limit (truncated).
 #pragma once
 
@@ -29,6 +31,7 @@ class Leo final : public Environment {
   void reset(Random& random) override;
   Outcome step(Action action) override;
   std::span<const double> state() const override { return state_; }
+  std::span<const double> measures() const override { return measures_; }
   /// At the hip.
   bool push(double impulse) override;
   bool place(std::span<const double> state) override;
@@ -62,6 +65,8 @@ class Leo final : public Environment {
   int sinceFootstep_ = 0;       // steps, of the last of positive length
   bool swingsForward_ = false;  // there has been one
   double distance_ = 0.0;       // L before [m]
+  double start_ = 0.0;          // of the hip [m]
+  std::array<double, 3> measures_{};
 };
 
 }  // namespace surefoot
