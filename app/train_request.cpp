@@ -232,10 +232,6 @@ Result<TrainRequest> makeTrainRequest(const Registry& registry, const TrainOptio
     if (!file) return file.error();
     beginWith(c, std::move(*file));
   }
-  const auto environment = findEntry(registry.environments, "--environment", c.names.environment);
-  if (window && environment && !(*environment)->inWindow)
-    return Error{fmt::format("--environment: the window does not show {} yet; `surefoot train` learns in it.",
-                             c.names.environment)};
   if (window && c.lives > 1)
     return Error{fmt::format("--lives: the window shows one life, not {}; `surefoot train` runs many.", c.lives)};
   if (!c.minutes && !c.episodes) request.mostSteps = chosen->steps;

@@ -20,6 +20,12 @@ struct MemoryUse {
   std::optional<std::int64_t> failedLookUps;  ///< of a hashed table, since the life began
 };
 
+/// The eligibility of a weight. Lists of them are in the order of the weights; what is not in one has none.
+struct Eligibility {
+  std::uint64_t weight = 0;
+  float z = 0.0f;
+};
+
 class ActionValueFunction {
  public:
   virtual ~ActionValueFunction() = default;
@@ -34,14 +40,15 @@ class ActionValueFunction {
   virtual double visits(std::span<const double> state) const = 0;
   /// Share of the features of s that were ever visited, 0 … 1.
   virtual double familiarity(std::span<const double> state) const = 0;
-  /// out ← for every action, the mean over the features of s of a quantity that is kept per weight (eligibility).
-  virtual void average(std::span<const float> perWeight, std::span<const double> state,
-                       std::span<double> out) const = 0;
+  /// out ← for every action, the mean eligibility of the features of s.
+  virtual void average(std::span<const Eligibility> z, std::span<const double> state, std::span<double> out) const = 0;
 
   /// The weights, a table for each estimate.
   virtual std::vector<std::vector<double>> tables() const = 0;
   /// What each table holds.
   virtual std::vector<MemoryUse> memoryUse() const = 0;
+  /// Memory of a copy [bytes], about.
+  virtual std::size_t bytes() const = 0;
   virtual std::unique_ptr<ActionValueFunction> clone() const = 0;
   /// Copies the content of a function of the same shape, without allocation.
   virtual void assign(const ActionValueFunction& other) = 0;

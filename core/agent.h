@@ -32,8 +32,8 @@ class Agent : public Scheduling {
   virtual void abandon() = 0;
 
   virtual const ActionValueFunction& values() const = 0;
-  /// z for every weight, for those who look. `z` is resized.
-  virtual void eligibility(std::vector<float>& z) const = 0;
+  /// z of the weights that have a trace, for those who look.
+  virtual void eligibility(std::vector<Eligibility>& z) const = 0;
   /// What each estimate learned in the last step.
   virtual std::vector<NamedStep> lastSteps() const = 0;
   /// The values have left any sensible range; the life should stop.

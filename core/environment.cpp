@@ -5,6 +5,12 @@
 
 namespace surefoot {
 
+std::size_t levelOf(const Task& task, std::size_t action, std::size_t variable) {
+  for (std::size_t j = task.actionVariables.size(); j-- > variable + 1;)
+    action /= task.actionVariables[j].levels.size();
+  return action % task.actionVariables[variable].levels.size();
+}
+
 Status checkState(const Task& task, std::span<const double> state) {
   if (state.size() != task.state.size())
     return Error{fmt::format("a state has {} values here, and {} are given.", task.state.size(), state.size())};

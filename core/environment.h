@@ -69,6 +69,9 @@ struct Task {
   double lowestReturn = -1.0, highestReturn = 1.0;  ///< reward of an episode, as far as it is bounded: axes start there
 };
 
+/// Which level of an action variable an action has.
+std::size_t levelOf(const Task& task, std::size_t action, std::size_t variable);
+
 /// Whether these are values of all state variables, each within its range; a sentence that names the first that is not.
 Status checkState(const Task& task, std::span<const double> state);
 

@@ -26,7 +26,6 @@ struct Named {
 
 struct EnvironmentEntry : Named {
   std::function<std::unique_ptr<Environment>()> make;
-  bool inWindow = true;  ///< the window can show it
 };
 
 struct PolicyEntry : Named {

@@ -58,6 +58,7 @@ void ActionRows::nextFrame() {
     column.pi.resize(q_.size());
     column.policy->probabilities(q_, column.pi);
   }
+  sumLevels();
   update();
 }
 
@@ -84,11 +85,17 @@ void ActionRows::takeValues() {
 }
 
 std::string ActionRows::asCsv() const {
-  std::string csv = positive_.empty() ? "action,q" : "action,q,q_positive,q_negative";
+  const auto& variables = session_.task().actionVariables;
+  std::string csv = "action";
+  for (const ActionVariable& v : variables) csv += "," + v.key;
+  csv += positive_.empty() ? ",q" : ",q,q_positive,q_negative";
   for (const Column& column : columns_) csv += "," + column.name;
   csv += '\n';
   for (std::size_t a = 0; a < q_.size(); ++a) {
-    csv += fmt::format("{},{:.9g}", session_.task().actions[a], q_[a]);
+    csv += fmt::format("{}", session_.task().actions[a]);
+    for (std::size_t j = 0; j < variables.size(); ++j)
+      csv += fmt::format(",{:.9g}", variables[j].levels[levelOf(session_.task(), a, j)]);
+    csv += fmt::format(",{:.9g}", q_[a]);
     if (!positive_.empty()) csv += fmt::format(",{:.9g},{:.9g}", positive_[a], negative_[a]);
     for (const Column& column : columns_) csv += fmt::format(",{:.9g}", column.pi[a]);
     csv += '\n';
@@ -122,6 +129,7 @@ void ActionRows::paintEvent(QPaintEvent*) {
   QPainter p(this);
   p.fillRect(rect(), t.panel);
   p.setRenderHint(QPainter::Antialiasing);
+  if (!session_.task().actionVariables.empty()) return levels_.empty() ? void() : drawLevels(p, t);
   const Geometry g = geometry();
   drawHead(p, t, g);
   if (q_.empty()) return;
@@ -250,8 +258,8 @@ void ActionRows::drawThreshold(QPainter& p, const Theme& t, const Geometry& g) c
 
 bool ActionRows::onThreshold(const QPointF& at) const {
   const Geometry g = geometry();
-  return session_.configuration().names.policy == "trl" && std::abs(at.x() - xOf(session_.threshold(), g)) < 6 &&
-         at.y() > 6 && at.y() < g.bottom;
+  return session_.configuration().names.policy == "trl" && levels_.empty() &&
+         std::abs(at.x() - xOf(session_.threshold(), g)) < 6 && at.y() > 6 && at.y() < g.bottom;
 }
 
 void ActionRows::mousePressEvent(QMouseEvent* event) {

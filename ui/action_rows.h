@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the robot would do now: a row an action, with its value and its probability under the three policies side by
-// side (the thesis's Figure 4.1, live). The threshold of TRL is a line to drag.
+// side (the thesis's Figure 4.1, live). The threshold of TRL is a line to drag. Where an action is a combination, a
+// column a variable of it, with a row a level.
 #pragma once
 
 #include <QElapsedTimer>
@@ -49,9 +50,23 @@ class ActionRows final : public QWidget, public CsvSource {
     double first, pitch, bar, number;  // columns of the policies: left ends, bar length, right end of the number
   };
 
+  /// A level of an action variable.
+  struct Level {
+    std::vector<double> chance;  // under each policy
+    double best = 0.0;           // the highest value of an action that has it
+  };
+  struct LevelPlace {
+    double left, bar, percent, best, middle, row;
+  };
+
   void rebuild();
   void nextFrame();
   void takeValues();
+  void sumLevels();
+  void drawLevels(QPainter& p, const Theme& t) const;
+  void drawPolicyKey(QPainter& p, const Theme& t) const;
+  void drawLevelsOf(QPainter& p, const Theme& t, std::size_t variable, double left, double pitch) const;
+  void drawLevel(QPainter& p, const Theme& t, const Level& level, bool chosen, const LevelPlace& at) const;
   Geometry geometry() const;
   double xOf(double value, const Geometry& g) const;
   void drawHead(QPainter& p, const Theme& t, const Geometry& g) const;
@@ -63,6 +78,7 @@ class ActionRows final : public QWidget, public CsvSource {
   Session& session_;
   std::vector<Column> columns_;
   std::vector<double> q_, positive_, negative_;  // the parts are empty where the agent keeps one estimate
+  std::vector<std::vector<Level>> levels_;       // [action variable][level]; empty: an action is one number
   Action chosen_ = kNoAction;
   double low_ = -100, high_ = 200;  // scale of Q
   bool dragging_ = false;

@@ -99,9 +99,8 @@ void MainWindow::makeFileMenu() {
   QMenu* file = menuBar()->addMenu(tr("&File"));
   QMenu* fresh = file->addMenu(tr("&New session in"));
   for (const EnvironmentEntry& entry : session_.registry().environments)
-    if (entry.inWindow)
-      connect(addAction(fresh, toText(entry.title), toText(entry.help), {}), &QAction::triggered, this,
-              [this, name = entry.name] { begin([this, name] { return session_.beginEnvironment(name); }); });
+    connect(addAction(fresh, toText(entry.title), toText(entry.help), {}), &QAction::triggered, this,
+            [this, name = entry.name] { begin([this, name] { return session_.beginEnvironment(name); }); });
   const auto item = [&](QMenu* menu, const QString& text, const QString& tip, const QKeySequence& key, auto slot) {
     connect(addAction(menu, text, tip, key), &QAction::triggered, this, slot);
   };

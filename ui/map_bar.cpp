@@ -82,7 +82,8 @@ void MapBar::fillQuantities(QMenu& menu) {
     MapChoice next = choice_;
     next.quantity = quantity;
     next.action = action;
-    const bool now = choice_.quantity == quantity && (quantity != MapQuantity::OneAction || choice_.action == action);
+    const bool numbered = quantity == MapQuantity::OneAction || quantity == MapQuantity::GreedyAction;
+    const bool now = choice_.quantity == quantity && (!numbered || choice_.action == action);
     addChoice(menu, quantityText(next, task_), now, [this, next] { choose(next); });
   };
   add(MapQuantity::BestAction, 0);
@@ -90,7 +91,9 @@ void MapBar::fillQuantities(QMenu& menu) {
   if (task_.actions.size() <= kMostActions)
     for (std::size_t a = task_.actions.size(); a-- > 0;) add(MapQuantity::OneAction, static_cast<Action>(a));
   menu.addSeparator();
-  for (const MapQuantity q : {MapQuantity::GreedyAction, MapQuantity::Visits, MapQuantity::Eligibility}) add(q, 0);
+  for (std::size_t j = 0; j < std::max<std::size_t>(1, task_.actionVariables.size()); ++j)
+    add(MapQuantity::GreedyAction, static_cast<Action>(j));
+  for (const MapQuantity q : {MapQuantity::Visits, MapQuantity::Eligibility}) add(q, 0);
 }
 
 void MapBar::fillAxes(QMenu& menu) {

@@ -33,6 +33,7 @@ void MapChoice::fit(const Task& task) {
   fixed.assign(n, 0.0);
   action = 0;
   if (quantity == MapQuantity::OneAction) quantity = MapQuantity::BestAction;
+  locked = task.goalReward.has_value();  // without a goal no value comes near the reward of a whole episode
 }
 
 MapSlice MapChoice::slice(std::span<const double> live) const {
@@ -79,7 +80,23 @@ QString axisTitleOf(const StateVariable& v) {
 }
 
 QString actionNameOf(const Task& task, std::size_t action) {
+  if (!task.actionVariables.empty()) {
+    QStringList levels;
+    for (std::size_t j = 0; j < task.actionVariables.size(); ++j)
+      levels << toText(fixedText(task.actionVariables[j].levels[levelOf(task, action, j)], 1));
+    return levels.join(QStringLiteral(" / "));
+  }
   return toText(action < task.actionNames.size() ? task.actionNames[action] : fixedText(task.actions[action], 2));
+}
+
+std::size_t greedyValues(const MapChoice& choice, const Task& task) {
+  return task.actionVariables.empty() ? task.actions.size()
+                                      : task.actionVariables[static_cast<std::size_t>(choice.action)].levels.size();
+}
+
+QString greedyNameOf(const MapChoice& choice, const Task& task, std::size_t value) {
+  if (task.actionVariables.empty()) return actionNameOf(task, value);
+  return toText(fixedText(task.actionVariables[static_cast<std::size_t>(choice.action)].levels[value], 1));
 }
 
 QString quantityText(const MapChoice& choice, const Task& task) {
@@ -89,7 +106,10 @@ QString quantityText(const MapChoice& choice, const Task& task) {
     case MapQuantity::OneAction:
       return toText(task.actionTitle) + ' ' + actionNameOf(task, static_cast<std::size_t>(choice.action));
     case MapQuantity::GreedyAction:
-      return QObject::tr("greedy action");
+      return task.actionVariables.empty()
+                 ? QObject::tr("greedy action")
+                 : QObject::tr("greedy %1")
+                       .arg(toText(task.actionVariables[static_cast<std::size_t>(choice.action)].title));
     case MapQuantity::Visits:
       return QObject::tr("visits");
     case MapQuantity::Eligibility:

@@ -19,7 +19,7 @@ enum class Projection { Mean, Least, Most };
 
 struct MapChoice {
   MapQuantity quantity = MapQuantity::BestAction;
-  Action action = 0;  ///< of OneAction
+  Action action = 0;  ///< of OneAction; of GreedyAction the action variable, where an action is a combination
   int x = 0, y = 1;
   std::vector<Across> across;  ///< one a state variable; those of the axes do not matter
   std::vector<double> fixed;   ///< their values, where they are fixed
@@ -41,6 +41,9 @@ QString symbolOf(const StateVariable& variable);
 QString axisTitleOf(const StateVariable& variable);
 /// "1.50", or what the action is called.
 QString actionNameOf(const Task& task, std::size_t action);
+/// How many values the layer of the greedy action can have, and what one of them is called.
+std::size_t greedyValues(const MapChoice& choice, const Task& task);
+QString greedyNameOf(const MapChoice& choice, const Task& task, std::size_t value);
 /// "best action", "torque 1.50", …
 QString quantityText(const MapChoice& choice, const Task& task);
 /// "α × α̇"

@@ -144,6 +144,7 @@ class Session final : public QObject {
   void show(double seconds);
   void showPlayback(double seconds);
   void takeFalls();
+  bool copyable() const;  ///< what is learned is small enough to be kept with a fall
   void fillParts(const ActionValueFunction& values);
   void measureSpeed();
   void restartMeasuring();

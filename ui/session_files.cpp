@@ -146,9 +146,6 @@ Status Session::begin(Configuration configuration) {
 Status Session::beginWithLife(Beginning made) {
   Configuration& began = made.configuration;
   const std::unique_ptr<Life>& life = made.life;
-  const auto entry = findEntry(registry_.environments, "environment", began.names.environment);
-  if (!entry) return entry.error();
-  if (!(*entry)->inWindow) return Error{"The window does not show the environment " + (*entry)->name + " yet."};
   began_ = began;
   configuration_ = std::move(began);
   configuration_.commands.clear();

@@ -18,7 +18,7 @@ void Session::takeFalls() {
   if (fresh.empty()) return;
   // The values as they were, as nearly as the window has them. In turbo hundreds of falls come in a second.
   constexpr int kEvery = 500;  // [ms]
-  if (values() && (!sinceValuesThen_.isValid() || sinceValuesThen_.elapsed() >= kEvery)) {
+  if (values() && copyable() && (!sinceValuesThen_.isValid() || sinceValuesThen_.elapsed() >= kEvery)) {
     sinceValuesThen_.start();
     valuesThen_.emplace_back(fresh.back().number, values()->values->clone());
   }
@@ -34,15 +34,23 @@ void Session::replayFall(std::size_t index) {
   std::shared_ptr<const ActionValueFunction> then;
   for (const auto& [number, values] : valuesThen_)
     if (number >= fall.number && !then) then = values;
-  if (!then && values()) then = values()->values->clone();
+  if (!then && values() && copyable()) then = values()->values->clone();
+  const bool kept = then != nullptr;
+  if (!kept && values()) then = {std::shared_ptr<void>(), values()->values.get()};  // for the frames only
   Playback playback = playbackOf(fall, registry_, configuration_.names.environment, std::move(then));
   if (playback.frames.empty()) return;
+  if (!kept) playback.values.reset();
   if (reducedMotion()) {  // it stands at the fall, to be stepped through by hand
     playback.rate = 0;
     playback.position = static_cast<double>(playback.frames.size()) - 1;
   }
   playback_ = std::move(playback);
   Q_EMIT playbackChanged();
+}
+
+bool Session::copyable() const {
+  constexpr std::size_t kMost = 16u << 20;  // [bytes]: more takes the window's thread too long, and twenty too much
+  return values()->values->bytes() <= kMost;
 }
 
 void Session::lookBack(int frames) {

@@ -60,7 +60,11 @@ ValueMap::Quantity ValueMaps::quantity(Layer layer) const {
     values.evaluate(s, layer, q);
     if (choice_.quantity == MapQuantity::OneAction) return q[static_cast<std::size_t>(choice_.action)];
     const auto best = std::max_element(q.begin(), q.end());
-    return choice_.quantity == MapQuantity::GreedyAction ? static_cast<double>(best - q.begin()) : *best;
+    if (choice_.quantity != MapQuantity::GreedyAction) return *best;
+    const auto action = static_cast<std::size_t>(best - q.begin());
+    const Task& task = session_.task();
+    return static_cast<double>(
+        task.actionVariables.empty() ? action : levelOf(task, action, static_cast<std::size_t>(choice_.action)));
   };
 }
 
@@ -99,7 +103,7 @@ MapScale ValueMaps::scaleOf(const ValueMap& map) const {
   const auto range = map.range();
   switch (choice_.quantity) {
     case MapQuantity::GreedyAction:
-      return {MapScale::Kind::Steps, 0, static_cast<double>(task.actions.size()) - 1};
+      return {MapScale::Kind::Steps, 0, static_cast<double>(greedyValues(choice_, task)) - 1};
     case MapQuantity::Visits:
       return {MapScale::Kind::Viridis, 1,
               std::pow(10.0, std::ceil(std::log10(range ? std::max(range->second, 10.0) : 10)))};

@@ -95,9 +95,9 @@ void ValueMaps::drawBigBar(QPainter& p, const Geometry& g, const Theme& t) const
   std::vector<double> numbers;
   std::vector<QString> names;
   if (bigScale_.kind == MapScale::Kind::Steps) {
-    for (std::size_t a = 0; a < task.actions.size(); ++a) {
+    for (std::size_t a = 0; a < greedyValues(choice_, task); ++a) {
       numbers.push_back(static_cast<double>(a));
-      names.push_back(actionNameOf(task, a));
+      names.push_back(greedyNameOf(choice_, task, a));
     }
   } else if (bigScale_.kind == MapScale::Kind::Viridis) {
     numbers = {1, std::pow(10.0, std::floor(std::log10(bigScale_.high) / 2)), bigScale_.high};

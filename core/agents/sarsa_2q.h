@@ -57,10 +57,10 @@ class Sarsa2Q final : public Agent {
 
   const ActionValueFunction& values() const override { return sum_; }
   /// Of Q⁺, then of Q⁻.
-  void eligibility(std::vector<float>& z) const override {
+  void eligibility(std::vector<Eligibility>& z) const override {
     z.clear();
-    positive_.eligibility(z);
-    negative_.eligibility(z);
+    positive_.eligibility(z, 0);
+    negative_.eligibility(z, positive_.values().weightCount());
   }
   std::vector<NamedStep> lastSteps() const override {
     return {positive_.lastStep("positive"), negative_.lastStep("negative")};

@@ -18,7 +18,7 @@ class Scripted final : public Agent {
   void truncate(const Outcome&, std::span<const double>, Random&) override {}
   void abandon() override {}
   const ActionValueFunction& values() const override { return values_; }
-  void eligibility(std::vector<float>& z) const override { z.clear(); }
+  void eligibility(std::vector<Eligibility>& z) const override { z.clear(); }
   std::vector<NamedStep> lastSteps() const override { return {}; }
   bool diverged() const override { return false; }
   std::int64_t statesOutside() const override { return 0; }
@@ -36,9 +36,12 @@ class Scripted final : public Agent {
     void evaluate(std::span<const double>, Layer, std::span<double> q) const override { zero(q); }
     double visits(std::span<const double>) const override { return 0.0; }
     double familiarity(std::span<const double>) const override { return 0.0; }
-    void average(std::span<const float>, std::span<const double>, std::span<double> out) const override { zero(out); }
+    void average(std::span<const Eligibility>, std::span<const double>, std::span<double> out) const override {
+      zero(out);
+    }
     std::vector<std::vector<double>> tables() const override { return {}; }
     std::vector<MemoryUse> memoryUse() const override { return {}; }
+    std::size_t bytes() const override { return 0; }
     std::unique_ptr<ActionValueFunction> clone() const override { return std::make_unique<Nothing>(*this); }
     void assign(const ActionValueFunction&) override {}
 

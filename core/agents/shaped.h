@@ -65,7 +65,7 @@ class ShapedAgent final : public Agent {
   const ActionValueFunction& values() const override { return agent_->values(); }
   /// V(s), the potential.
   const ActionValueFunction& potential() const { return potential_.values(); }
-  void eligibility(std::vector<float>& z) const override { agent_->eligibility(z); }
+  void eligibility(std::vector<Eligibility>& z) const override { agent_->eligibility(z); }
   std::vector<NamedStep> lastSteps() const override { return agent_->lastSteps(); }
   bool diverged() const override { return agent_->diverged() || potential_.diverged(); }
   std::int64_t statesOutside() const override { return agent_->statesOutside(); }

@@ -59,9 +59,9 @@ class TdControl final : public Agent {
   void abandon() override { estimate_.clearTrace(); }
 
   const ActionValueFunction& values() const override { return estimate_.values(); }
-  void eligibility(std::vector<float>& z) const override {
+  void eligibility(std::vector<Eligibility>& z) const override {
     z.clear();
-    estimate_.eligibility(z);
+    estimate_.eligibility(z, 0);
   }
   std::vector<NamedStep> lastSteps() const override { return {estimate_.lastStep("q")}; }
   bool diverged() const override { return estimate_.diverged(); }

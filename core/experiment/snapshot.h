@@ -37,8 +37,8 @@ struct Snapshot {
 struct ValueSnapshot {
   std::uint64_t life = 0;
   std::unique_ptr<ActionValueFunction> values;
-  Json layouts;                    ///< Agent::layouts(): where its features lie
-  std::vector<float> eligibility;  ///< [weight]
+  Json layouts;  ///< Agent::layouts(): where its features lie
+  std::vector<Eligibility> eligibility;
   std::vector<CurvePoint> curve;
   std::string policy;  ///< that was in force in the last episode of the curve
   std::vector<Change> changes;

@@ -50,6 +50,15 @@ class DeferredTrace {
   /// z_k.
   double at(const WeightTable& table, std::size_t k) const { return table.weights_[k].e * product_; }
 
+  /// f(k, z_k) for every weight with a trace.
+  template <class F>
+  void forEach(const WeightTable& table, F f) const {
+    for (std::size_t i = begin_; i != end_; ++i) {
+      const Mark& m = marks_[i & (marks_.size() - 1)];
+      if (table.weights_[m.k].e == m.e) f(m.k, m.e * product_);
+    }
+  }
+
   void transfer(WeightTable& table, Archive& archive);
 
  private:

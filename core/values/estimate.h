@@ -3,6 +3,7 @@
 // is the agent's business. Thesis, eq. 2.4, 2.8 to 2.10; Sutton & Barto 2018, section 12.7.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -50,8 +51,8 @@ class Estimate {
   bool diverged() const { return diverged_; }
   /// The last step, by the name of this estimate.
   NamedStep lastStep(const char* name) const { return {name, last_, settings_.stepSize.now(), settings_.traceDecay}; }
-  /// z_k of every weight, written behind what is in `z` already.
-  void eligibility(std::vector<float>& z) const;
+  /// z_k of the weights that have a trace, written behind what is in `z` already; weights count from `first` on.
+  void eligibility(std::vector<Eligibility>& z, std::uint64_t first) const;
 
   // One step of learning: look at S′, choose A′ from what is seen, learn about (S, A), go to S′. Hot.
 
@@ -141,11 +142,13 @@ class Estimate {
 };
 
 template <FeatureMap F>
-void Estimate<F>::eligibility(std::vector<float>& z) const {
-  const std::size_t first = z.size(), size = values_.weightCount();
-  z.resize(first + size);
-  for (std::size_t k = 0; k < size; ++k) z[first + k] = static_cast<float>(deferred_.at(values_.weights(), k));
-  for (const auto& entry : plain_.entries()) z[first + entry.weight] = static_cast<float>(entry.z);
+void Estimate<F>::eligibility(std::vector<Eligibility>& z, std::uint64_t first) const {
+  const auto before = static_cast<std::ptrdiff_t>(z.size());
+  deferred_.forEach(values_.weights(), [&](Index k, double value) {
+    z.push_back({first + k, static_cast<float>(value)});
+  });
+  for (const auto& entry : plain_.entries()) z.push_back({first + entry.weight, static_cast<float>(entry.z)});
+  std::sort(z.begin() + before, z.end(), [](const auto& a, const auto& b) { return a.weight < b.weight; });
 }
 
 template <FeatureMap F>

@@ -121,10 +121,13 @@ class LinearActionValue final : public ActionValueFunction {
   }
   /// The number of the weight of the k-th feature of x and action a.
   Index weight(const Active& x, std::size_t k, Action a) const {
-    std::size_t column = static_cast<std::size_t>(a);
+    return static_cast<Index>(x.index[k] * columns_ + columnOf(k, a));
+  }
+  /// Where the k-th feature of a state keeps the weight of an action.
+  std::size_t columnOf(std::size_t k, Action a) const {
     if constexpr (ActionSharing<F>)
-      if (sharesWeights()) column = features_.actionTiles().column(k, a);
-    return static_cast<Index>(x.index[k] * columns_ + column);
+      if (sharesWeights()) return features_.actionTiles().column(k, a);
+    return static_cast<std::size_t>(a);
   }
   /// Weights of a feature.
   Index columns() const { return static_cast<Index>(columns_); }
@@ -201,16 +204,21 @@ class LinearActionValue final : public ActionValueFunction {
   double familiarity(std::span<const double> state) const override {
     return mean(state, [&](Index i) { return visits_[i] > 0 ? 1.0 : 0.0; });
   }
-  void average(std::span<const float> perWeight, std::span<const double> state, std::span<double> out) const override {
+  void average(std::span<const Eligibility> z, std::span<const double> state, std::span<double> out) const override {
     Active x;
     features_.find(state, x);
-    for (std::size_t a = 0; a < actions_; ++a) {
-      double sum = 0.0;
-      for (std::size_t k = 0; k < static_cast<std::size_t>(x.count); ++k)
-        sum += x.valueOf(k) * static_cast<double>(perWeight[weight(x, k, static_cast<Action>(a))]);
-      out[a] = sum / features_.total();
+    std::fill(out.begin(), out.end(), 0.0);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(x.count); ++k) {
+      const std::uint64_t first = std::uint64_t{x.index[k]} * columns_;
+      auto entry = std::lower_bound(z.begin(), z.end(), first,
+                                    [](const Eligibility& e, std::uint64_t weight) { return e.weight < weight; });
+      for (; entry != z.end() && entry->weight < first + columns_; ++entry)
+        for (std::size_t a = 0; a < actions_; ++a)
+          if (first + columnOf(k, static_cast<Action>(a)) == entry->weight)
+            out[a] += x.valueOf(k) * static_cast<double>(entry->z) / features_.total();
     }
   }
+  std::size_t bytes() const override { return weights_.size() * 2 * sizeof(double) + features_.size() * 16; }
   std::vector<std::vector<double>> tables() const override { return {weights_.settled()}; }
   std::vector<MemoryUse> memoryUse() const override {
     MemoryUse use{.slots = features_.size(), .occupied = {}, .failedLookUps = {}};

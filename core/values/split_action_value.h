@@ -30,10 +30,11 @@ class SplitActionValue final : public ActionValueFunction {
   double familiarity(std::span<const double> state) const override {
     return std::max(positive_->familiarity(state), negative_->familiarity(state));
   }
-  /// The weights of Q⁺ come first.
-  void average(std::span<const float> perWeight, std::span<const double> state, std::span<double> out) const override {
-    positive_->average(perWeight.first(positive_->weightCount()), state, out);
+  /// The weights of Q⁺ come first; theirs is the eligibility that is shown.
+  void average(std::span<const Eligibility> z, std::span<const double> state, std::span<double> out) const override {
+    positive_->average(z, state, out);
   }
+  std::size_t bytes() const override { return positive_->bytes() + negative_->bytes(); }
   std::vector<std::vector<double>> tables() const override {
     return {positive_->tables().front(), negative_->tables().front()};
   }

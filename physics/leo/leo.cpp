@@ -14,9 +14,9 @@ namespace {
 enum RewardTerm { kTime, kEnergy, kFootstep, kFall };
 enum Measure { kDistance, kNetFootsteps, kEnergyTaken };
 
-constexpr double kMostTorso = 1.0, kMostStanceThigh = 0.36 * std::numbers::pi;  // [rad]
-constexpr double kStanceKneeGain = 21.21, kAnkleGain = 42.42;                   // [V/rad]
-constexpr double kAnkleTarget = 3.72 * std::numbers::pi / 180.0;                // [rad]
+constexpr double kMostStanceThigh = 0.36 * std::numbers::pi;      // [rad]
+constexpr double kStanceKneeGain = 21.21, kAnkleGain = 42.42;     // [V/rad]
+constexpr double kAnkleTarget = 3.72 * std::numbers::pi / 180.0;  // [rad]
 
 StateVariable angle(const char* key, const char* title, const char* symbol, double low, double high, double width) {
   return {.key = key,
@@ -237,7 +237,7 @@ std::vector<double> Leo::poseAt(std::span<const double> state) const {
   const LeoWorld there(settings_, bodiesOf(state, 0), {}, world_->hip().x);
   std::vector<double> pose = {there.hip().x, there.hip().y};
   for (int body = 0; body < kBodies; ++body) pose.push_back(there.angle(static_cast<Body>(body)));
-  pose.insert(pose.end(), {0.0, 0.0, 0.0, 0.0, 0.0, 0.0});
+  pose.insert(pose.end(), 8, 0.0);
   return pose;
 }
 
@@ -247,6 +247,8 @@ std::vector<double> Leo::pose() const {
   pose.insert(pose.end(), command_.begin(), command_.end());
   pose.push_back(stance_);
   for (int leg = 0; leg < 2; ++leg) pose.push_back(world_->onFloor(leg));
+  pose.push_back(measures_[kNetFootsteps]);
+  pose.push_back(steps_ > 0 ? measures_[kDistance] / (steps_ * LeoWorld::kStepTime) : 0.0);
   return pose;
 }
 

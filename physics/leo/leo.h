@@ -36,7 +36,8 @@ class Leo final : public Environment {
   bool push(double impulse) override;
   bool place(std::span<const double> state) override;
   std::vector<double> poseAt(std::span<const double> state) const override;
-  /// Hip x and y [m], the angles of all bodies [rad], three voltages [V], stance leg, left and right foot on the floor.
+  /// Hip x and y [m], the angles of all bodies [rad], three voltages [V], stance leg, left and right foot on the floor,
+  /// net footsteps, mean speed of the episode [m/s].
   std::vector<double> pose() const override;
   void draw(std::span<const double> pose, Scene& scene) const override;
   std::vector<ReadOut> readOuts(std::span<const double> pose) const override;
@@ -46,7 +47,8 @@ class Leo final : public Environment {
   int stanceLeg() const { return stance_; }
 
  private:
-  using Command = std::array<double, 3>;  // stance hip, swing hip, swing knee [V]
+  static constexpr double kMostTorso = 1.0;  // [rad]
+  using Command = std::array<double, 3>;     // stance hip, swing hip, swing knee [V]
 
   void begin(const LeoWorld::Angles& angles, const LeoWorld::Angles& rates);
   void observe();

@@ -204,7 +204,7 @@ TEST(Contract, LookingDoesNotTouchTheLearner) {
         auto watched = makeLife(r, *configuration, 0, true), alone = makeLife(r, *configuration, 0, false);
         ASSERT_TRUE(watched && alone);
         std::vector<double> q((*watched)->environment().task().actions.size());
-        std::vector<float> z;
+        std::vector<Eligibility> z;
         const auto follows = (*watched)->agent().values().clone();
         constexpr std::int64_t kLong = 5000;
         while (!(*watched)->finished() && (*watched)->steps() < kLong) {

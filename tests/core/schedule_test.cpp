@@ -37,6 +37,22 @@ TEST(Scheduled, ConstantStaysWhateverTimeItIs) {
   EXPECT_EQ(Scheduled(0.3).now(), 0.3) << "and needs no clock";
 }
 
+TEST(Scheduled, AThresholdMayFollowTheRuleOfThumb) {
+  Scheduled threshold(50.0);
+  Fields fields("");
+  threshold.declare(fields, {.key = "v", .title = "V", .low = 0, .high = 100, .help = "."}, true);
+  for (const auto& field : fields.all())
+    if (field.parameter.key == "v_schedule") {
+      ASSERT_EQ(field.parameter.choices.back(), "rule");
+      field.set(3.0);
+    }
+  threshold.advance({0, 0});
+  EXPECT_EQ(threshold.now(), 50.0) << "it says nothing yet";
+  threshold.advance({7, 70, 62.6});
+  EXPECT_EQ(threshold.now(), 62.6);
+  EXPECT_FALSE(threshold.everyStep());
+}
+
 TEST(Scheduled, LinearReachesItsEndAndStays) {
   const Scheduled s = schedule(1, 10, 0);
   EXPECT_DOUBLE_EQ(at(s, 0, 99), 4.0);

@@ -45,7 +45,7 @@ TEST(Leo, TheHandMadeControllerWalks) {
     std::printf("hip target %.4f: %s after %.1f s, %.2f m, return %.0f, joints %.3f mm apart\n", 0.67 + 0.0026 * i,
                 walk.fell ? "fell" : "walked", walk.seconds, walk.distance, walk.reward, 1e3 * walk.separation);
     walks += !walk.fell;
-    EXPECT_LT(walk.separation, 1.5e-4);
+    EXPECT_LT(walk.separation, 1.2e-4);  // usually below 1e-4
     if (walk.fell) continue;
     EXPECT_GT(walk.distance, 7.5);
     EXPECT_GT(walk.reward, 3000);

@@ -80,6 +80,21 @@ TEST(Session, ATableThatIsTooLargeIsRefusedAndTheOldOneKept) {
 }
 
 // Work that takes long enough for the window not to wait for it.
+TEST(Session, LeoWalksInTheWindowAsHeadless) {
+  Window w;
+  Names names;
+  names.environment = "leo";
+  auto c = configure(w.registry, names, {});
+  ASSERT_TRUE(c);
+  c->episodes = 40;
+  const auto alone = runLives(w.registry, *c, {.jobs = 1, .keepRows = false, .interrupted = nullptr, .progress = {}});
+  ASSERT_TRUE(w.session->begin(*c));
+  w.session->setTurbo(true);
+  w.session->setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().life == 2 && w.session->snapshot().finished; }, 60'000));
+  EXPECT_EQ(w.session->finish()->hash(), (*alone)[0].hash);
+}
+
 TEST(Background, TheLastThatWasStartedCounts) {
   Background background;
   std::atomic<bool> go{false};

@@ -74,6 +74,30 @@ TEST(ActionRows, TheThresholdIsALineToDrag) {
   EXPECT_LT(threshold, 200);
 }
 
+// LEO's 343 actions: three joints of seven levels.
+TEST(ActionRows, ShowCombinationsByTheirVariables) {
+  Window w;
+  ASSERT_TRUE(w.session->beginEnvironment("leo"));
+  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().life == 2 && w.session->values(); }, 30'000));
+  auto* rows = w.window->findChild<ActionRows*>();
+  ASSERT_TRUE(w.waitFor([&] { return rows->asCsv().starts_with("action,stance_hip_voltage,swing_hip_voltage,"); }));
+  const std::string csv = rows->asCsv();
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 344);
+  const QImage picture = rows->grab().toImage();
+  int bars = 0;
+  for (int y = 0; y < picture.height(); ++y) bars += picture.pixelColor(80, y) == lightTheme().trl;
+  EXPECT_GT(bars, 20) << "a bar a level, of the policy in force";
+
+  auto* maps = w.window->findChild<ValueMaps*>();
+  EXPECT_FALSE(maps->choice().locked) << "the reward of 25 s is no scale for values";
+  MapChoice choice = maps->choice();
+  choice.quantity = MapQuantity::GreedyAction;
+  choice.action = 2;
+  maps->setChoice(choice);
+  EXPECT_TRUE(quantityText(choice, w.session->task()).contains("swing knee"));
+  EXPECT_EQ(greedyValues(choice, w.session->task()), 7u);
+}
+
 TEST(ValueMaps, ShowLearnedValuesAndHatchTheRest) {
   Learned w;
   const QImage image = w.picture<ValueMaps>();
