@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <QElapsedTimer>
 #include <QPainter>
 #include <algorithm>
 #include <array>
@@ -43,8 +44,20 @@ double MapScale::valueAt(double position) const {
 }
 
 void ValueMap::evaluate(const Task& task, const MapSlice& slice, int cells, const Quantity& quantity) {
+  constexpr int kCoarsest = 8;
   slice_ = slice;
-  cells_ = cells;
+  for (;; coarseness_ *= 2) {
+    cells_ = std::max(1, cells / coarseness_);
+    if (evaluateAll(task, quantity) || coarseness_ >= kCoarsest) return;
+  }
+}
+
+bool ValueMap::evaluateAll(const Task& task, const Quantity& quantity) {
+  constexpr qint64 kMost = 50, kLittle = 5;  // [ms]
+  const MapSlice& slice = slice_;
+  const int cells = cells_;
+  QElapsedTimer clock;
+  clock.start();
   values_.resize(static_cast<std::size_t>(cells) * static_cast<std::size_t>(cells));
   std::vector<double> state = slice.at;
   const auto ix = static_cast<std::size_t>(slice.xAxis), iy = static_cast<std::size_t>(slice.yAxis);
@@ -55,7 +68,13 @@ void ValueMap::evaluate(const Task& task, const MapSlice& slice, int cells, cons
       state[ix] = x.viewLow + (column + 0.5) / cells * (x.viewHigh - x.viewLow);
       values_[static_cast<std::size_t>(row * cells + column)] = quantity(state);
     }
+    if (row < cells - 1 && clock.elapsed() > kMost) {
+      std::fill(values_.begin() + (row + 1) * cells, values_.end(), std::numeric_limits<double>::quiet_NaN());
+      return false;
+    }
   }
+  if (coarseness_ > 1 && clock.elapsed() < kLittle) coarseness_ /= 2;  // from the next time on
+  return true;
 }
 
 std::optional<std::pair<double, double>> ValueMap::range() const {

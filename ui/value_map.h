@@ -48,7 +48,8 @@ class ValueMap {
   /// NaN: never visited, hatched.
   using Quantity = std::function<double(std::span<const double> state)>;
 
-  /// Evaluates the quantity at the centre of each of cells × cells.
+  /// Evaluates the quantity at the centre of each of cells × cells; of fewer, larger ones where that would hold the
+  /// window up (hundreds of actions, many projected variables).
   void evaluate(const Task& task, const MapSlice& slice, int cells, const Quantity& quantity);
   /// Least and greatest value; nothing if every cell was never visited.
   std::optional<std::pair<double, double>> range() const;
@@ -72,11 +73,14 @@ class ValueMap {
                       std::span<const double> numbers, std::span<const QString> names = {});
 
  private:
+  /// False: it would take too long.
+  bool evaluateAll(const Task& task, const Quantity& quantity);
   double at(int column, int row) const { return values_[static_cast<std::size_t>(row * cells_ + column)]; }
   void drawContour(QPainter& painter, const QRectF& square, double level) const;
 
   std::vector<double> values_;  // [row][column], the uppermost row first
   int cells_ = 0;
+  int coarseness_ = 1;
   QImage image_;
   MapSlice slice_;
 };

@@ -88,7 +88,18 @@ experiment() {
   end
 }
 
+# walker NAME: LEO walking with what it learned in two simulated hours.
+walker() {
+  "$program" train --environment leo --minutes 120 --seed 2 --save "$home.safetensors" >/dev/null
+  begin --environment leo --load "$home.safetensors"
+  sleep 5
+  "${environment[@]}" import -window root "$out/$1.png"
+  end
+  rm -f "$home.safetensors"
+}
+
 shot window-light 1280 800 1
 shot window-dark 1280 800 2
 animation window
 experiment experiment
+walker walker
