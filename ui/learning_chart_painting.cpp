@@ -28,6 +28,7 @@ void LearningChart::drawForeground(QPainter* painter, const QRectF&) {
                                              : tr("The average appears with the first episodes."));
     return;
   }
+  if (shows_ == Shows::AverageReward) drawTests(*painter, t);
   shows_ == Shows::Falls ? drawFallMarks(*painter, t) : drawMarks(*painter, t);
   drawList(*painter, t);
 }
@@ -143,6 +144,21 @@ bool LearningChart::viewportEvent(QEvent* event) {
     if (std::abs(toPixel(mark.x, 0).x() - static_cast<QHelpEvent*>(event)->pos().x()) < kNear) texts << mark.text;
   QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), texts.join('\n'), this);
   return true;
+}
+
+void LearningChart::drawTests(QPainter& p, const Theme& t) const {
+  const ValueSnapshot* v = session_.values();
+  const double perStep = session_.task().stepTime.value_or(0.0) / 60.0;
+  if (!v || perStep <= 0) return;
+  QColor colour = policyLook(session_.curves().live().policy(), t).colour;
+  p.setRenderHint(QPainter::Antialiasing);
+  p.setPen(QPen(colour, 1));
+  p.setBrush(t.panel);
+  for (const GreedyTest& test : v->tests) {
+    const QPointF at = toPixel(static_cast<double>(test.lifeSteps) * perStep, std::clamp(test.reward, yLeast_, yMost_));
+    if (at.x() <= plot_.right()) p.drawEllipse(at, 1.8, 1.8);
+  }
+  p.setBrush(Qt::NoBrush);
 }
 
 void LearningChart::drawFallMarks(QPainter& p, const Theme& t) const {

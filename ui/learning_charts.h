@@ -64,6 +64,8 @@ class LearningChart final : public QChartView, public CsvSource {
   void drawMarks(QPainter& p, const Theme& t) const;
   QString textOf(const Change& change) const;
   void drawFallMarks(QPainter& p, const Theme& t) const;
+  /// A dot a greedy test, which the average does not hold.
+  void drawTests(QPainter& p, const Theme& t) const;
   void drawList(QPainter& p, const Theme& t) const;
 
   bool hasTimeAxis() const { return exporting_ || !below_ || !below_->isVisible(); }

@@ -106,7 +106,12 @@ void LivePage::makeCharts() {
   auto* cumulative = new LearningChart(session_, LearningChart::Shows::Falls);
   average->setBelow(cumulative);
   Panel* reward = addPanel(tr("Average reward"), "reward", average, Qt::RightDockWidgetArea);
-  reward->header().setNote(tr("last 80 episodes"));
+  const auto noteReward = [this, reward] {
+    reward->header().setNote(session_.task().testEvery > 0 ? tr("last 80 episodes; ○ greedy tests")
+                                                           : tr("last 80 episodes"));
+  };
+  noteReward();
+  connect(&session_, &Session::lifeReplaced, this, noteReward);
   Panel* falls = addPanel(tr("Falls"), "falls", cumulative, Qt::RightDockWidgetArea);
   falls->header().setNote(tr("cumulative; each mark is one, click it to replay"));
   auto* range = new LinkButton(tr("Whole life"));

@@ -34,6 +34,10 @@ QStringList StatusLine::segments() const {
   if (v && v->rule)
     list << tr("n* %1 → rule-of-thumb threshold %2")
                 .arg(toText(fixedText(v->rule->transitions, 0)), toText(fixedText(v->rule->threshold, 0)));
+  if (v && !v->memory.empty() && v->memory[0].occupied && v->memory[0].slots > 0)
+    list << tr("table %1 % full")
+                .arg(toText(fixedText(
+                    100.0 * static_cast<double>(*v->memory[0].occupied) / static_cast<double>(v->memory[0].slots), 0)));
   list << tr("seed %1").arg(session_.configuration().seed);
   return list;
 }
@@ -43,6 +47,7 @@ QString StatusLine::state() const {
   QString text = v && v->endOfLearning > 0
                      ? tr("learning ended at episode %1").arg(toText(countText(static_cast<double>(v->endOfLearning))))
                      : QString();
+  if (v && v->walksSince) text = tr("walks since minute %1").arg(toText(fixedText(*v->walksSince, 0)));
   if (session_.snapshot().finished)
     text = tr("the life is complete") + (text.isEmpty() ? "" : "; " + text);
   else if (!session_.running())

@@ -221,6 +221,22 @@ void LearnerThread::fill(Snapshot& s) const {
   if (outOfMemory_) s.trouble = "There is not enough memory to show what is learned; take fewer tiles or tilings.";
 }
 
+void LearnerThread::fillTests(ValueSnapshot& s) const {
+  constexpr std::size_t kMost = 400;
+  const auto& all = life_->greedyTests();
+  const std::size_t stride = all.size() / kMost + 1;
+  s.tests.clear();
+  for (std::size_t i = 0; i < all.size(); i += stride) s.tests.push_back(all[i]);
+  const Task& task = life_->environment().task();
+  const auto at = std::find_if(task.measures.begin(), task.measures.end(),
+                               [](const TaskMeasure& m) { return m.key == "distance"; });
+  s.walksSince.reset();
+  if (at == task.measures.end() || !task.stepTime) return;
+  const auto distance = static_cast<std::size_t>(at - task.measures.begin());
+  const auto first = std::find_if(all.begin(), all.end(), [&](const GreedyTest& t) { return walked(t, distance); });
+  if (first != all.end()) s.walksSince = static_cast<double>(first->lifeSteps) * *task.stepTime / 60.0;
+}
+
 void LearnerThread::fill(ValueSnapshot& s) const {
   const ActionValueFunction& values = life_->agent().values();
   if (s.values && s.life == lifeNumber_)
@@ -237,6 +253,8 @@ void LearnerThread::fill(ValueSnapshot& s) const {
   s.changes = life_->changes();
   s.endOfLearning = life_->log().endOfLearning().episode();
   s.rule = ruleOfThumbOf(*life_);
+  s.memory = values.memoryUse();
+  fillTests(s);
   s.endOfLearningSteps = life_->log().endOfLearning().lifeSteps();
 }
 

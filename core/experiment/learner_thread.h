@@ -94,6 +94,7 @@ class LearnerThread {
   void answer();
   void fill(Snapshot& snapshot) const;
   void fill(ValueSnapshot& snapshot) const;
+  void fillTests(ValueSnapshot& snapshot) const;
 
   // The thread's own.
   std::unique_ptr<Life> life_;

@@ -45,6 +45,9 @@ struct ValueSnapshot {
   std::int64_t endOfLearning = 0;       ///< episode, 0: not yet
   std::int64_t endOfLearningSteps = 0;  ///< of the life
   std::optional<RuleOfThumb> rule;      ///< TRL's threshold by eq. 4.3
+  std::vector<GreedyTest> tests;        ///< of the greedy policy, thinned out where there are many
+  std::optional<double> walksSince;     ///< [min]: the first of them that walked
+  std::vector<MemoryUse> memory;        ///< of each table
 };
 
 }  // namespace surefoot
