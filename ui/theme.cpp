@@ -152,6 +152,9 @@ void applyAppearance(QApplication& application, Appearance appearance) {
   const Theme& theme = dark ? darkTheme() : lightTheme();
   if (application.style()->name() != QLatin1String("fusion")) QApplication::setStyle(QStyleFactory::create("Fusion"));
   if (QApplication::font() != textFont(13)) QApplication::setFont(textFont(13));
+  static const Theme* now = nullptr;
+  if (now == &theme) return;
+  now = &theme;
   application.setStyleSheet({});  // or every widget would be styled twice
   QApplication::setPalette(paletteOf(theme));
   application.setStyleSheet(styleSheetOf(theme));

@@ -53,7 +53,7 @@ void ValueMap::evaluate(const Task& task, const MapSlice& slice, int cells, cons
 }
 
 bool ValueMap::evaluateAll(const Task& task, const Quantity& quantity) {
-  constexpr qint64 kMost = 50, kLittle = 5;  // [ms]
+  constexpr qint64 kMost = 30, kLittle = 4;  // [ms]
   const MapSlice& slice = slice_;
   const int cells = cells_;
   QElapsedTimer clock;
