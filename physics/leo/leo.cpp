@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace surefoot {
 
@@ -13,10 +12,6 @@ namespace {
 
 enum RewardTerm { kTime, kEnergy, kFootstep, kFall };
 enum Measure { kDistance, kNetFootsteps, kEnergyTaken };
-
-constexpr double kMostStanceThigh = 0.36 * std::numbers::pi;      // [rad]
-constexpr double kStanceKneeGain = 21.21, kAnkleGain = 42.42;     // [V/rad]
-constexpr double kAnkleTarget = 3.72 * std::numbers::pi / 180.0;  // [rad]
 
 StateVariable angle(const char* key, const char* title, const char* symbol, double low, double high, double width) {
   return {.key = key,
@@ -160,10 +155,10 @@ LeoWorld::Voltages Leo::voltagesFor(const Command& c) const {
   u[kLeftHip + stance] = c[0];
   u[kLeftHip + swing] = c[1];
   u[kLeftKnee + swing] = c[2];
-  u[kLeftKnee + stance] = kStanceKneeGain * (0.0 - state_[6]);
+  u[kLeftKnee + stance] = settings_.stanceKneeGain * (0.0 - state_[6]);
   for (int leg = 0; leg < 2; ++leg) {
     const auto ankle = static_cast<Joint>(kLeftAnkle + leg);
-    u[ankle] = kAnkleGain * (kAnkleTarget - world_->jointAngle(ankle));
+    u[ankle] = settings_.ankleGain * (settings_.ankleTarget - world_->jointAngle(ankle));
   }
   return u;
 }
@@ -192,7 +187,7 @@ Outcome Leo::step(Action action) {
   outcome.terms[kEnergy] = settings_.energyReward * energy;
   outcome.terms[kFootstep] = settings_.footstepReward * (distance - distance_);
   distance_ = distance;
-  if (std::abs(state_[0]) > kMostTorso || std::abs(state_[0] + state_[2]) > kMostStanceThigh) {
+  if (std::abs(state_[0]) > settings_.mostTorso || std::abs(state_[0] + state_[2]) > settings_.mostStanceThigh) {
     outcome.terms[kFall] = settings_.fallReward;
     outcome.ending = Ending::Terminal;
     outcome.event = Event::Fall;
@@ -213,14 +208,14 @@ bool Leo::push(double impulse) {
 namespace {
 
 /// All bodies from the state; the ankles, which it leaves out, stand where they hold themselves. The left leg stands.
-LeoWorld::Angles bodiesOf(std::span<const double> v, std::size_t rate) {
+LeoWorld::Angles bodiesOf(std::span<const double> v, std::size_t rate, double ankleAngle) {
   LeoWorld::Angles b{};
   b[kTorso] = v[0 + rate];
   b[kLeftThigh] = b[kTorso] + v[2 + rate];
   b[kRightThigh] = b[kTorso] + v[4 + rate];
   b[kLeftShank] = b[kLeftThigh] + v[6 + rate];
   b[kRightShank] = b[kRightThigh] + v[8 + rate];
-  const double ankle = rate == 0 ? kAnkleTarget : 0.0;
+  const double ankle = rate == 0 ? ankleAngle : 0.0;
   b[kLeftFoot] = b[kLeftShank] + ankle;
   b[kRightFoot] = b[kRightShank] + ankle;
   return b;
@@ -229,12 +224,12 @@ LeoWorld::Angles bodiesOf(std::span<const double> v, std::size_t rate) {
 }  // namespace
 
 bool Leo::place(std::span<const double> state) {
-  begin(bodiesOf(state, 0), bodiesOf(state, 1));
+  begin(bodiesOf(state, 0, settings_.ankleTarget), bodiesOf(state, 1, 0.0));
   return true;
 }
 
 std::vector<double> Leo::poseAt(std::span<const double> state) const {
-  const LeoWorld there(settings_, bodiesOf(state, 0), {}, world_->hip().x);
+  const LeoWorld there(settings_, bodiesOf(state, 0, settings_.ankleTarget), {}, world_->hip().x);
   std::vector<double> pose = {there.hip().x, there.hip().y};
   for (int body = 0; body < kBodies; ++body) pose.push_back(there.angle(static_cast<Body>(body)));
   pose.insert(pose.end(), 8, 0.0);

@@ -47,8 +47,7 @@ class Leo final : public Environment {
   int stanceLeg() const { return stance_; }
 
  private:
-  static constexpr double kMostTorso = 1.0;  // [rad]
-  using Command = std::array<double, 3>;     // stance hip, swing hip, swing knee [V]
+  using Command = std::array<double, 3>;  // stance hip, swing hip, swing knee [V]
 
   void begin(const LeoWorld::Angles& angles, const LeoWorld::Angles& rates);
   void observe();

@@ -52,10 +52,6 @@ inline constexpr Circle kSeat{{-0.01116, -0.122005}, 0.068};  // on the torso
 
 inline constexpr Vec kBoomPoint{0.02, -0.120775};  // on the torso
 
-inline constexpr double kTorqueConstant = 0.00992;  // k [N m/A]
-inline constexpr double kGearRatio = 193.0;         // G
-inline constexpr double kArmature = 0.002414;       // reflected inertia of a motor [kg m²]
-
 /// At the start, at rest: angles of the bodies [rad]. The left leg stands.
 inline constexpr std::array<double, kBodies> kStart = {-0.10, 0.0, 0.72, 0.0, -0.55, 0.0, -0.55};
 

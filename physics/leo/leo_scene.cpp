@@ -141,7 +141,7 @@ void Leo::draw(std::span<const double> pose, Scene& scene) const {
   scene.height = 0.60;
   scene.width = 0.75;
   scene.tip = hip;
-  drawProtractor(hip, kMostTorso, scene);
+  drawProtractor(hip, settings_.mostTorso, scene);
   const Leg near = legOf(pose, 0), far = legOf(pose, 1);
   drawLeg(far, false, pose[14] > 0.5, scene);
 

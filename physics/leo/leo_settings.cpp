@@ -38,6 +38,22 @@ void LeoSettings::declare(Fields& f) {
   f.real(resistance, model("resistance", "Resistance", "R", "Ω", 1, 100, "Of a motor's windings.", kLeosim, 1));
   f.real(dryFriction, model("dry_friction", "Dry friction", "F", "N m", 0, 2, "Of every joint.", kLeosim, 1));
   f.real(torsoMass, model("torso_mass", "Torso mass", "m", "kg", 0.2, 10, "With the boom and the arm.", kLeosim, 1));
+  f.real(torqueConstant, model("torque_constant", "Torque constant", "k", "N m/A", 1e-4, 1, "Of a motor."));
+  f.real(gearRatio, model("gear_ratio", "Gear ratio", "G", "", 1, 2000, "Of a motor."));
+  f.real(armature, model("armature", "Armature", "J", "kg m²", 0, 1, "Inertia of a rotor as the joint feels it."));
+  f.real(thighMass, model("thigh_mass", "Thigh mass", "", "kg", 0.02, 5, "Of each; its inertia grows with it."));
+  f.real(shankMass, model("shank_mass", "Shank mass", "", "kg", 0.02, 5, "Of each; its inertia grows with it."));
+  f.real(footMass, model("foot_mass", "Foot mass", "", "kg", 0.02, 5, "Of each; its inertia grows with it."));
+  f.real(stopStiffness, model("stop_stiffness", "Stops", "", "", 0.01, 10,
+                              "Stiffness and damping of the joints' stops, as a share of the robot's."));
+  f.real(gravity, model("gravity", "Gravity", "g", "m/s²", 0, 30, "On the Earth 9.81."));
+  f.real(stanceKneeGain, model("stance_knee_gain", "Stance knee", "", "V/rad", 0, 200,
+                               "Voltage by which the stance knee stretches itself."));
+  f.real(ankleGain, model("ankle_gain", "Ankles", "", "V/rad", 0, 200, "Voltage by which ankles hold their angle."));
+  f.real(ankleTarget, model("ankle_target", "Ankle target", "", "rad", -1, 1, "The angle that the ankles hold."));
+  f.real(mostTorso, model("fall_torso", "Fall, torso", "", "rad", 0.1, 3, "Doomed beyond this lean of the torso."));
+  f.real(mostStanceThigh, model("fall_stance_thigh", "Fall, stance thigh", "", "rad", 0.1, 3,
+                                "Doomed beyond this lean of the stance thigh: 0.36π."));
   f.real(efficiency, model("efficiency", "Efficiency", "η", "", 0.05, 1, "Of the gears."));
   f.real(voltage, model("voltage", "Voltage", "U", "V", 1, 30, "The largest; actions are levels between ± this."));
   f.real(boomForce, model("boom_force", "Boom force", "", "N", -20, 20, "What the boom adds, upwards positive."));

@@ -10,15 +10,28 @@ namespace surefoot {
 
 struct LeoSettings {
   // The motors: Dynamixel RX-28, six of them (torque constant k, gear ratio G).
-  double resistance = 8.6;     ///< R of the windings [Ω]
-  double efficiency = 0.75;    ///< η of the gears
-  double dryFriction = 0.20;   ///< of a joint [N m]
-  double voltage = 10.69;      ///< largest [V]
-  double torsoMass = 1.32599;  ///< with boom and arm [kg]
+  double resistance = 8.6;                                              ///< R of the windings [Ω]
+  double torqueConstant = 0.00992;                                      ///< k [N m/A]
+  double gearRatio = 193.0;                                             ///< G
+  double armature = 0.002414;                                           ///< reflected inertia of the rotor [kg m²]
+  double efficiency = 0.75;                                             ///< η of the gears
+  double dryFriction = 0.20;                                            ///< of a joint [N m]
+  double voltage = 10.69;                                               ///< largest [V]
+  double torsoMass = 1.32599;                                           ///< with boom and arm [kg]
+  double thighMass = 0.17978, shankMass = 0.12691, footMass = 0.07319;  ///< [kg]; inertias grow with them
+  double stopStiffness = 1.0;  ///< of the joints' stops, and their damping, as a share of the robot's
   double boomForce = -1.0269;  ///< what the boom adds, vertically [N]
   double grip = 10.0;          ///< friction of feet and floor
   int substeps = 17;           ///< Box2D steps a transition
   double hipTarget = 0.68;     ///< of the hand-made controller: between the hips [rad]
+  double gravity = 9.81;       ///< [m/s²]
+
+  // What looks after itself.
+  double stanceKneeGain = 21.21, ankleGain = 42.42;  ///< [V/rad], towards 0 and the ankles' target
+  double ankleTarget = 0.0649262481741891;           ///< 3.72° [rad]
+
+  // When it is doomed: the lean of the torso, of the stance thigh [rad].
+  double mostTorso = 1.0, mostStanceThigh = 1.1309733552923256;
 
   // The task.
   double timeReward = -1.0;       ///< a step

@@ -12,7 +12,6 @@ using namespace leo;
 
 namespace {
 
-constexpr double kGravity = 9.81;  // [m/s²]
 constexpr double kSlowest = 0.05;  // [rad/s]: below, dry friction is a damper
 constexpr double kFree = 1e-6;     // stiffness of a weld that does not weld: Box2D wants more than 0
 
@@ -44,7 +43,7 @@ Body foot(int leg) {
 
 LeoWorld::LeoWorld(const LeoSettings& s, const Angles& angles, const Angles& rates, double x)
     : settings_(s),
-      world_(b2Vec2(0.0f, f(-kScale * kGravity))) {
+      world_(b2Vec2(0.0f, f(-kScale * s.gravity))) {
   world_.SetAllowSleeping(false);
   world_.SetContinuousPhysics(false);
 
@@ -66,9 +65,6 @@ LeoWorld::LeoWorld(const LeoSettings& s, const Angles& angles, const Angles& rat
 
   addFloor(world_, kScale, s.grip);
 
-  Mass torso = kTorsoMass;
-  torso.inertia *= s.torsoMass / torso.mass;
-  torso.mass = s.torsoMass;
   // Box2D visits bodies from the last one on, and joints as it comes to them. From the torso outwards its weight gets
   // down to the feet within one iteration; from a foot upwards it takes 17 × 16 several times over to hold grip 10.
   for (int leg = 0; leg < 2; ++leg) {
@@ -88,15 +84,20 @@ LeoWorld::LeoWorld(const LeoSettings& s, const Angles& angles, const Angles& rat
   }
 
   // The masses come behind the fixtures, which set them too; then the rates, so that no joint is torn.
-  const auto setMass = [&](Body body, const Mass& m) {
+  const auto setMass = [&](Body body, Mass m, double mass) {
+    m.inertia *= mass / m.mass;
+    m.mass = mass;
     const double aboutOrigin = m.inertia + m.mass * (m.centre.x * m.centre.x + m.centre.y * m.centre.y);
     const b2MassData data{
         f(m.mass), {f(kScale * m.centre.x), f(kScale * m.centre.y)}, f(kScale * kScale * aboutOrigin)};
     bodies_[body]->SetMassData(&data);
   };
-  setMass(kTorso, torso);
-  for (int leg = 0; leg < 2; ++leg)
-    setMass(thigh(leg), kThighMass), setMass(shank(leg), kShankMass), setMass(foot(leg), kFootMass);
+  setMass(kTorso, kTorsoMass, s.torsoMass);
+  for (int leg = 0; leg < 2; ++leg) {
+    setMass(thigh(leg), kThighMass, s.thighMass);
+    setMass(shank(leg), kShankMass, s.shankMass);
+    setMass(foot(leg), kFootMass, s.footMass);
+  }
 
   // Everything turns about the sole of the leg that stands lower, at rest there.
   const auto spin = [&](Body body, b2Vec2 anchor, b2Vec2 velocity) {
@@ -163,18 +164,18 @@ void LeoWorld::addJoint(Joint joint, Body parent, Body child, const JointKind& k
 
 void LeoWorld::drive(Joint joint, double voltage, double h) {
   const Hinge& hinge = joints_[joint];
-  const double kG = kTorqueConstant * kGearRatio;
+  const double kG = settings_.torqueConstant * settings_.gearRatio;
   const double perVolt = settings_.efficiency * kG / settings_.resistance;
   const double backEmf = perVolt * kG;
   const double angle = jointAngle(joint), rate = jointRate(joint);
 
-  double torque = perVolt * voltage + kArmature / h * rate;
-  double damping = backEmf + kArmature / h + settings_.dryFriction / std::max(std::abs(rate), kSlowest);
+  double torque = perVolt * voltage + settings_.armature / h * rate;
+  double damping = backEmf + settings_.armature / h + settings_.dryFriction / std::max(std::abs(rate), kSlowest);
   double stiffness = kFree;
   const double limit = angle < hinge.kind->low ? hinge.kind->low : hinge.kind->high;
   if (angle < hinge.kind->low || angle > hinge.kind->high) {
-    stiffness = hinge.kind->stopStiffness;
-    damping += hinge.kind->stopDamping;
+    stiffness = settings_.stopStiffness * hinge.kind->stopStiffness;
+    damping += settings_.stopStiffness * hinge.kind->stopDamping;
     torque += stiffness * limit;  // the weld's own angle of rest is 0
   }
   constexpr double kInside = kScale * kScale;
@@ -186,7 +187,7 @@ void LeoWorld::drive(Joint joint, double voltage, double h) {
 
 double LeoWorld::step(const Voltages& wanted) {
   const double h = kStepTime / settings_.substeps;
-  const double kG = kTorqueConstant * kGearRatio;
+  const double kG = settings_.torqueConstant * settings_.gearRatio;
   Voltages u = wanted;
   double energy = 0.0;
   for (int j = 0; j < kJoints; ++j) {

@@ -77,7 +77,7 @@ TEST(Leo, AMotorReachesItsSpeedWithoutLoad) {
     world.step(u);
     fastest = std::max(fastest, world.jointRate(kRightHip));
   }
-  const double kG = kTorqueConstant * kGearRatio;
+  const double kG = settings.torqueConstant * settings.gearRatio;
   EXPECT_NEAR(settings.voltage / kG, 5.58, 0.01);
   EXPECT_LT(fastest, 6.5);
   EXPECT_GT(fastest, 4.0);
