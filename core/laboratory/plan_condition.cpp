@@ -103,6 +103,11 @@ class ConditionMaker {
         draft.file = value;
       else if (std::string* part = nameField(draft.names, key))
         *part = value;
+      else if (key == "set")
+        status = Error{"set: it goes with the key of a parameter, e.g. set.features.scale = 1."};
+      else if (key == "pre-learning" && value != "false")
+        status = Error{fmt::format(
+            "pre-learning = {}: it is false, or goes with a key, e.g. pre-learning.scenario = \"2\".", value)};
       else if (!key.starts_with("pre-learning"))
         status = unknownKey(key, {"name", "reference", "environment", "preset", "scenario", "agent", "features",
                                   "policy", "set", "minutes", "episodes", "pre-learning"});

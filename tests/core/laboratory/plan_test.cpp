@@ -130,6 +130,9 @@ TEST(Plan, WhatIsWrongIsNamedWithItsLine) {
   expectRefusal(kPre + "pool = 0\n[[condition]]\nminutes = 1\n", {"pre-learning", "pool"});
   expectRefusal(kPre + "file = \"q.safetensors\"\n[[condition]]\nminutes = 1\n", {"pre-learning", "file"});
   expectRefusal("[pre-learning]\nfile = \"q.safetensors\"\n[[condition]]\nminutes = 1\n", {"q.safetensors"});
+  expectRefusal("[[condition]]\nminutes = 1\nset = 5\n", {"line 3", "set.features.scale"});
+  expectRefusal("[[condition]]\nminutes = 1\npre-learning = true\n", {"line 3", "false", "pre-learning.scenario"});
+  expectRefusal("[[condition]]\nminutes = 1\npre-learning.minutes = 0\n", {"line 3", "minutes", "0"});
   expectRefusal("condition = 3\n", {"condition"});
   expectRefusal("[[condition]]\nminutes = 1\nset.a.b.c.d.e.f.g.h.i.j = 1\n", {"deep"});
 }
