@@ -160,7 +160,7 @@ Result<LifeParts> makeParts(const Registry& registry, const Configuration& c, st
   if (!agent) return agent.error();
   LifeParts parts{std::move(environment), std::move(*policy), std::move(*agent), c.parameters, c.names.policy, {}};
   parts.preLearned = c.start != nullptr;
-  if (parts.environment->task().testEvery > 0) {
+  if (!parts.environment->task().measures.empty()) {
     auto tests = makeEnvironment(registry, c);
     if (!tests) return tests.error();
     parts.tests = std::move(*tests);

@@ -40,7 +40,7 @@ Task makeTask(const CompassSettings& s) {
   task.rewardTerms = {"footstep", "fall", "time"};
   task.timeReward = s.timeReward;
   task.measures = {{"distance", "distance", "m"}, {"net_footsteps", "net footsteps", ""}};
-  task.testEvery = 10;
+  task.testEvery = s.testEvery;
   task.stepTime = CompassWorld::kStepTime;
   task.lowestReturn = s.fallReward + s.timeReward * 100;
   task.highestReturn = s.footstepReward * 5;  // about 20 steps of 0.3 m in 20 s, less their time

@@ -61,6 +61,7 @@ void CompassSettings::declare(Fields& f) {
   f.integer(substeps, signedModel(substepsOf, 1, 1000, 10, 80));
   Parameter limit = model("max_steps", "Step limit", "", 1, "An episode is cut off after so many steps; no fall.", 3);
   f.integer(maxSteps, signedModel(limit, 1, 1e9, 100, 2000));
+  f.integer(testEvery, testParameter());
 }
 
 }  // namespace surefoot

@@ -26,6 +26,7 @@ struct CompassSettings {
   double footstepReward = 200.0;  ///< a metre of a footstep
   double fallReward = -100.0;
   double timeReward = -1.0;  ///< a step
+  int testEvery = 10;        ///< episodes
   int maxSteps = 500;        ///< 20 s
 
   void declare(Fields& f);

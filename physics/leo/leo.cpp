@@ -72,7 +72,7 @@ Task makeTask(const LeoSettings& s) {
   task.rewardTerms = {"time", "energy", "footstep", "fall"};
   task.timeReward = s.timeReward;
   task.measures = {{"distance", "distance", "m"}, {"net_footsteps", "net footsteps", ""}, {"energy", "energy", "J"}};
-  task.testEvery = 10;
+  task.testEvery = s.testEvery;
   task.stepTime = LeoWorld::kStepTime;
   task.handMade = true;
   task.lowestReturn = 2 * s.fallReward;

@@ -64,6 +64,7 @@ void LeoSettings::declare(Fields& f) {
             model("substeps", "Substeps", "", "", 1, 1000, "Steps of the simulation in one transition.", "ours", 3));
   f.integer(maxSteps, model("max_steps", "Step limit", "", "", 1, 1e9, "An episode is cut off after so many; no fall.",
                             kLeosim, 3));
+  f.integer(testEvery, testParameter());
   Parameter levelsOf =
       model("levels", "Levels", "", "", 2, 15, "Of each voltage; actions are their combinations.", kLeosim, 3);
   levelsOf.when = When::NewTable;

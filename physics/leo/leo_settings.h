@@ -39,6 +39,7 @@ struct LeoSettings {
   double footstepReward = 300.0;  ///< a metre by which the ankles move apart
   double fallReward = -125.0;     ///< when doomed
   int levels = 7;                 ///< of each voltage
+  int testEvery = 10;             ///< episodes
   int maxSteps = 750;             ///< 25 s
 
   void declare(Fields& f);

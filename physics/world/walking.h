@@ -25,6 +25,22 @@ inline b2Body* addFloor(b2World& world, double scale, double friction) {
   return floor;
 }
 
+/// How often the greedy policy is tested.
+inline Parameter testParameter() {
+  return {.key = "test_every",
+          .title = "Greedy test every",
+          .unit = "episodes",
+          .low = 0,
+          .high = 1e6,
+          .sliderLow = 0,
+          .sliderHigh = 100,
+          .when = When::NextEpisode,
+          .group = Group::Model,
+          .help = "Episodes between two tests of the greedy policy, which are not counted; 0: none.",
+          .origin = "wcaarls/grl, addons/leosim",
+          .order = 3};
+}
+
 /// A reward that applies at once; low and high are the slider's.
 inline Parameter rewardParameter(const char* key, const char* title, double low, double high, const char* help,
                                  const char* origin) {
