@@ -38,9 +38,18 @@ Autosave::Autosave(Session& session, QString folder, QObject* parent)
   lock_ = std::make_unique<QLockFile>(path() + kLock);
   lock_->setStaleLockTime(0);
   lock_->tryLock();
-  connect(&timer_, &QTimer::timeout, this, [this] { save(); });
+  connect(&timer_, &QTimer::timeout, this, &Autosave::tick);
   setMinutes(1);
   timer_.start();
+}
+
+void Autosave::tick() {
+  constexpr std::size_t kEach = 32u << 20;  // [bytes] that may be written a tick
+  const auto* values = session_.values() ? session_.values()->values.get() : nullptr;
+  const std::size_t rest = values ? values->bytes() / kEach : 0;
+  if (static_cast<std::size_t>(waited_++) < rest) return;
+  waited_ = 0;
+  save();
 }
 
 QString Autosave::path() const {

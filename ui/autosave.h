@@ -17,7 +17,8 @@ class Autosave final : public QObject {
   Q_OBJECT
 
  public:
-  /// Once a minute, until it is told otherwise.
+  /// Once a minute, until it is told otherwise; tables of many megabytes less often, because the learner stands still
+  /// while they are written.
   Autosave(Session& session, QString folder, QObject* parent = nullptr);
   void setMinutes(int minutes) { timer_.setInterval(minutes * 60'000); }
   /// What a crash left, the newest; empty: nothing.
@@ -35,8 +36,10 @@ class Autosave final : public QObject {
 
  private:
   QString path() const;
+  void tick();
 
   Session& session_;
+  int waited_ = 0;  // ticks
   QString folder_;
   QTimer timer_;
   std::int64_t saved_ = -1;  // steps of the life then
