@@ -183,19 +183,23 @@ void LearningChart::drawList(QPainter& p, const Theme& t) const {
     std::string policy;
     bool live;
     int run;
+    bool second = false;
   };
   std::vector<Item> items;
   const RunCurves& curves = session_.curves();
   for (const RunCurve& c : curves.earlier()) items.push_back({yOf(c.points.back()), c.policy(), false, c.number});
   if (!curves.live().points.empty())
     items.push_back({yOf(curves.live().points.back()), curves.live().policy(), true, curves.live().number});
+  if (const RunCurve* second = secondCurve())
+    items.push_back({yOf(second->points.back()), second->policy(), true, 0, true});
   std::stable_sort(items.begin(), items.end(), [](const Item& a, const Item& b) { return a.value > b.value; });
   double y = plot_.top() + 2;
   for (const Item& item : items) {
     drawMarker(p, {plot_.right() + 12, y}, policyLook(item.policy, t), item.live);
     const auto entry = findEntry(session_.registry().policies, "policy", item.policy);
     QString text = shows_ == Shows::Falls ? toText(countText(item.value)) : entry ? toText((*entry)->title) : QString();
-    if (shows_ == Shows::AverageReward) text += item.live ? tr(", live") : tr(", run %1").arg(item.run);
+    if (shows_ == Shows::AverageReward)
+      text += item.second ? tr(", second") : item.live ? tr(", live") : tr(", run %1").arg(item.run);
     p.setFont(textFont(11, item.live ? 500 : 400));
     p.setPen(item.live ? t.ink : t.quiet);
     drawSymbol(p, QRectF(plot_.right() + 20, y - 8, kRight - 22, 16), Qt::AlignLeft, text);

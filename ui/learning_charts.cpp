@@ -64,12 +64,13 @@ std::string LearningChart::asCsv() const {
   if (curves.live().points.empty() && curves.earlier().empty()) return "";
   std::string csv = fmt::format("life,policy,{},{}\n", session_.task().stepTime ? "minutes" : "episode",
                                 shows_ == Shows::Falls ? "falls" : "average_reward");
-  const auto add = [&](std::size_t life, const RunCurve& curve) {
+  const auto add = [&](const auto& life, const RunCurve& curve) {
     for (const CurvePiece& piece : curve.pieces)
       for (const CurvePoint& point : piece.points)
         csv += fmt::format("{},{},{:.9g},{:.9g}\n", life, piece.policy, xOf(point), yOf(point));
   };
   add(0, curves.live());
+  if (const RunCurve* second = secondCurve()) add("second", *second);
   for (std::size_t i = 0; i < curves.earlier().size(); ++i) add(curves.earlier().size() - i, curves.earlier()[i]);
   return csv;
 }
@@ -125,6 +126,7 @@ void LearningChart::chooseRanges() {
       if (xOf(point) <= xMost_) falls = std::max(falls, static_cast<double>(point.falls));
   };
   count(curves.live());
+  if (const RunCurve* second = secondCurve()) count(*second);
   for (const RunCurve& curve : curves.earlier()) count(curve);
   const double step = niceAbove(falls / 5.0001);
   yLeast_ = shows_ == Shows::Falls ? 0.0 : session_.task().lowestReturn;
@@ -132,6 +134,16 @@ void LearningChart::chooseRanges() {
   if (yMost_ <= yLeast_) yMost_ = yLeast_ + 1;
   chart()->axes(Qt::Horizontal).front()->setRange(0, xMost_);
   chart()->axes(Qt::Vertical).front()->setRange(yLeast_, yMost_);
+}
+
+void LearningChart::setSecond(Session* second) {
+  second_ = second;
+  refresh();
+}
+
+/// nullptr: there is none, or it has no episode yet.
+const RunCurve* LearningChart::secondCurve() const {
+  return second_ && !second_->curves().live().points.empty() ? &second_->curves().live() : nullptr;
 }
 
 void LearningChart::setLearningOnly(bool on) {
@@ -163,6 +175,7 @@ void LearningChart::refresh() {
     }
   };
   for (const RunCurve& curve : curves.earlier()) draw(curve, false);
+  if (const RunCurve* second = secondCurve()) draw(*second, true);
   draw(curves.live(), true);
   for (std::size_t i = used; i < series_.size(); ++i) series_[i]->clear();
   viewport()->update();

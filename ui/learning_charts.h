@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QChartView>
+#include <QPointer>
 #include <vector>
 
 #include "ui/exporting.h"
@@ -32,6 +33,8 @@ class LearningChart final : public QChartView, public CsvSource {
   QSize minimumSizeHint() const override { return {240, 110}; }
   /// The chart that stands below this one and bears the numbers of the time axis for both, while it is shown.
   void setBelow(const QWidget* below) { below_ = below; }
+  /// A second learner's curve beside this one's (nullptr: none), while it lives.
+  void setSecond(Session* second);
   /// All of the life, or only as far as it learned.
   void setLearningOnly(bool on);
   void prepareExport(bool exporting) override;
@@ -63,6 +66,7 @@ class LearningChart final : public QChartView, public CsvSource {
   std::vector<Mark> marks() const;
   void drawMarks(QPainter& p, const Theme& t) const;
   QString textOf(const Change& change) const;
+  const RunCurve* secondCurve() const;
   void drawFallMarks(QPainter& p, const Theme& t) const;
   /// A dot a greedy test, which the average does not hold.
   void drawTests(QPainter& p, const Theme& t) const;
@@ -75,6 +79,7 @@ class LearningChart final : public QChartView, public CsvSource {
 
   Session& session_;
   Shows shows_;
+  QPointer<Session> second_;
   const QWidget* below_ = nullptr;
   bool learningOnly_ = false, exporting_ = false;
   std::vector<QLineSeries*> series_;  // one a piece, earlier lives first; those not needed are empty

@@ -208,6 +208,7 @@ void LivePage::setComparing(bool comparing) {
     delete rival_;
     rival_ = nullptr;
   }
+  for (LearningChart* chart : findChildren<LearningChart*>()) chart->setSecond(rival_ ? &rival_->session() : nullptr);
 }
 
 void LivePage::resizeEvent(QResizeEvent* event) {

@@ -8,6 +8,7 @@
 #include "ui/falls_list.h"
 #include "ui/live_page.h"
 #include "ui/panel.h"
+#include "ui/learning_charts.h"
 #include "ui/rival.h"
 #include "ui/step_view.h"
 
@@ -120,6 +121,9 @@ TEST(Rival, RunsWithTheFirstAndLearnsByItsOwnPolicy) {
   ASSERT_TRUE(w.session->setParameter("policy.temperature", 3.0));
   EXPECT_EQ(rival->session().configuration().parameters.get("policy.temperature"), 3.0);
   w.session->setRunning(false);
+  auto* chart = w.window->findChild<LearningChart*>();
+  EXPECT_TRUE(w.waitFor([&] { return chart->asCsv().find("\nsecond,softmax,") != std::string::npos; }))
+      << "its curve stands beside the first one's";
   EXPECT_FALSE(rival->session().running());
   ASSERT_TRUE(w.session->restart());
   EXPECT_TRUE(w.waitFor([&] { return rival->session().snapshot().steps == 0; }));
