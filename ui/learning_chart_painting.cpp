@@ -199,7 +199,7 @@ void LearningChart::drawList(QPainter& p, const Theme& t) const {
     const auto entry = findEntry(session_.registry().policies, "policy", item.policy);
     QString text = shows_ == Shows::Falls ? toText(countText(item.value)) : entry ? toText((*entry)->title) : QString();
     if (shows_ == Shows::AverageReward)
-      text += item.second ? tr(", second") : item.live ? tr(", live") : tr(", run %1").arg(item.run);
+      text += item.second ? tr(", 2nd") : item.live ? tr(", live") : tr(", run %1").arg(item.run);
     p.setFont(textFont(11, item.live ? 500 : 400));
     p.setPen(item.live ? t.ink : t.quiet);
     drawSymbol(p, QRectF(plot_.right() + 20, y - 8, kRight - 22, 16), Qt::AlignLeft, text);

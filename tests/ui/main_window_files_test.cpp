@@ -129,10 +129,10 @@ TEST(MainWindow, EveryEnvironmentCanBeChosen) {
   Window w;
   for (const EnvironmentEntry& entry : w.registry.environments) {
     ASSERT_TRUE(w.session->beginEnvironment(entry.name)) << entry.name;
+    ASSERT_TRUE(w.waitFor([&] { return w.session->configuration().names.environment == entry.name; })) << entry.name;
     w.session->setRunning(true);
     ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().steps > 3 && w.session->values(); })) << entry.name;
     w.window->grab();
-    EXPECT_EQ(w.session->configuration().names.environment, entry.name);
   }
 }
 
