@@ -4,6 +4,7 @@
 #include "core/experiment/configuration_json.h"
 #include "core/files/read_file.h"
 #include "core/laboratory/store.h"
+#include "core/text.h"
 #include "core/version.h"
 
 namespace surefoot {
@@ -30,6 +31,27 @@ Result<StoredPlan> planToStore(const Registry& registry, const Plan& plan) {
   return stored;
 }
 
+namespace {
+
+/// Where two configurations differ first, with both values: a sentence can hold no more.
+struct Difference {
+  std::string where, there, here;
+};
+
+Difference firstDifference(const std::string& there, const std::string& here) {
+  const auto a = nlohmann::json::parse(there, nullptr, false), b = nlohmann::json::parse(here, nullptr, false);
+  const auto changes = nlohmann::json::diff(a, b);
+  if (changes.empty()) return {"configuration", std::string(shortened(there)), std::string(shortened(here))};
+  const std::string path = changes[0].value("path", "");
+  const nlohmann::json::json_pointer at(path);
+  const auto value = [&](const nlohmann::json& json) {
+    return json.contains(at) ? std::string(shortened(json[at].dump(-1, ' ', true))) : std::string("missing");
+  };
+  return {path.substr(path.rfind('/') + 1), value(a), value(b)};
+}
+
+}  // namespace
+
 Status checkSamePlan(const StoredPlan& stored, const StoredPlan& plan, const std::string& path) {
   const auto differs = [&](const std::string& what, const auto& there, const auto& here) {
     return fileError(path, fmt::format("it belongs to another plan: {} is {} there and {} here.", what, there, here));
@@ -45,8 +67,10 @@ Status checkSamePlan(const StoredPlan& stored, const StoredPlan& plan, const std
     if (there.name != here.name) return differs(which, there.name, here.name);
     if (there.reference != here.reference) return differs(which + ", reference", there.reference, here.reference);
     if (there.text != here.text) return differs(which, there.text, here.text);
-    if (there.configuration != here.configuration)
-      return differs(which + " (" + here.name + ")", there.configuration, here.configuration);
+    if (there.configuration != here.configuration) {
+      const auto [where, theirs, ours] = firstDifference(there.configuration, here.configuration);
+      return differs(fmt::format("{} ({}), {}", which, here.name, where), theirs, ours);
+    }
   }
   return Done{};
 }

@@ -57,6 +57,19 @@ TEST_F(LaboratoryTest, TheSameContentForAnyNumberOfThreads) {
   }
 }
 
+TEST_F(LaboratoryTest, AnotherConfigurationIsNamedByItsFirstDifference) {
+  const auto ours = planToStore(registry, plan());
+  auto theirs = *ours;
+  auto json = nlohmann::json::parse(theirs.conditions[1].configuration);
+  json["parameters"].erase("environment.damping");
+  theirs.conditions[1].configuration = json.dump();
+  const Status s = checkSamePlan(theirs, *ours, "results.sqlite");
+  ASSERT_FALSE(s);
+  EXPECT_NE(s.error().message.find("condition 2 (none), environment.damping is missing there and 0.08 here."),
+            std::string::npos)
+      << s.error().message;
+}
+
 TEST_F(LaboratoryTest, AStoredLifeIsTheLifeThatTrainWouldLive) {
   Store store = make("s");
   run(store, {.jobs = 2});
