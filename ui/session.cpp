@@ -6,6 +6,7 @@
 #include <cmath>
 #include <new>
 
+#include "core/schedule.h"
 #include "core/text.h"
 
 namespace surefoot {
@@ -170,7 +171,14 @@ void Session::fillParts(const ActionValueFunction& values) {
 }
 
 double Session::threshold() const {
-  return configuration_.parameters.get("policy.threshold");
+  Scheduled threshold(0.0);
+  Fields fields("policy.");
+  threshold.declare(fields, {.key = "threshold", .title = "", .low = 0, .high = 0, .help = ""}, true);
+  configuration_.parameters.apply(fields);
+  const ValueSnapshot* v = values();
+  threshold.advance(
+      {snapshot().totals.episodes, snapshot().steps, v && v->rule ? std::optional(v->rule->threshold) : std::nullopt});
+  return threshold.now();
 }
 
 void Session::setRunning(bool running) {

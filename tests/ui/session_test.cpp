@@ -129,6 +129,22 @@ TEST(Background, ShortWorkIsDoneAtOnceAndCancelledWorkNever) {
   EXPECT_FALSE(done);
 }
 
+TEST(Session, TheThresholdIsThatOfItsSchedule) {
+  Window w("trl");
+  EXPECT_EQ(w.session->threshold(), 50.0);
+  ASSERT_TRUE(w.session->setParameter("policy.threshold_schedule", 1.0));
+  ASSERT_TRUE(w.session->setParameter("policy.threshold_end", 0.0));
+  ASSERT_TRUE(w.session->setParameter("policy.threshold_over", 100.0));
+  w.session->setTurbo(true);
+  w.session->setRunning(true);
+  EXPECT_TRUE(w.waitFor([&] { return w.session->snapshot().totals.episodes > 100 && w.session->threshold() == 0.0; }));
+  ASSERT_TRUE(w.session->setParameter("policy.threshold_schedule", 3.0));
+  EXPECT_TRUE(w.waitFor([&] {
+    return w.session->values() && w.session->values()->rule &&
+           w.session->threshold() == w.session->values()->rule->threshold;
+  })) << "the rule of thumb's, as soon as it says something";
+}
+
 TEST(Session, ParametersThatDoNotGoTogetherAreRefused) {
   Window w;
   const Status s = w.session->setParameter("environment.fall_angle", 0.1);  // below the start angle
