@@ -52,7 +52,7 @@ void ActionRows::nextFrame() {
   sinceUpdate_.restart();
   if (session_.shown().q.empty()) return;
   takeValues();
-  const LifeTime time{session_.snapshot().totals.episodes, session_.snapshot().steps};
+  const LifeTime time = session_.lifeTime();
   for (Column& column : columns_) {
     column.policy->advance(time);
     column.pi.resize(q_.size());

@@ -138,7 +138,7 @@ void Session::show(double seconds) {
   const bool viewing = turbo_ && running_ && values();
   std::int64_t falls = snapshot().totals.falls;
   if (viewing) {
-    viewer_->policy().advance({snapshot().totals.episodes, snapshot().steps});
+    viewer_->policy().advance(lifeTime());
     viewer_->advance(seconds, *values()->values);
     shown_.state.assign(viewer_->environment().state().begin(), viewer_->environment().state().end());
     shown_.pose = viewer_->pose();
@@ -170,14 +170,18 @@ void Session::fillParts(const ActionValueFunction& values) {
   values.evaluate(shown_.state, Layer::Negative, shown_.qNegative);
 }
 
+LifeTime Session::lifeTime() const {
+  const ValueSnapshot* v = values();
+  const std::optional<double> rule = v && v->rule ? std::optional(v->rule->threshold) : std::nullopt;
+  return {snapshot().totals.episodes, snapshot().steps, rule};
+}
+
 double Session::threshold() const {
   Scheduled threshold(0.0);
   Fields fields("policy.");
   threshold.declare(fields, {.key = "threshold", .title = "", .low = 0, .high = 0, .help = ""}, true);
   configuration_.parameters.apply(fields);
-  const ValueSnapshot* v = values();
-  threshold.advance(
-      {snapshot().totals.episodes, snapshot().steps, v && v->rule ? std::optional(v->rule->threshold) : std::nullopt});
+  threshold.advance(lifeTime());
   return threshold.now();
 }
 

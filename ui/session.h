@@ -78,6 +78,8 @@ class Session final : public QObject {
   bool pinned() const { return hovered_.empty() && !pinned_.empty(); }
   void examine(const std::optional<std::vector<double>>& state);
   void pin(const std::optional<std::vector<double>>& state);
+  /// How far the life has come: what schedules go by.
+  LifeTime lifeTime() const;
   /// TRL's threshold now, on its schedule.
   double threshold() const;
 
