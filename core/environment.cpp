@@ -5,6 +5,12 @@
 
 namespace surefoot {
 
+std::optional<std::size_t> measureAt(const std::vector<TaskMeasure>& measures, std::string_view key) {
+  for (std::size_t m = 0; m < measures.size(); ++m)
+    if (measures[m].key == key) return m;
+  return std::nullopt;
+}
+
 std::size_t levelOf(const Task& task, std::size_t action, std::size_t variable) {
   for (std::size_t j = task.actionVariables.size(); j-- > variable + 1;)
     action /= task.actionVariables[j].levels.size();

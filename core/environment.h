@@ -69,6 +69,9 @@ struct Task {
   double lowestReturn = -1.0, highestReturn = 1.0;  ///< reward of an episode, as far as it is bounded: axes start there
 };
 
+/// The place of a measure in Task::measures, if the task has it.
+std::optional<std::size_t> measureAt(const std::vector<TaskMeasure>& measures, std::string_view key);
+
 /// Which level of an action variable an action has.
 std::size_t levelOf(const Task& task, std::size_t action, std::size_t variable);
 

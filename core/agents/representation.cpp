@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "core/files/json_difference.h"
 #include "core/text.h"
 
 namespace surefoot {
@@ -18,46 +19,6 @@ template <class F>
 Result<AnyFeatures> any(Result<F> features) {
   if (!features) return features.error();
   return AnyFeatures(std::move(*features));
-}
-
-/// "pole_angle", where that is what an entry of a list is about; else its number.
-std::string nameOfEntry(const Json& entry, std::size_t number) {
-  if (entry.is_object() && entry.contains("variable") && entry["variable"].is_string())
-    return entry["variable"].get<std::string>();
-  return fmt::format("entry {}", number + 1);
-}
-
-struct Difference {
-  std::string where;
-  std::string theirs, ours;
-};
-
-std::string shortText(const Json& json) {
-  return std::string(shortened(json.dump(-1, ' ', true)));
-}
-
-/// The first place where two descriptions differ.
-std::optional<Difference> firstDifference(const Json& theirs, const Json& ours, const std::string& where) {
-  const auto inside = [&](const std::string& name) { return where.empty() ? name : name + " of " + where; };
-  if (ours.is_object() && theirs.is_object()) {
-    std::vector<std::string> keys;  // first what a person sets
-    for (const char* key : {"kind", "tilings", "memory", "tile_width", "spacing", "width"})
-      if (ours.contains(key)) keys.emplace_back(key);
-    for (const auto& [key, value] : ours.items()) keys.push_back(key);
-    for (const std::string& key : keys) {
-      const Json& value = ours[key];
-      if (!theirs.contains(key)) return Difference{inside(key), "nothing", shortText(value)};
-      if (auto found = firstDifference(theirs[key], value, key == "variables" ? where : inside(key))) return found;
-    }
-    return std::nullopt;
-  }
-  if (ours.is_array() && theirs.is_array() && ours.size() == theirs.size()) {
-    for (std::size_t i = 0; i < ours.size(); ++i)
-      if (auto found = firstDifference(theirs[i], ours[i], nameOfEntry(ours[i], i))) return found;
-    return std::nullopt;
-  }
-  if (theirs == ours) return std::nullopt;
-  return Difference{where, shortText(theirs), shortText(ours)};
 }
 
 }  // namespace

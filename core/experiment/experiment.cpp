@@ -49,14 +49,8 @@ std::vector<NamedValue> measuresOf(const LifeResult& r) {
     all.push_back({"greedy_" + r.taskMeasures[m].key, mean([m](const GreedyTest& t) { return t.measures[m]; })});
   all.push_back({"greedy_reward", mean([](const GreedyTest& t) { return t.reward; })});
   all.push_back({"greedy_falls", mean([](const GreedyTest& t) { return static_cast<double>(t.falls); })});
-  for (std::size_t m = 0; m < r.taskMeasures.size(); ++m) {
-    if (r.taskMeasures[m].key != "distance" || !(hours > 0)) continue;
-    const auto first =
-        std::find_if(r.greedyTests.begin(), r.greedyTests.end(), [m](const GreedyTest& t) { return walked(t, m); });
-    if (first != r.greedyTests.end())
-      all.push_back(
-          {"walks_after", 60.0 * hours * static_cast<double>(first->lifeSteps) / static_cast<double>(r.steps)});
-  }
+  if (const GreedyTest* walk = firstWalk(r.greedyTests, r.taskMeasures); walk && hours > 0)
+    all.push_back({"walks_after", 60.0 * hours * static_cast<double>(walk->lifeSteps) / static_cast<double>(r.steps)});
   return all;
 }
 

@@ -66,9 +66,13 @@ void GreedyTester::transfer(Archive& archive) {
   }
 }
 
-bool walked(const GreedyTest& test, std::size_t distance) {
+const GreedyTest* firstWalk(const std::vector<GreedyTest>& tests, const std::vector<TaskMeasure>& measures) {
   constexpr double kFar = 2.0;  // [m]: what nothing but walking reaches
-  return test.falls == 0 && test.measures[distance] > kFar;
+  const auto distance = measureAt(measures, "distance");
+  if (!distance) return nullptr;
+  for (const GreedyTest& test : tests)
+    if (test.falls == 0 && test.measures[*distance] > kFar) return &test;
+  return nullptr;
 }
 
 }  // namespace surefoot

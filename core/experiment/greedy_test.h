@@ -47,7 +47,8 @@ class GreedyTester {
   std::vector<GreedyTest> tests_;
 };
 
-/// Whether a robot walked in a test: more than so many metres without a fall. `distance`: which measure that is.
-bool walked(const GreedyTest& test, std::size_t distance);
+/// The first test in which a robot walked: more than 2 m without a fall. nullptr: none did, or the task has no
+/// distance.
+const GreedyTest* firstWalk(const std::vector<GreedyTest>& tests, const std::vector<TaskMeasure>& measures);
 
 }  // namespace surefoot

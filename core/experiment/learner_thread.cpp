@@ -228,13 +228,9 @@ void LearnerThread::fillTests(ValueSnapshot& s) const {
   s.tests.clear();
   for (std::size_t i = 0; i < all.size(); i += stride) s.tests.push_back(all[i]);
   const Task& task = life_->environment().task();
-  const auto at = std::find_if(task.measures.begin(), task.measures.end(),
-                               [](const TaskMeasure& m) { return m.key == "distance"; });
   s.walksSince.reset();
-  if (at == task.measures.end() || !task.stepTime) return;
-  const auto distance = static_cast<std::size_t>(at - task.measures.begin());
-  const auto first = std::find_if(all.begin(), all.end(), [&](const GreedyTest& t) { return walked(t, distance); });
-  if (first != all.end()) s.walksSince = static_cast<double>(first->lifeSteps) * *task.stepTime / 60.0;
+  if (const GreedyTest* walk = firstWalk(all, task.measures); walk && task.stepTime)
+    s.walksSince = static_cast<double>(walk->lifeSteps) * *task.stepTime / 60.0;
 }
 
 void LearnerThread::fill(ValueSnapshot& s) const {

@@ -9,15 +9,13 @@ namespace {
 std::optional<RuleOfThumb> ruleForWalking(const Life& life, double discount) {
   const Task& task = life.environment().task();
   const LifeTotals& t = life.log().totals();
-  for (std::size_t m = 0; m < task.measures.size(); ++m) {
-    if (task.measures[m].key != "net_footsteps" || t.measures[m] < 1.0) continue;
-    RuleOfThumb rule;
-    rule.preLearned = life.preLearned();
-    rule.transitions = static_cast<double>(life.log().last().lifeSteps) / t.measures[m];
-    rule.threshold = ruleOfThumb(discount, rule.transitions, t.highestReward, task.timeReward);
-    return rule;
-  }
-  return std::nullopt;
+  const auto m = measureAt(task.measures, "net_footsteps");
+  if (!m || t.measures[*m] < 1.0) return std::nullopt;
+  RuleOfThumb rule;
+  rule.preLearned = life.preLearned();
+  rule.transitions = static_cast<double>(life.log().last().lifeSteps) / t.measures[*m];
+  rule.threshold = ruleOfThumb(discount, rule.transitions, t.highestReward, task.timeReward);
+  return rule;
 }
 
 }  // namespace

@@ -26,7 +26,7 @@ class Export {
   Status run() {
     std::error_code error;
     std::filesystem::create_directories(folder_, error);
-    for (const Status& s : {writeConditions(), writeLives(), writeEpisodes()})
+    for (const Status& s : {writeConditions(), writeLives(), writeEpisodes(), writeMeasures()})
       if (!s) return s;
     for (WholeFile& file : files_)
       if (const Status s = file.commit(); !s) return s;
@@ -95,6 +95,26 @@ class Export {
         out.push_back('\n');
       }
       if (const Status s = (*file)->append({out.data(), out.size()}); !s) return s;
+    }
+    return Done{};
+  }
+
+  /// Only where a task measures anything.
+  Status writeMeasures() {
+    WholeFile* file = nullptr;
+    for (const StoredLife& l : lives_) {
+      const auto measures = store_.measures(l.condition, l.life);
+      if (!measures) return measures.error();
+      if (!file && !measures->empty()) {
+        const auto begun = begin("measures.csv", "condition,life,episode,measure,value\n");
+        if (!begun) return begun.error();
+        file = *begun;
+      }
+      for (const StoredMeasure& m : *measures)
+        if (const Status s = file->append(
+                fmt::format("{},{},{},{},{:.9g}\n", l.condition, l.life, m.episode, csvCell(m.name), m.value));
+            !s)
+          return s;
     }
     return Done{};
   }

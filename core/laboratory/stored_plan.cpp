@@ -2,9 +2,9 @@
 #include <fmt/format.h>
 
 #include "core/experiment/configuration_json.h"
+#include "core/files/json_difference.h"
 #include "core/files/read_file.h"
 #include "core/laboratory/store.h"
-#include "core/text.h"
 #include "core/version.h"
 
 namespace surefoot {
@@ -31,27 +31,6 @@ Result<StoredPlan> planToStore(const Registry& registry, const Plan& plan) {
   return stored;
 }
 
-namespace {
-
-/// Where two configurations differ first, with both values: a sentence can hold no more.
-struct Difference {
-  std::string where, there, here;
-};
-
-Difference firstDifference(const std::string& there, const std::string& here) {
-  const auto a = nlohmann::json::parse(there, nullptr, false), b = nlohmann::json::parse(here, nullptr, false);
-  const auto changes = nlohmann::json::diff(a, b);
-  if (changes.empty()) return {"configuration", std::string(shortened(there)), std::string(shortened(here))};
-  const std::string path = changes[0].value("path", "");
-  const nlohmann::json::json_pointer at(path);
-  const auto value = [&](const nlohmann::json& json) {
-    return json.contains(at) ? std::string(shortened(json[at].dump(-1, ' ', true))) : std::string("missing");
-  };
-  return {path.substr(path.rfind('/') + 1), value(a), value(b)};
-}
-
-}  // namespace
-
 Status checkSamePlan(const StoredPlan& stored, const StoredPlan& plan, const std::string& path) {
   const auto differs = [&](const std::string& what, const auto& there, const auto& here) {
     return fileError(path, fmt::format("it belongs to another plan: {} is {} there and {} here.", what, there, here));
@@ -68,8 +47,12 @@ Status checkSamePlan(const StoredPlan& stored, const StoredPlan& plan, const std
     if (there.reference != here.reference) return differs(which + ", reference", there.reference, here.reference);
     if (there.text != here.text) return differs(which, there.text, here.text);
     if (there.configuration != here.configuration) {
-      const auto [where, theirs, ours] = firstDifference(there.configuration, here.configuration);
-      return differs(fmt::format("{} ({}), {}", which, here.name, where), theirs, ours);
+      const auto theirs = nlohmann::json::parse(there.configuration, nullptr, false);
+      const auto ours = nlohmann::json::parse(here.configuration, nullptr, false);
+      const std::string whole = fmt::format("{} ({})", which, here.name);
+      if (const auto d = firstDifference(theirs, ours, whole)) return differs(d->where, d->theirs, d->ours);
+      const auto d = firstDifference(ours, theirs, whole);  // something that only the store has
+      return differs(d ? d->where : whole, d ? d->ours : "another", d ? d->theirs : "another");
     }
   }
   return Done{};

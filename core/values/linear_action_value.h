@@ -19,46 +19,11 @@
 #include "core/action_value.h"
 #include "core/features/feature_map.h"
 #include "core/files/archive.h"
-#include "core/parameters.h"
 #include "core/random.h"
+#include "core/values/initial_value.h"
 #include "core/values/weight_table.h"
 
 namespace surefoot {
-
-/// Range of the initial value of a state-action pair: every weight starts uniform in [low/n, high/n], n = Σ x the
-/// number of active binary features, or 1 for normalised ones.
-struct InitialValue {
-  double low = 0.0;
-  double high = 0.1;
-  void declare(Fields& f) {
-    f.real(low, {.key = "initial_low",
-                 .title = "Initial Q, low",
-                 .symbol = "",
-                 .unit = "",
-                 .low = -1e6,
-                 .high = 1e6,
-                 .sliderLow = -100,
-                 .sliderHigh = 200,
-                 .when = When::NewTable,
-                 .group = Group::Representation,
-                 .help = "Lowest value of a pair before anything is learned.",
-                 .origin = "thesis, section 3.1.3",
-                 .order = 3});
-    f.real(high, {.key = "initial_high",
-                  .title = "Initial Q",
-                  .symbol = "",
-                  .unit = "",
-                  .low = -1e6,
-                  .high = 1e6,
-                  .sliderLow = 0,
-                  .sliderHigh = 10,
-                  .when = When::NewTable,
-                  .group = Group::Representation,
-                  .help = "Highest value of a pair before anything is learned.",
-                  .origin = "thesis, section 3.1.3",
-                  .order = 2});
-  }
-};
 
 template <FeatureMap F>
 class LinearActionValue final : public ActionValueFunction {

@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "core/experiment/checkpoint.h"
 #include "core/experiment/experiment.h"
 #include "core/experiment/rule_of_thumb.h"
+#include "core/laboratory/csv_export.h"
 #include "core/laboratory/evidence.h"
 #include "core/laboratory/laboratory.h"
 #include "tests/app/folder.h"
@@ -171,6 +173,8 @@ TEST(Walking, MeasuresAreKeptInTheStoreAndFoundByTheLaboratory) {
     for (const double v : values) EXPECT_TRUE(std::isfinite(v)) << measure;
   }
   for (const double v : valuesOf((*evidence)[0], "energy")) EXPECT_TRUE(std::isnan(v)) << "the compass has none";
+  ASSERT_TRUE(exportCsv(*store, folder.file("csv"), "--csv"));
+  EXPECT_TRUE(std::filesystem::exists(folder.file("csv") + "/measures.csv"));
   std::int64_t tests = 0;
   const auto measures = store->measures(0, 0);
   for (const StoredMeasure& m : *measures) tests += m.episode > 0 && m.name == "distance";

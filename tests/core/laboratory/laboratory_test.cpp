@@ -65,8 +65,9 @@ TEST_F(LaboratoryTest, AnotherConfigurationIsNamedByItsFirstDifference) {
   theirs.conditions[1].configuration = json.dump();
   const Status s = checkSamePlan(theirs, *ours, "results.sqlite");
   ASSERT_FALSE(s);
-  EXPECT_NE(s.error().message.find("condition 2 (none), environment.damping is missing there and 0.08 here."),
-            std::string::npos)
+  EXPECT_NE(
+      s.error().message.find("environment.damping of parameters of condition 2 (none) is nothing there and 0.08 here."),
+      std::string::npos)
       << s.error().message;
 }
 
