@@ -96,6 +96,7 @@ std::string resultAsJson(const Configuration& configuration, const std::vector<L
         {"steps_per_second", finite(r.cpuSeconds > 0 ? static_cast<double>(r.steps) / r.cpuSeconds : std::nan(""))},
         {"hash", fmt::format("{:016x}", r.hash)}};
     for (const NamedValue& m : measuresOf(r)) life[m.name] = finite(m.value);
+    if (!r.greedyTests.empty()) life["test_seconds"] = finite(r.testSeconds);
     if (!r.greedyTests.empty()) life["greedy_tests"] = testsAsJson(r);
     if (!r.divergence.empty()) life["diverged"] = r.divergence;
     for (const Change& change : r.changes)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/experiment/cpu_time.h"
 #include "core/experiment/meter.h"
 #include "core/experiment/work_pool.h"
 
@@ -16,7 +17,8 @@ LifeResult summarise(const Life& life, int index, double cpuSeconds) {
   r.simulatedSeconds = life.simulatedSeconds();
   r.averageReward = life.log().averageReward();
   r.statesOutside = life.agent().statesOutside();
-  r.cpuSeconds = cpuSeconds;
+  r.testSeconds = life.testSeconds();
+  r.cpuSeconds = std::max(0.0, cpuSeconds - r.testSeconds);
   r.hash = life.hash();
   if (life.diverged()) r.divergence = life.divergence();
   r.complete = life.finished() && !life.diverged();

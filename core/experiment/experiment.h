@@ -22,7 +22,8 @@ struct LifeResult {
   double simulatedSeconds = 0.0;   ///< NaN: no clock
   double averageReward = 0.0;      ///< of the last 80 episodes
   std::int64_t statesOutside = 0;  ///< states outside the range that the features cover
-  double cpuSeconds = 0.0;         ///< of its thread
+  double cpuSeconds = 0.0;         ///< of its thread, for learning
+  double testSeconds = 0.0;        ///< and for greedy tests
   std::vector<MemoryUse> memory;   ///< of its tables
   std::optional<RuleOfThumb> ruleOfThumb;
   std::uint64_t hash = 0;

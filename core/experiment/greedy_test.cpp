@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/experiment/cpu_time.h"
+
 namespace surefoot {
 
 GreedyTester::GreedyTester(std::unique_ptr<Environment> environment, std::uint64_t seed)
@@ -22,6 +24,7 @@ void GreedyTester::follow(Environment& environment) {
 
 void GreedyTester::test(const ActionValueFunction& values, std::int64_t episode, std::int64_t lifeSteps) {
   constexpr std::int64_t kLongest = 1'000'000;  // a task that never ends
+  const double begin = threadCpuSeconds();
   Random random(mix64(seed_ ^ static_cast<std::uint64_t>(episode)));
   environment_->reset(random);
   GreedyTest test{.episode = episode, .lifeSteps = lifeSteps};
@@ -36,6 +39,7 @@ void GreedyTester::test(const ActionValueFunction& values, std::int64_t episode,
   const auto measures = environment_->measures();
   std::copy(measures.begin(), measures.end(), test.measures.begin());
   tests_.push_back(test);
+  cpuSeconds_ += threadCpuSeconds() - begin;
 }
 
 void GreedyTester::transfer(Archive& archive) {

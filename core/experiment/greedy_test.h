@@ -38,6 +38,8 @@ class GreedyTester {
   void test(const ActionValueFunction& values, std::int64_t episode, std::int64_t lifeSteps);
 
   const std::vector<GreedyTest>& tests() const { return tests_; }
+  /// CPU time that they took here [s].
+  double cpuSeconds() const { return cpuSeconds_; }
   void transfer(Archive& archive);
 
  private:
@@ -45,6 +47,7 @@ class GreedyTester {
   std::uint64_t seed_;
   std::vector<double> q_;
   std::vector<GreedyTest> tests_;
+  double cpuSeconds_ = 0.0;
 };
 
 /// The first test in which a robot walked: more than 2 m without a fall. nullptr: none did, or the task has no

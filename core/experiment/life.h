@@ -101,6 +101,8 @@ class Life {
   const EpisodeLog& log() const { return log_; }
   const std::vector<Change>& changes() const { return changes_; }
   const std::vector<GreedyTest>& greedyTests() const { return tester_.tests(); }
+  /// CPU time that they took [s], of those made by this process.
+  double testSeconds() const { return tester_.cpuSeconds(); }
   /// More was changed than changes() holds.
   bool changesLeftOut() const { return changesLeftOut_; }
   const LifeLimits& limits() const { return limits_; }

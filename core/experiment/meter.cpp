@@ -39,10 +39,4 @@ void live(Life& life, std::int64_t steps, const WorkPool& pool, Meter& meter) {
   }
 }
 
-double threadCpuSeconds() {
-  timespec t{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
 }  // namespace surefoot

@@ -36,7 +36,4 @@ inline constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
 /// Steps a life until it has taken `steps`, is finished, or the pool stops.
 void live(Life& life, std::int64_t steps, const WorkPool& pool, Meter& meter);
 
-/// CPU time of the calling thread [s].
-double threadCpuSeconds();
-
 }  // namespace surefoot

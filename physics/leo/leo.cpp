@@ -50,16 +50,18 @@ ActionVariable voltage(const char* key, const char* title, const char* symbol, c
 }
 
 Task makeTask(const LeoSettings& s) {
+  constexpr double kBeyond = 0.2;  // [rad]: stops yield
+  const JointKind &hip = s.anatomy.hip, &knee = s.anatomy.knee;
   Task task;
   task.state = {angle("torso", "torso", "ψ", -1.2, 1.2, 0.2),
                 rate("torso_rate", "torso rate", "ψ\u0307", 15.0, 7.1),
-                angle("stance_hip", "stance hip", "h", kHip.low - 0.2, kHip.high + 0.2, 0.4),
+                angle("stance_hip", "stance hip", "h", hip.low - kBeyond, hip.high + kBeyond, 0.4),
                 rate("stance_hip_rate", "stance hip rate", "h\u0307", 30.0, 14.3),
-                angle("swing_hip", "swing hip", "H", kHip.low - 0.2, kHip.high + 0.2, 0.4),
+                angle("swing_hip", "swing hip", "H", hip.low - kBeyond, hip.high + kBeyond, 0.4),
                 rate("swing_hip_rate", "swing hip rate", "H\u0307", 30.0, 14.3),
-                angle("stance_knee", "stance knee", "k", kKnee.low - 0.2, kKnee.high + 0.2, 0.4),
+                angle("stance_knee", "stance knee", "k", knee.low - kBeyond, knee.high + kBeyond, 0.4),
                 rate("stance_knee_rate", "stance knee rate", "k\u0307", 30.0, 14.3),
-                angle("swing_knee", "swing knee", "K", kKnee.low - 0.2, kKnee.high + 0.2, 0.4),
+                angle("swing_knee", "swing knee", "K", knee.low - kBeyond, knee.high + kBeyond, 0.4),
                 rate("swing_knee_rate", "swing knee rate", "K\u0307", 30.0, 14.3)};
   task.actionVariables = {voltage("stance_hip_voltage", "stance hip voltage", "U_h", s),
                           voltage("swing_hip_voltage", "swing hip voltage", "U_H", s),
@@ -83,16 +85,16 @@ Task makeTask(const LeoSettings& s) {
 }  // namespace
 
 Leo::Leo(const LeoSettings& settings) : settings_(settings), task_(makeTask(settings)) {
-  begin(kStart, {});
+  begin(settings_.anatomy.start, {});
 }
 
 void Leo::parametersChanged() {
   task_ = makeTask(settings_);
-  begin(kStart, {});
+  begin(settings_.anatomy.start, {});
 }
 
 void Leo::reset(Random&) {
-  begin(kStart, {});
+  begin(settings_.anatomy.start, {});
 }
 
 void Leo::begin(const LeoWorld::Angles& angles, const LeoWorld::Angles& rates) {

@@ -38,15 +38,15 @@ struct Leg {
   Point hip, knee, ankle, heel, toe;
 };
 
-Leg legOf(std::span<const double> pose, int leg) {
+Leg legOf(const Anatomy& a, std::span<const double> pose, int leg) {
   const auto angle = [&](int body) { return pose[2 + static_cast<std::size_t>(body + leg)]; };
   Leg l;
   l.hip = {pose[0], pose[1]};
-  l.knee = from(l.hip, minus(kKnee.inParent, kHip.inChild), angle(kLeftThigh));
-  l.ankle = from(l.knee, minus(kAnkle.inParent, kKnee.inChild), angle(kLeftShank));
-  l.heel = from(l.ankle, minus(kHeel.centre, kAnkle.inChild), angle(kLeftFoot));
-  l.toe = from(l.ankle, minus(kToe.centre, kAnkle.inChild), angle(kLeftFoot));
-  l.heel.y -= kHeel.radius, l.toe.y -= kToe.radius;
+  l.knee = from(l.hip, minus(a.knee.inParent, a.hip.inChild), angle(kLeftThigh));
+  l.ankle = from(l.knee, minus(a.ankle.inParent, a.knee.inChild), angle(kLeftShank));
+  l.heel = from(l.ankle, minus(a.heel.centre, a.ankle.inChild), angle(kLeftFoot));
+  l.toe = from(l.ankle, minus(a.toe.centre, a.ankle.inChild), angle(kLeftFoot));
+  l.heel.y -= a.heel.radius, l.toe.y -= a.toe.radius;
   return l;
 }
 
@@ -142,10 +142,10 @@ void Leo::draw(std::span<const double> pose, Scene& scene) const {
   scene.width = 0.75;
   scene.tip = hip;
   drawProtractor(hip, settings_.mostTorso, scene);
-  const Leg near = legOf(pose, 0), far = legOf(pose, 1);
+  const Leg near = legOf(settings_.anatomy, pose, 0), far = legOf(settings_.anatomy, pose, 1);
   drawLeg(far, false, pose[14] > 0.5, scene);
 
-  const auto onTorso = [&](Vec v) { return from(hip, minus(v, kHip.inParent), torso); };
+  const auto onTorso = [&](Vec v) { return from(hip, minus(v, settings_.anatomy.hip.inParent), torso); };
   scene.shapes.push_back(Polygon{.points = {onTorso({-0.032, -0.122}), onTorso({0.034, -0.122}), onTorso({0.048, 0.1}),
                                             onTorso({0.012, 0.125}), onTorso({-0.03, 0.112})}});
   const Vec shoulder{-0.00543, 0.091275};
@@ -154,7 +154,7 @@ void Leo::draw(std::span<const double> pose, Scene& scene) const {
   const Point hand = onTorso({shoulder.x + kArm * std::sin(kArmAngle), shoulder.y - kArm * std::cos(kArmAngle)});
   scene.shapes.push_back(link(upper, hand, 0.012, 0.008, Ink::Solid));
   scene.shapes.push_back(Disc{upper, 0.007, Fill::Panel, Ink::Solid, 2});
-  const Point centre = onTorso({kTorsoMass.centre.x, kTorsoMass.centre.y});
+  const Point centre = onTorso({settings_.anatomy.torso.centre.x, settings_.anatomy.torso.centre.y});
   scene.shapes.push_back(Disc{centre, 0.008, Fill::Panel, Ink::Solid, 1.5});
   scene.shapes.push_back(Disc{centre, 0.003, Fill::Solid, Ink::Solid, 0});
   drawLeg(near, true, pose[13] > 0.5, scene);

@@ -37,15 +37,9 @@ void LeoSettings::declare(Fields& f) {
   f.real(timeReward, rewardParameter("time_reward", "Time", -5, 0, "Reward of every step.", kLeosim));
   f.real(resistance, model("resistance", "Resistance", "R", "Ω", 1, 100, "Of a motor's windings.", kLeosim, 1));
   f.real(dryFriction, model("dry_friction", "Dry friction", "F", "N m", 0, 2, "Of every joint.", kLeosim, 1));
-  f.real(torsoMass, model("torso_mass", "Torso mass", "m", "kg", 0.2, 10, "With the boom and the arm.", kLeosim, 1));
   f.real(torqueConstant, model("torque_constant", "Torque constant", "k", "N m/A", 1e-4, 1, "Of a motor."));
   f.real(gearRatio, model("gear_ratio", "Gear ratio", "G", "", 1, 2000, "Of a motor."));
   f.real(armature, model("armature", "Armature", "J", "kg m²", 0, 1, "Inertia of a rotor as the joint feels it."));
-  f.real(thighMass, model("thigh_mass", "Thigh mass", "", "kg", 0.02, 5, "Of each; its inertia grows with it."));
-  f.real(shankMass, model("shank_mass", "Shank mass", "", "kg", 0.02, 5, "Of each; its inertia grows with it."));
-  f.real(footMass, model("foot_mass", "Foot mass", "", "kg", 0.02, 5, "Of each; its inertia grows with it."));
-  f.real(stopStiffness, model("stop_stiffness", "Stops", "", "", 0.01, 10,
-                              "Stiffness and damping of the joints' stops, as a share of the robot's."));
   f.real(gravity, model("gravity", "Gravity", "g", "m/s²", 0, 30, "On the Earth 9.81."));
   f.real(stanceKneeGain, model("stance_knee_gain", "Stance knee", "", "V/rad", 0, 200,
                                "Voltage by which the stance knee stretches itself."));
@@ -62,6 +56,7 @@ void LeoSettings::declare(Fields& f) {
                           "The angle between the hips that the hand-made controller aims at.", kLeosim, 3));
   f.integer(substeps,
             model("substeps", "Substeps", "", "", 1, 1000, "Steps of the simulation in one transition.", "ours", 3));
+  anatomy.declare(f);
   f.integer(maxSteps, model("max_steps", "Step limit", "", "", 1, 1e9, "An episode is cut off after so many; no fall.",
                             kLeosim, 3));
   f.integer(testEvery, testParameter());

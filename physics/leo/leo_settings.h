@@ -1,30 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every constant of the walking robot LEO that can be set. Facts from the same laboratory's published simulation
-// (wcaarls/grl, addons/leosim); the code is ours. Masses and shapes that are not meant to be turned stand in
-// leo_body.h.
+// (wcaarls/grl, addons/leosim); the code is ours.
 #pragma once
 
-#include "core/parameters.h"
+#include "physics/leo/leo_body.h"
 
 namespace surefoot {
 
 struct LeoSettings {
   // The motors: Dynamixel RX-28, six of them (torque constant k, gear ratio G).
-  double resistance = 8.6;                                              ///< R of the windings [Ω]
-  double torqueConstant = 0.00992;                                      ///< k [N m/A]
-  double gearRatio = 193.0;                                             ///< G
-  double armature = 0.002414;                                           ///< reflected inertia of the rotor [kg m²]
-  double efficiency = 0.75;                                             ///< η of the gears
-  double dryFriction = 0.20;                                            ///< of a joint [N m]
-  double voltage = 10.69;                                               ///< largest [V]
-  double torsoMass = 1.32599;                                           ///< with boom and arm [kg]
-  double thighMass = 0.17978, shankMass = 0.12691, footMass = 0.07319;  ///< [kg]; inertias grow with them
-  double stopStiffness = 1.0;  ///< of the joints' stops, and their damping, as a share of the robot's
+  double resistance = 8.6;          ///< R of the windings [Ω]
+  double torqueConstant = 0.00992;  ///< k [N m/A]
+  double gearRatio = 193.0;         ///< G
+  double armature = 0.002414;       ///< reflected inertia of the rotor [kg m²]
+  double efficiency = 0.75;         ///< η of the gears
+  double dryFriction = 0.20;        ///< of a joint [N m]
+  double voltage = 10.69;           ///< largest [V]
+
   double boomForce = -1.0269;  ///< what the boom adds, vertically [N]
   double grip = 10.0;          ///< friction of feet and floor
-  int substeps = 17;           ///< Box2D steps a transition
+  int substeps = 19;           ///< Box2D steps a transition
   double hipTarget = 0.68;     ///< of the hand-made controller: between the hips [rad]
   double gravity = 9.81;       ///< [m/s²]
+
+  leo::Anatomy anatomy;
 
   // What looks after itself.
   double stanceKneeGain = 21.21, ankleGain = 42.42;  ///< [V/rad], towards 0 and the ankles' target

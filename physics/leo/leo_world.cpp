@@ -44,59 +44,61 @@ Body foot(int leg) {
 LeoWorld::LeoWorld(const LeoSettings& s, const Angles& angles, const Angles& rates, double x)
     : settings_(s),
       world_(b2Vec2(0.0f, f(-kScale * s.gravity))) {
+  const double kG = s.torqueConstant * s.gearRatio, perVolt = s.efficiency * kG / s.resistance;
+  const double inertia = s.armature * s.substeps / kStepTime;
+  drive_ = {perVolt, perVolt * kG + inertia, inertia};
+  const Anatomy& a = settings_.anatomy;
   world_.SetAllowSleeping(false);
   world_.SetContinuousPhysics(false);
 
   // From the torso down, then lifted until the lowest circle is on the floor.
   std::array<Vec, kBodies> at{};
-  at[kTorso] = {x - rotated(kHip.inParent, angles[kTorso]).x, 0.0};
+  at[kTorso] = {x - rotated(a.hip.inParent, angles[kTorso]).x, 0.0};
   for (int leg = 0; leg < 2; ++leg) {
-    at[thigh(leg)] = hangOn(at[kTorso], angles[kTorso], kHip, angles[thigh(leg)]);
-    at[shank(leg)] = hangOn(at[thigh(leg)], angles[thigh(leg)], kKnee, angles[shank(leg)]);
-    at[foot(leg)] = hangOn(at[shank(leg)], angles[shank(leg)], kAnkle, angles[foot(leg)]);
+    at[thigh(leg)] = hangOn(at[kTorso], angles[kTorso], a.hip, angles[thigh(leg)]);
+    at[shank(leg)] = hangOn(at[thigh(leg)], angles[thigh(leg)], a.knee, angles[shank(leg)]);
+    at[foot(leg)] = hangOn(at[shank(leg)], angles[shank(leg)], a.ankle, angles[foot(leg)]);
   }
   double lowest = 1e9;
   const auto low = [&](Body body, const Circle& circle) {
     lowest = std::min(lowest, at[body].y + rotated(circle.centre, angles[body]).y - circle.radius);
   };
-  low(kTorso, kSeat);
-  for (int leg = 0; leg < 2; ++leg) low(shank(leg), kKneeCap), low(foot(leg), kHeel), low(foot(leg), kToe);
+  low(kTorso, a.seat);
+  for (int leg = 0; leg < 2; ++leg) low(shank(leg), a.kneeCap), low(foot(leg), a.heel), low(foot(leg), a.toe);
   for (Vec& origin : at) origin.y -= lowest;
 
   addFloor(world_, kScale, s.grip);
 
   // Box2D visits bodies from the last one on, and joints as it comes to them. From the torso outwards its weight gets
-  // down to the feet within one iteration; from a foot upwards it takes 17 × 16 several times over to hold grip 10.
+  // down to the feet within one iteration; from a foot upwards it takes several times as many to hold grip 10.
   for (int leg = 0; leg < 2; ++leg) {
     addBody(thigh(leg), at[thigh(leg)], angles[thigh(leg)]);
     addBody(shank(leg), at[shank(leg)], angles[shank(leg)]);
     addBody(foot(leg), at[foot(leg)], angles[foot(leg)]);
-    addCircle(shank(leg), kKneeCap);
-    addCircle(foot(leg), kHeel);
-    addCircle(foot(leg), kToe);
+    addCircle(shank(leg), a.kneeCap);
+    addCircle(foot(leg), a.heel);
+    addCircle(foot(leg), a.toe);
   }
   addBody(kTorso, at[kTorso], angles[kTorso]);
-  addCircle(kTorso, kSeat);
+  addCircle(kTorso, a.seat);
   for (int leg = 0; leg < 2; ++leg) {
-    addJoint(static_cast<Joint>(kLeftHip + leg), kTorso, thigh(leg), kHip);
-    addJoint(static_cast<Joint>(kLeftKnee + leg), thigh(leg), shank(leg), kKnee);
-    addJoint(static_cast<Joint>(kLeftAnkle + leg), shank(leg), foot(leg), kAnkle);
+    addJoint(static_cast<Joint>(kLeftHip + leg), kTorso, thigh(leg), a.hip);
+    addJoint(static_cast<Joint>(kLeftKnee + leg), thigh(leg), shank(leg), a.knee);
+    addJoint(static_cast<Joint>(kLeftAnkle + leg), shank(leg), foot(leg), a.ankle);
   }
 
   // The masses come behind the fixtures, which set them too; then the rates, so that no joint is torn.
-  const auto setMass = [&](Body body, Mass m, double mass) {
-    m.inertia *= mass / m.mass;
-    m.mass = mass;
+  const auto setMass = [&](Body body, const Mass& m) {
     const double aboutOrigin = m.inertia + m.mass * (m.centre.x * m.centre.x + m.centre.y * m.centre.y);
     const b2MassData data{
         f(m.mass), {f(kScale * m.centre.x), f(kScale * m.centre.y)}, f(kScale * kScale * aboutOrigin)};
     bodies_[body]->SetMassData(&data);
   };
-  setMass(kTorso, kTorsoMass, s.torsoMass);
+  setMass(kTorso, a.torso);
   for (int leg = 0; leg < 2; ++leg) {
-    setMass(thigh(leg), kThighMass, s.thighMass);
-    setMass(shank(leg), kShankMass, s.shankMass);
-    setMass(foot(leg), kFootMass, s.footMass);
+    setMass(thigh(leg), a.thigh);
+    setMass(shank(leg), a.shank);
+    setMass(foot(leg), a.foot);
   }
 
   // Everything turns about the sole of the leg that stands lower, at rest there.
@@ -162,20 +164,17 @@ void LeoWorld::addJoint(Joint joint, Body parent, Body child, const JointKind& k
   joints_[joint] = {static_cast<b2WeldJoint*>(world_.CreateJoint(&def)), bodies_[parent], bodies_[child], &kind};
 }
 
-void LeoWorld::drive(Joint joint, double voltage, double h) {
+void LeoWorld::drive(Joint joint, double voltage) {
   const Hinge& hinge = joints_[joint];
-  const double kG = settings_.torqueConstant * settings_.gearRatio;
-  const double perVolt = settings_.efficiency * kG / settings_.resistance;
-  const double backEmf = perVolt * kG;
   const double angle = jointAngle(joint), rate = jointRate(joint);
 
-  double torque = perVolt * voltage + settings_.armature / h * rate;
-  double damping = backEmf + settings_.armature / h + settings_.dryFriction / std::max(std::abs(rate), kSlowest);
+  double torque = drive_.perVolt * voltage + drive_.inertia * rate;
+  double damping = drive_.damping + settings_.dryFriction / std::max(std::abs(rate), kSlowest);
   double stiffness = kFree;
   const double limit = angle < hinge.kind->low ? hinge.kind->low : hinge.kind->high;
   if (angle < hinge.kind->low || angle > hinge.kind->high) {
-    stiffness = settings_.stopStiffness * hinge.kind->stopStiffness;
-    damping += settings_.stopStiffness * hinge.kind->stopDamping;
+    stiffness = std::max(kFree, hinge.kind->stopStiffness);
+    damping += hinge.kind->stopDamping;
     torque += stiffness * limit;  // the weld's own angle of rest is 0
   }
   constexpr double kInside = kScale * kScale;
@@ -198,9 +197,10 @@ double LeoWorld::step(const Voltages& wanted) {
     energy += std::max(0.0, volts * current) * kStepTime;
   }
   for (int i = 0; i < settings_.substeps; ++i) {
-    for (int j = 0; j < kJoints; ++j) drive(static_cast<Joint>(j), u[static_cast<std::size_t>(j)], h);
+    for (int j = 0; j < kJoints; ++j) drive(static_cast<Joint>(j), u[static_cast<std::size_t>(j)]);
     bodies_[kTorso]->ApplyForce({0.0f, f(kScale * settings_.boomForce)},
-                                bodies_[kTorso]->GetWorldPoint({f(kScale * kBoomPoint.x), f(kScale * kBoomPoint.y)}),
+                                bodies_[kTorso]->GetWorldPoint({f(kScale * settings_.anatomy.boomPoint.x),
+                                                                f(kScale * settings_.anatomy.boomPoint.y)}),
                                 true);
     world_.Step(f(h), kVelocityIterations, kPositionIterations);
   }
@@ -208,9 +208,10 @@ double LeoWorld::step(const Voltages& wanted) {
 }
 
 void LeoWorld::push(double impulse) {
-  bodies_[kTorso]->ApplyLinearImpulse(
-      {f(kScale * impulse), 0.0f},
-      bodies_[kTorso]->GetWorldPoint({f(kScale * kHip.inParent.x), f(kScale * kHip.inParent.y)}), true);
+  bodies_[kTorso]->ApplyLinearImpulse({f(kScale * impulse), 0.0f},
+                                      bodies_[kTorso]->GetWorldPoint({f(kScale * settings_.anatomy.hip.inParent.x),
+                                                                      f(kScale * settings_.anatomy.hip.inParent.y)}),
+                                      true);
 }
 
 double LeoWorld::jointAngle(Joint joint) const {
@@ -226,10 +227,10 @@ Vec LeoWorld::worldPoint(Body body, Vec point) const {
   return {static_cast<double>(p.x) / kScale, static_cast<double>(p.y) / kScale};
 }
 Vec LeoWorld::hip() const {
-  return worldPoint(kTorso, kHip.inParent);
+  return worldPoint(kTorso, settings_.anatomy.hip.inParent);
 }
 Vec LeoWorld::ankle(int leg) const {
-  return worldPoint(foot(leg), kAnkle.inChild);
+  return worldPoint(foot(leg), settings_.anatomy.ankle.inChild);
 }
 
 bool LeoWorld::onFloor(int leg) const {

@@ -46,12 +46,12 @@ class LeoWorld {
 
  private:
   static constexpr double kScale = 10.0;
-  static constexpr int kVelocityIterations = 16, kPositionIterations = 3;
+  static constexpr int kVelocityIterations = 14, kPositionIterations = 3;
 
   void addBody(leo::Body body, leo::Vec origin, double angle);
   void addCircle(leo::Body body, const leo::Circle& circle);
   void addJoint(leo::Joint joint, leo::Body parent, leo::Body child, const leo::JointKind& kind);
-  void drive(leo::Joint joint, double voltage, double h);
+  void drive(leo::Joint joint, double voltage);
   leo::Vec worldPoint(leo::Body body, leo::Vec point) const;  // [m]
 
   struct Hinge {
@@ -60,7 +60,15 @@ class LeoWorld {
     const leo::JointKind* kind;
   };
 
+  /// Of every motor and substep.
+  struct Drive {
+    double perVolt;  // A [N m/V]
+    double damping;  // D + J/h [N m s/rad]
+    double inertia;  // J/h [N m s/rad]
+  };
+
   LeoSettings settings_;
+  Drive drive_;
   b2World world_;
   std::array<b2Body*, leo::kBodies> bodies_{};
   std::array<Hinge, leo::kJoints> joints_{};
