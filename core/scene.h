@@ -53,6 +53,7 @@ struct Label {
   double dx = 0.0, dy = 0.0;  // [px], right and down
   int align = 0;              // −1: ends at the point, 0: centred, 1: begins there
   Ink ink = Ink::Quiet;
+  bool halo = false;  // may lie over a body
 };
 
 using Shape = std::variant<Polyline, Polygon, Disc, Arrow, Label>;

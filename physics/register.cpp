@@ -65,7 +65,7 @@ void registerPhysics(Registry& r) {
       {{"compass", "Compass walker", "Two straight legs and a hip: the simplest thing that walks."},
        [] { return std::make_unique<Compass>(); }});
   r.environments.push_back(
-      {{"leo", "Walker LEO", "The Delft robot on two legs, in Box2D."}, [] { return std::make_unique<Leo>(); }});
+      {{"leo", "LEO walker", "The Delft robot on two legs, in Box2D."}, [] { return std::make_unique<Leo>(); }});
   r.presets.push_back(leoPreset("leo", "LEO", "The robot with motors of 8.6 Ω.", {}));
   r.presets.push_back(leoPreset("mismatched", "Mismatched LEO", "Another motor: 9.5 Ω, and more dry friction.",
                                 {{"environment.resistance", 9.5}, {"environment.dry_friction", 0.27046}}));

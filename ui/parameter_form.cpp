@@ -2,7 +2,7 @@
 #include "ui/parameter_form.h"
 
 #include <QPainter>
-#include <QVBoxLayout>
+
 #include <set>
 
 #include "ui/parameter_row.h"
@@ -91,7 +91,7 @@ void ParameterForm::build() {
   sections_.clear();  // setWidget() below deletes the old page
   auto* page = new QWidget;
   auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(12, 0, 12, 12);
+  column->setContentsMargins(12, 0, 8, 12);
   column->setSpacing(0);
   for (const Group group : {Group::Policy, Group::Learning, Group::Rewards, Group::Representation, Group::Model}) {
     const bool newTable = group == Group::Representation, nextEpisode = group == Group::Model;
@@ -101,11 +101,9 @@ void ParameterForm::build() {
     for (const auto& entry : session_.configuration().parameters.all()) {
       const Parameter& p = entry.parameter;
       if (p.group != group) continue;
-      auto* row = new ParameterRow(p, ownerOf(session_.registry(), p.key), page);
-      connect(row, &ParameterRow::edited, this, &ParameterForm::edit);
-      connect(row, &ParameterRow::refused, this, &ParameterForm::refused);
-      column->addWidget(row);
-      section.rows.push_back({row, p.order});
+      auto* place = new QVBoxLayout;
+      column->addLayout(place);
+      section.rows.push_back({p, place});
     }
     sections_.push_back(std::move(section));
   }
@@ -116,29 +114,49 @@ void ParameterForm::build() {
 
 void ParameterForm::setShowAll(bool all) {
   all_ = all;
-  chooseRows();
+  refresh();
+}
+
+void ParameterForm::make(Row& row) {
+  row.row = new ParameterRow(row.parameter, ownerOf(session_.registry(), row.parameter.key), widget());
+  connect(row.row, &ParameterRow::edited, this, &ParameterForm::edit);
+  connect(row.row, &ParameterRow::refused, this, &ParameterForm::refused);
+  row.place->addWidget(row.row);
+}
+
+/// Tab goes down the form, whenever its rows were made.
+void ParameterForm::orderTabs() {
+  QWidget* last = nullptr;
+  for (const Section& section : sections_)
+    for (const Row& row : section.rows)
+      for (QWidget* control : row.row ? row.row->findChildren<QWidget*>() : QList<QWidget*>()) {
+        if (!(control->focusPolicy() & Qt::TabFocus)) continue;
+        if (last) setTabOrder(last, control);
+        last = control;
+      }
 }
 
 void ParameterForm::chooseRows() {
   const int most = all_ ? 3 : height() >= kRoomForMore ? 2 : 1;
   const Parameters& parameters = session_.configuration().parameters;
-  const auto hasEffect = [&](const ParameterRow& row) {
-    return row.needs().empty() || parameters.get(row.needs()) != 0.0;
-  };
-  for (const Section& section : sections_) {
+  const auto hasEffect = [&](const Parameter& p) { return p.needs.empty() || parameters.get(p.needs) != 0.0; };
+  bool made = false;
+  for (Section& section : sections_) {
     bool any = false;
-    for (const auto& [row, order] : section.rows) {
-      const bool shown = order <= most && hasEffect(*row);
-      row->setVisible(shown);
+    for (Row& row : section.rows) {
+      const bool shown = row.parameter.order <= most && hasEffect(row.parameter);
+      if (shown && !row.row) made = true, make(row);
+      if (row.row) row.row->setVisible(shown);
       any |= shown;
     }
     section.head->setVisible(any);
   }
+  if (made) orderTabs();
 }
 
 void ParameterForm::resizeEvent(QResizeEvent* event) {
   QScrollArea::resizeEvent(event);
-  chooseRows();
+  refresh();
 }
 
 void ParameterForm::refresh() {
@@ -148,7 +166,8 @@ void ParameterForm::refresh() {
   const std::vector<std::string> keys = policyKeys(**policy);
   const std::set<std::string> inForce(keys.begin(), keys.end());
   for (const Section& section : sections_)
-    for (const auto& [row, order] : section.rows) {
+    for (const auto& [parameter, place, row] : section.rows) {
+      if (!row) continue;
       row->show(c.parameters.get(row->key()), session_.base(row->key()), session_.changedAt(row->key()));
       row->setInForce(inForce.contains(row->key()));
     }

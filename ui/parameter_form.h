@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QScrollArea>
+#include <QVBoxLayout>
 #include <vector>
 
 #include "core/parameters.h"
@@ -33,8 +34,9 @@ class ParameterForm final : public QScrollArea {
 
  private:
   struct Row {
-    ParameterRow* row;
-    int order;  // Parameter::order
+    Parameter parameter;
+    QVBoxLayout* place;
+    ParameterRow* row = nullptr;  // made when it is first shown: a robot has a hundred that few people ask for
   };
   struct Section {
     QWidget* head;
@@ -43,6 +45,8 @@ class ParameterForm final : public QScrollArea {
   void build();
   void refresh();
   void chooseRows();
+  void make(Row& row);
+  void orderTabs();
   void edit(const QString& key, double value);
 
   Session& session_;

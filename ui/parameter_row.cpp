@@ -17,7 +17,7 @@
 namespace surefoot {
 
 namespace {
-constexpr int kRow = 24, kChanged = 18, kName = 20, kUnit = 28, kNumber = 48;  // [px]
+constexpr int kRow = 24, kChanged = 18, kName = 20, kUnit = 32, kNumber = 48;  // [px]
 
 QString tip(const Parameter& p) {
   const QString symbol = p.symbol.empty() ? QString() : QStringLiteral(" %1").arg(toText(p.symbol));
@@ -97,10 +97,18 @@ QString ParameterRow::textOf(double value) const {
     decimals = parameter_.sliderHigh >= 2 ? 1 : 2;
   const auto exact = [&] { return std::abs(value - QString::number(value, 'f', decimals).toDouble()) < 1e-12; };
   while (parameter_.kind == Kind::Real && decimals < 4 && !exact()) ++decimals;
-  QString text = QString::number(value, 'f', decimals);
-  const bool tooLong = number_ && number_->fontMetrics().horizontalAdvance(text) > kNumber - 6;
-  if (tooLong || (value != 0.0 && text.toDouble() == 0.0)) text = QString::number(value, 'g', 3);
-  return text.replace('-', QChar(0x2212));
+  const auto written = [&](char format, int precision) {
+    QString text = QString::number(value, format, precision);
+    return text.replace(QStringLiteral("e-0"), QStringLiteral("e-")).replace('-', QChar(0x2212));
+  };
+  const auto fits = [&](const QString& text) {
+    return !number_ || number_->fontMetrics().horizontalAdvance(text) <= kNumber - 3;
+  };
+  const double shown = QString::number(value, 'f', decimals).toDouble();
+  const bool precise = value == 0.0 || std::abs(shown / value - 1.0) < 0.01;
+  if (const QString text = written('f', decimals); precise && fits(text)) return text;
+  const QString text = written('g', 3);
+  return fits(text) ? text : written('e', 1);
 }
 
 void ParameterRow::show(double value, double base, std::optional<std::int64_t> changedAt) {
@@ -186,13 +194,16 @@ void ParameterRow::paintEvent(QPaintEvent*) {
   p.setFont(font);
   p.setPen(t.ink);
   const double end = slider_ ? slider_->x() + 4 : width() / 2 - 4;  // of the room for words
-  const QString title = QFontMetricsF(font).elidedText(
-      toText(parameter_.label.empty() ? parameter_.title : parameter_.label), Qt::ElideRight, end - kName);
+  const QString symbol = toText(parameter_.symbol);
+  const QFontMetricsF metrics(font);
+  QString title = toText(parameter_.label.empty() ? parameter_.title : parameter_.label);
+  // "Stance knee k̇" rather than "Stance knee ra…": the symbol says what the last word did.
+  if (!symbol.isEmpty() && metrics.horizontalAdvance(title) > end - kName) title = title.section(' ', 0, -2);
+  title = metrics.elidedText(title, Qt::ElideRight, end - kName);
   const double baseline = kRow / 2.0 + 4.5;
   p.drawText(QPointF(kName, baseline), title);
   p.setPen(t.quiet);
-  const double symbolLeft = kName + QFontMetricsF(font).horizontalAdvance(title) + 5;
-  const QString symbol = toText(parameter_.symbol);
+  const double symbolLeft = kName + metrics.horizontalAdvance(title) + 5;
   if (symbolWidth(font, symbol) <= end - symbolLeft) drawSymbol(p, symbolLeft, baseline, symbol);
   p.setFont(textFont(11));
   QString unit = toText(parameter_.unit);

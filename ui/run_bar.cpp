@@ -2,6 +2,7 @@
 #include "ui/run_bar.h"
 
 #include <QAbstractButton>
+#include <QAbstractItemView>
 #include <QEvent>
 #include <QPainter>
 #include <QSignalBlocker>
@@ -22,6 +23,7 @@ namespace {
 
 constexpr double kSlowest = 0.1, kFastest = 8.0;  // times real time
 constexpr int kButton = 32;
+constexpr int kIsEnvironment = Qt::UserRole + 1;  // of a task
 
 double paceAt(int position) {
   const double pace = kSlowest * std::pow(kFastest / kSlowest, static_cast<double>(position) / Slider::kSteps);
@@ -58,11 +60,18 @@ RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
   connect(pace_, &QSlider::valueChanged, this, [this](int position) { session_.setPace(paceAt(position)); });
   buttons_.push_back(new BarButton(actions.turbo, Icon::Turbo, BarButton::Look::Framed, this));
 
-  scenario_ = new Combo(tr("Scenario"), this);
-  fillScenarios();
-  connect(scenario_, &QComboBox::activated, this,
-          [this](int i) { session_.setScenario(scenario_->itemData(i).toString().toStdString()); });
-  scenario_->setPlaceholderText(tr("Changed model"));
+  task_ = new Combo(tr("Task"), this);
+  fillTasks();
+  connect(task_, &QComboBox::activated, this, [this](int i) {
+    const std::string name = task_->itemData(i).toString().toStdString();
+    const bool elsewhere = task_->itemData(i, kIsEnvironment).toBool();
+    refresh();  // until it has begun
+    if (elsewhere)
+      Q_EMIT environmentAsked(name);
+    else if (!name.empty())
+      session_.setScenario(name);
+  });
+  task_->setPlaceholderText(tr("Changed model"));
   agent_ = new Combo(tr("Learning rule"), this);
   for (const auto& entry : session.registry().agents) {
     if (entry.name == "scripted" && !session.task().handMade) continue;  // nothing acts there
@@ -87,7 +96,7 @@ RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
     refresh();
   });
   connect(&session_, &Session::parametersReplaced, this, [this] {
-    fillScenarios();
+    fillTasks();
     layOut();
   });
   connect(&session_, &Session::configurationChanged, this, &RunBar::refresh);
@@ -101,15 +110,24 @@ RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
   refresh();
 }
 
-void RunBar::fillScenarios() {
-  const QSignalBlocker blocker(scenario_);
-  scenario_->clear();
+/// The scenarios of the environment, or itself where it has none; then the other environments.
+void RunBar::fillTasks() {
+  const QSignalBlocker blocker(task_);
+  task_->clear();
+  const auto add = [&](const auto& entry, const std::string& name, bool isEnvironment) {
+    task_->addItem(toText(entry.title), toText(name));
+    task_->setItemData(task_->count() - 1, toText(entry.help), Qt::ToolTipRole);
+    task_->setItemData(task_->count() - 1, isEnvironment, kIsEnvironment);
+  };
+  const std::string& here = session_.configuration().names.environment;
   for (const auto& entry : session_.registry().scenarios)
-    if (entry.environment == session_.configuration().names.environment) {
-      scenario_->addItem(toText(entry.title), toText(entry.name));
-      scenario_->setItemData(scenario_->count() - 1, toText(entry.help), Qt::ToolTipRole);
-    }
-  scenario_->setVisible(scenario_->count() > 0);
+    if (entry.environment == here) add(entry, entry.name, false);
+  if (const auto entry = findEntry(session_.registry().environments, "environment", here); entry && task_->count() == 0)
+    add(**entry, "", false);
+  task_->insertSeparator(task_->count());
+  for (const auto& entry : session_.registry().environments)
+    if (entry.name != here) add(entry, entry.name, true);
+  task_->view()->setMinimumWidth(task_->view()->sizeHintForColumn(0) + 24);
 }
 
 void RunBar::setMarkers() {
@@ -135,11 +153,11 @@ void RunBar::refresh() {
   };
   // A model that was changed by hand is none of the scenarios.
   const auto scenario = findEntry(session_.registry().scenarios, "scenario", names.scenario);
-  bool asNamed = static_cast<bool>(scenario);
-  if (asNamed)
+  bool asNamed = true;
+  if (scenario)
     for (const auto& [key, value] : (*scenario)->values)
       asNamed &= session_.configuration().parameters.get(key) == value;
-  select(*scenario_, asNamed ? names.scenario : "");
+  select(*task_, asNamed ? names.scenario : "");
   select(*agent_, names.agent);
   select(*policy_, names.policy);
   if (!pace_->isSliderDown()) {
@@ -158,9 +176,8 @@ void RunBar::layOut() {
   buttons_[3]->move(static_cast<int>(paceLabel_) + 24 + 20, 8);
   factorLabel_ = buttons_[3]->x() + 88;
   x = static_cast<int>(factorLabel_) + 68;
-  for (QComboBox* combo : {scenario_, agent_, policy_}) {
-    if (combo == scenario_ && scenario_->count() == 0) continue;
-    const int w = combo == scenario_ ? 148 : combo == policy_ ? 116 : 132;
+  for (QComboBox* combo : {task_, agent_, policy_}) {
+    const int w = combo == task_ ? 148 : combo == policy_ ? 116 : 132;
     combo->setGeometry(x, 8, w, kButton);
     x += w + 8;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The toolbar: run, step, restart; pace and turbo; scenario, learning rule and policy; falls and episodes.
+// The toolbar: run, step, restart; pace and turbo; task, learning rule and policy; falls and episodes.
 #pragma once
 
 #include <QAction>
@@ -30,6 +30,8 @@ class RunBar final : public QWidget {
  Q_SIGNALS:
   /// Another learning rule was chosen; it needs a new table.
   void agentAsked(const QString& name, const QString& title);
+  /// Another environment was chosen.
+  void environmentAsked(const std::string& name);
 
  protected:
   void paintEvent(QPaintEvent*) override;
@@ -39,14 +41,14 @@ class RunBar final : public QWidget {
  private:
   void layOut();
   void refresh();
-  void fillScenarios();
+  void fillTasks();
   void setMarkers();
 
   Session& session_;
   RunActions actions_;
   std::vector<QWidget*> buttons_;
   Slider* pace_;
-  QComboBox *scenario_, *agent_, *policy_;
+  QComboBox *task_, *agent_, *policy_;
   double paceLabel_ = 0, factorLabel_ = 0;  // left ends [px]
   QElapsedTimer sinceUpdate_;
 };

@@ -88,15 +88,19 @@ void ScenePainter::operator()(const Arrow& arrow) const {
 void ScenePainter::operator()(const Label& label) const {
   const QPointF at = toPixel_(label.at) + QPointF(label.dx, label.dy);
   p_.setFont(textFont(label.ink == Ink::Solid ? 13 : 11));
-  p_.setPen(label.ink == Ink::Fall ? t_.fallText : colour(label.ink));
   const QRectF where = label.align == 0  ? QRectF(at.x() - 80, at.y() - 8, 160, 16)
                        : label.align > 0 ? QRectF(at.x(), at.y() - 8, 160, 16)
                                          : QRectF(at.x() - 160, at.y() - 8, 160, 16);
-  drawSymbol(p_, where,
-             label.align == 0  ? Qt::AlignHCenter
-             : label.align > 0 ? Qt::AlignLeft
-                               : Qt::AlignRight,
-             QString::fromStdString(label.text));
+  const auto align = label.align == 0 ? Qt::AlignHCenter : label.align > 0 ? Qt::AlignLeft : Qt::AlignRight;
+  const QString text = QString::fromStdString(label.text);
+  if (label.halo) {
+    p_.setPen(t_.paper);
+    for (const QPointF& d : {QPointF(-2, 0), QPointF(2, 0), QPointF(0, -2), QPointF(0, 2), QPointF(-1.4, -1.4),
+                             QPointF(1.4, -1.4), QPointF(-1.4, 1.4), QPointF(1.4, 1.4)})
+      drawSymbol(p_, where.translated(d), align, text);
+  }
+  p_.setPen(label.ink == Ink::Fall ? t_.fallText : colour(label.ink));
+  drawSymbol(p_, where, align, text);
 }
 
 }  // namespace surefoot

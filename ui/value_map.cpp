@@ -160,10 +160,15 @@ void ValueMap::drawContour(QPainter& p, const QRectF& square, double level) cons
 
 namespace {
 
-/// "150", or a power of ten: "10⁴".
+/// "150", "0.012", or a power of ten: "10⁴".
 QString numberText(double value, const MapScale& scale) {
-  if (scale.kind != MapScale::Kind::Viridis || value < 100)
-    return toText(fixedText(value, value == std::floor(value) ? 0 : 1));
+  if (scale.kind != MapScale::Kind::Viridis || value < 100) {
+    const double size = std::abs(value);
+    if (value == std::floor(value) || size >= 100) return toText(fixedText(value, 0));
+    if (size >= 1) return toText(fixedText(value, 1));
+    constexpr int kMost = 3;  // decimals that there is room for
+    return toText(fixedText(value, size >= 0.1 && std::fmod(10 * size, 1.0) == 0.0 ? 1 : kMost));
+  }
   constexpr std::array<const char*, 10> kSuperscripts = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   return QStringLiteral("10") + kSuperscripts[static_cast<std::size_t>(std::lround(std::log10(value))) % 10];
 }

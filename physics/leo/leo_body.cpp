@@ -41,8 +41,10 @@ void declareJoint(Fields& f, JointKind& j, const std::string& key, const std::st
   f.real(j.high, part(key + "_high", title + " high", "rad", 0, 3.1, "Where the joint's stop is, bent forwards."));
   f.real(j.stopStiffness,
          part(key + "_stop_stiffness", title + " stop", "N m/rad", 0, 1000, "Stiffness of the joint's stops."));
-  f.real(j.stopDamping,
-         part(key + "_stop_damping", title + " stop damping", "N m s/rad", 0, 100, "Damping of the joint's stops."));
+  Parameter damping =
+      part(key + "_stop_damping", title + " stop damping", "N m s/rad", 0, 100, "Damping of the joint's stops.");
+  damping.label = title + " damper";
+  f.real(j.stopDamping, damping);
 }
 
 void declareCircle(Fields& f, Circle& c, const std::string& key, const std::string& title) {
@@ -72,9 +74,13 @@ void Anatomy::declare(Fields& f) {
                                                                                 {"swing_shank", "swing shank"},
                                                                                 {"stance_foot", "stance foot"},
                                                                                 {"swing_foot", "swing foot"}}};
-  for (std::size_t body = 0; body < kBodies; ++body)
-    f.real(start[body], part(std::string("start_") + kNames[body].first, std::string("Start, ") + kNames[body].second,
-                             "rad", -1.5, 1.5, "Angle of the body when an episode begins, at rest."));
+  for (std::size_t body = 0; body < kBodies; ++body) {
+    const std::string name = kNames[body].second;
+    Parameter angle = part(std::string("start_") + kNames[body].first, "Start, " + name, "rad", -1.5, 1.5,
+                           "Angle of the body when an episode begins, at rest.");
+    angle.label = name;
+    f.real(start[body], angle);
+  }
 }
 
 }  // namespace surefoot::leo

@@ -119,7 +119,8 @@ void drawVoltage(Point joint, double volts, double most, double side, bool near,
                                4 * side,
                                0,
                                static_cast<int>(side),
-                               near ? Ink::Solid : Ink::Quiet});
+                               near ? Ink::Solid : Ink::Quiet,
+                               true});
   if (std::abs(turn) < 0.05) return;
   scene.shapes.push_back(arc(joint, kRadius, begin - turn / 2, begin + turn / 2, ink, 2.5));
   const double end = begin + turn / 2, tip = end + (turn > 0 ? 0.22 : -0.22);

@@ -46,8 +46,10 @@ void LeoSettings::declare(Fields& f) {
   f.real(ankleGain, model("ankle_gain", "Ankles", "", "V/rad", 0, 200, "Voltage by which ankles hold their angle."));
   f.real(ankleTarget, model("ankle_target", "Ankle target", "", "rad", -1, 1, "The angle that the ankles hold."));
   f.real(mostTorso, model("fall_torso", "Fall, torso", "", "rad", 0.1, 3, "Doomed beyond this lean of the torso."));
-  f.real(mostStanceThigh, model("fall_stance_thigh", "Fall, stance thigh", "", "rad", 0.1, 3,
-                                "Doomed beyond this lean of the stance thigh: 0.36π."));
+  Parameter thigh = model("fall_stance_thigh", "Fall, stance thigh", "", "rad", 0.1, 3,
+                          "Doomed beyond this lean of the stance thigh: 0.36π.");
+  thigh.label = "Fall, thigh";
+  f.real(mostStanceThigh, thigh);
   f.real(efficiency, model("efficiency", "Efficiency", "η", "", 0.05, 1, "Of the gears."));
   f.real(voltage, model("voltage", "Voltage", "U", "V", 1, 30, "The largest; actions are levels between ± this."));
   f.real(boomForce, model("boom_force", "Boom force", "", "N", -20, 20, "What the boom adds, upwards positive."));

@@ -82,7 +82,7 @@ TEST(MainWindow, PolicyAndScenarioAreChosenInTheToolbar) {
   ASSERT_GE(softmax, 0);
   Q_EMIT policy->activated(softmax);
   EXPECT_EQ(w.session->configuration().names.policy, "softmax");
-  auto* scenario = w.named<QComboBox>("Scenario");
+  auto* scenario = w.named<QComboBox>("Task");
   Q_EMIT scenario->activated(scenario->findData("3"));
   EXPECT_EQ(w.session->configuration().parameters.get("environment.friction"), 0.05);
   EXPECT_EQ(w.session->configuration().names.scenario, "3");

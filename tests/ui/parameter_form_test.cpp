@@ -12,12 +12,40 @@
 
 namespace surefoot {
 
-TEST(ParameterForm, HasARowForEveryParameter) {
+TEST(ParameterForm, HasARowForEveryParameterThatHasAnEffect) {
   Window w;
+  w.window->findChild<ParameterForm*>()->setShowAll(true);
+  for (const char* schedule : {"policy.epsilon_schedule", "policy.threshold_schedule", "policy.temperature_schedule"})
+    ASSERT_TRUE(w.session->setParameter(schedule, 1));
   std::set<std::string> shown;
-  for (const ParameterRow* row : w.window->findChildren<ParameterRow*>()) shown.insert(row->key());
-  for (const auto& entry : w.session->configuration().parameters.all())
-    EXPECT_TRUE(shown.contains(entry.parameter.key)) << entry.parameter.key;
+  for (const ParameterRow* row : w.window->findChildren<ParameterRow*>())
+    if (!row->isHidden()) shown.insert(row->key());
+  const Parameters& parameters = w.session->configuration().parameters;
+  for (const auto& entry : parameters.all()) {
+    const std::string& needs = entry.parameter.needs;
+    EXPECT_EQ(shown.contains(entry.parameter.key), needs.empty() || parameters.get(needs) != 0.0)
+        << entry.parameter.key;
+  }
+}
+
+// Rows that were asked for later stand between those that were there before.
+TEST(ParameterForm, TabGoesDownTheForm) {
+  Window w;
+  auto* form = w.window->findChild<ParameterForm*>();
+  form->setShowAll(true);
+  QTest::qWait(50);
+  const auto fields = form->findChildren<QLineEdit*>();
+  ASSERT_GT(fields.size(), 20);
+  QWidget* at = w.named<QLineEdit>("Exploration, number");
+  int y = 0, count = 0;
+  for (at = at->nextInFocusChain(); form->isAncestorOf(at); at = at->nextInFocusChain()) {
+    if (!qobject_cast<QLineEdit*>(at) || !at->isVisible()) continue;
+    const int here = at->mapTo(form->widget(), QPoint()).y();
+    EXPECT_GT(here, y) << at->accessibleName().toStdString();
+    y = here;
+    ++count;
+  }
+  EXPECT_GT(count, 20);
 }
 
 // What a schedule needs is shown as soon as there is one.
