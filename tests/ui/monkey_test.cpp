@@ -28,7 +28,7 @@ class Monkey {
   QString last;  ///< the last input, in a word
 
   void act() {
-    last = "mouse or key";
+    last = "nothing";
     switch (below(8)) {
       case 0:
       case 1:
@@ -68,12 +68,14 @@ class Monkey {
   void drag() {
     QWidget* w = someWidget();
     if (qobject_cast<QMenuBar*>(w) || qobject_cast<QComboBox*>(w) || qobject_cast<QAbstractButton*>(w)) return;
+    last = QString("drag on ") + w->metaObject()->className() + " " + w->accessibleName();
     QTest::mousePress(w, Qt::LeftButton, {}, somewhere(*w));
     for (int i = 0; i < 4; ++i) QTest::mouseMove(w, somewhere(*w));
     QTest::mouseRelease(w, Qt::LeftButton, {}, somewhere(*w));
   }
   void wheel() {
     QWidget* w = someWidget();
+    last = QString("wheel on ") + w->metaObject()->className() + " " + w->accessibleName();
     const QPointF at = somewhere(*w);
     QWheelEvent event(at, w->mapToGlobal(at), {}, {0, below(2) ? 120 : -120}, Qt::NoButton, {}, Qt::NoScrollPhase,
                       false);
@@ -86,9 +88,11 @@ class Monkey {
     if (!field->isVisible() || !field->isEnabled()) return;
     static const char* const kTexts[] = {"0",   "1", "-1",  "0.5",    "1e9",  "nan",
                                          "inf", "",  "abc", "1e-300", "12,5", "9999999999999999999999"};
+    const char* const text = kTexts[below(std::size(kTexts))];
+    last = QString("typing %1 in %2").arg(text, field->accessibleName());
     field->setFocus();
     field->selectAll();
-    QTest::keyClicks(field, kTexts[below(std::size(kTexts))]);
+    QTest::keyClicks(field, text);
     QTest::keyClick(field, Qt::Key_Return);
   }
   void press() {
