@@ -36,6 +36,12 @@ void MapChoice::fit(const Task& task) {
   locked = task.goalReward.has_value();  // without a goal no value comes near the reward of a whole episode
 }
 
+bool MapChoice::suits(const Task& task) const {
+  const bool joints = quantity == MapQuantity::GreedyAction && !task.actionVariables.empty();
+  const std::size_t numbered = joints ? task.actionVariables.size() : task.actions.size();
+  return across.size() == task.state.size() && static_cast<std::size_t>(action) < numbered;
+}
+
 MapSlice MapChoice::slice(std::span<const double> live) const {
   MapSlice slice{x, y, {live.begin(), live.end()}};
   for (std::size_t d = 0; d < slice.at.size() && d < across.size(); ++d)

@@ -26,8 +26,10 @@ struct MapChoice {
   Projection projection = Projection::Mean;
   bool locked = true;  ///< the colours span what rewards allow; else what the map shows now
 
-  /// Begins anew for a task.
+    /// Begins anew for a task.
   void fit(const Task& task);
+  /// Whether the task has all that was chosen.
+  bool suits(const Task& task) const;
   bool isAxis(std::size_t variable) const { return static_cast<int>(variable) == x || static_cast<int>(variable) == y; }
   /// The slice through a live state.
   MapSlice slice(std::span<const double> live) const;

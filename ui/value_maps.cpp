@@ -31,13 +31,13 @@ ValueMaps::ValueMaps(Session& session, QWidget* parent) : QWidget(parent), sessi
   });
   connect(&session_, &Session::lifeReplaced, this, [this] {
     any_ = false;
-    if (choice_.across.size() != session_.task().state.size()) choice_.fit(session_.task());
+    if (!choice_.suits(session_.task())) choice_.fit(session_.task());
     update();
   });
 }
 
 void ValueMaps::setChoice(const MapChoice& choice) {
-  if (choice.across.size() != session_.task().state.size()) return;  // chosen for another environment
+  if (!choice.suits(session_.task())) return;  // chosen for another environment
   choice_ = choice;
   recompute();
   Q_EMIT shown();

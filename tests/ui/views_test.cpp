@@ -98,6 +98,24 @@ TEST(ActionRows, ShowCombinationsByTheirVariables) {
   EXPECT_EQ(greedyValues(choice, w.session->task()), 7u);
 }
 
+// Both have two state variables, but not as many actions.
+TEST(ValueMaps, WhatWasChosenForOneEnvironmentIsNotTakenToAnother) {
+  Window w;
+  ASSERT_TRUE(w.session->beginEnvironment("grid-world"));
+  ASSERT_TRUE(w.waitFor([&] { return w.session->task().actions.size() == 4; }));
+  auto* maps = w.window->findChild<ValueMaps*>();
+  MapChoice last = maps->choice();
+  last.quantity = MapQuantity::OneAction;
+  last.action = 3;
+  maps->setChoice(last);
+  EXPECT_EQ(maps->choice().action, 3);
+  ASSERT_TRUE(w.session->beginEnvironment("mountain-car"));
+  ASSERT_TRUE(w.waitFor([&] { return w.session->task().actions.size() == 3; }));
+  EXPECT_EQ(maps->choice().quantity, MapQuantity::BestAction);
+  maps->setChoice(last);  // from a menu that is still open
+  EXPECT_EQ(maps->choice().quantity, MapQuantity::BestAction);
+}
+
 TEST(ValueMaps, ShowLearnedValuesAndHatchTheRest) {
   Learned w;
   const QImage image = w.picture<ValueMaps>();
