@@ -37,7 +37,7 @@ Experiment::Experiment(const Registry& registry, std::vector<PlanSource> sources
   connect(&timer_, &QTimer::timeout, this, &Experiment::tick);
 }
 
-std::vector<FigureSpec> Experiment::standardFigures() const {
+std::vector<FigureSpec> Experiment::standardFigures(const StoredPlan& plan) const {
   const auto figure = [](const char* name, const char* title, const char* kind, const char* measure = "falls") {
     return FigureSpec{.name = name,
                       .title = title,
@@ -48,12 +48,25 @@ std::vector<FigureSpec> Experiment::standardFigures() const {
                       .q = {},
                       .state = {}};
   };
-  return {figure("falls", "Falls during learning", "bars"),
-          figure("average-reward", "Average reward", "learning-curve"),
-          figure("reward-against-falls", "Average reward against falls", "reward-against-falls"),
-          figure("cumulative-falls", "Cumulative falls", "cumulative-falls"),
-          figure("learning-time", "Learning time", "bars", "minutes"),
-          figure("end-performance", "Falls per episode at the end", "bars", "end_performance")};
+  std::vector<FigureSpec> figures = {
+      figure("falls", "Falls during learning", "bars"),
+      figure("average-reward", "Average reward", "learning-curve"),
+      figure("reward-against-falls", "Average reward against falls", "reward-against-falls"),
+      figure("cumulative-falls", "Cumulative falls", "cumulative-falls"),
+      figure("learning-time", "Learning time", "bars", "minutes"),
+      figure("end-performance", "Falls per episode at the end", "bars", "end_performance")};
+  const bool walks = std::any_of(plan.conditions.begin(), plan.conditions.end(), [&](const StoredCondition& c) {
+    const auto configuration = nlohmann::json::parse(c.configuration, nullptr, false);
+    if (!configuration.is_object()) return false;
+    const auto entry =
+        findEntry(registry_.environments, "environment", configuration.value("environment", std::string()));
+    return entry && measureAt((*entry)->make()->task().measures, "distance").has_value();
+  });
+  if (!walks) return figures;
+  figures.push_back(figure("distance", "Distance of a life", "bars", "distance"));
+  figures.push_back(figure("greedy-distance", "Distance of a greedy test at the end", "bars", "greedy_distance"));
+  figures.push_back(figure("greedy-footsteps", "Net footsteps of a greedy test", "bars", "greedy_net_footsteps"));
+  return figures;
 }
 
 Status Experiment::readText(const std::string& text, const std::string& path) {
@@ -61,7 +74,7 @@ Status Experiment::readText(const std::string& text, const std::string& path) {
   if (!plan) return plan.error();
   auto stored = planToStore(registry_, *plan);
   if (!stored) return stored.error();
-  std::vector<FigureSpec> figures = standardFigures();
+  std::vector<FigureSpec> figures = standardFigures(*stored);
   std::vector<Claim> claims;
   if (text.find("[[figure]]") != std::string::npos) {
     if (auto recipe = readRecipe(registry_, path, {})) {
@@ -114,7 +127,7 @@ Status Experiment::openStore(const std::string& path) {
   view_ = std::make_shared<const LabView>(std::move(*view));
   stored_ = view_->findings.plan;
   title_ = stored_.title;
-  figures_ = standardFigures();
+  figures_ = standardFigures(stored_);
   livesDone_ = 0;
   for (const Evidence& e : view_->evidence) livesDone_ += static_cast<int>(e.lives.size()) + e.record.diverged;
   falls_ = fallsIn(*view_);

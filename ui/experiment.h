@@ -91,7 +91,7 @@ class Experiment final : public QObject {
   Status openStore(const std::string& path);
   Status readText(const std::string& text, const std::string& path);
   void setState(State state);
-  std::vector<FigureSpec> standardFigures() const;
+  std::vector<FigureSpec> standardFigures(const StoredPlan& plan) const;
 
   const Registry& registry_;
   std::string chosen_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/checkpoint.h"
 
+#include <cassert>
+
 #include <fmt/format.h>
 
 #include "core/experiment/configuration_json.h"
@@ -88,6 +90,7 @@ TensorFile checkpointOf(const Life& life, const Configuration& configuration, bo
                        {"changes", changesAsJson(life.changes())}};
   Archive archive = Archive::writer(file);
   life.save(archive);
+  assert(archive.good());
   seal(file);
   return file;
 }

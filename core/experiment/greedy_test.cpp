@@ -7,6 +7,20 @@
 
 namespace surefoot {
 
+namespace {
+
+/// Of the best ones any, each as likely as the others.
+Action greedyAction(std::span<const double> q, Random& random) {
+  const double best = *std::max_element(q.begin(), q.end());
+  const auto ties = std::count(q.begin(), q.end(), best);
+  auto left = ties > 1 ? static_cast<std::ptrdiff_t>(random.uniform() * static_cast<double>(ties)) : 0;
+  for (std::size_t a = 0; a < q.size(); ++a)
+    if (q[a] == best && left-- == 0) return static_cast<Action>(a);
+  return 0;
+}
+
+}  // namespace
+
 GreedyTester::GreedyTester(std::unique_ptr<Environment> environment, std::uint64_t seed)
     : environment_(std::move(environment)),
       seed_(seed) {
@@ -31,7 +45,7 @@ void GreedyTester::test(const ActionValueFunction& values, std::int64_t episode,
   Outcome outcome;
   do {
     values.evaluate(environment_->state(), Layer::Sum, q_);
-    outcome = environment_->step(static_cast<Action>(std::max_element(q_.begin(), q_.end()) - q_.begin()));
+    outcome = environment_->step(greedyAction(q_, random));
     ++test.steps;
     test.reward += outcome.reward;
     test.falls += outcome.event == Event::Fall;

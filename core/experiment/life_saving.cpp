@@ -47,12 +47,13 @@ void Life::transfer(Archive& archive) {
   archive.table("random.policy", policyRandom);
   policyRandom_ = Random(policyRandom);
   archive.value("steps", steps_, 0, kMostSteps);
-  archive.value("action", action_, 0, static_cast<int>(environment_->task().actions.size()) - 1);
+  const Task& task = environment_->task();
+  archive.value("action", action_, task.handMade ? kHandMade : 0, static_cast<int>(task.actions.size()) - 1);
   archive.value("pre_learned", preLearned_, 0, 1);
   archive.value("in_episode", inEpisode_, 0, 1);
   archive.value("environment_changed", environmentChanged_, 0, 1);
   archive.list("episode.actions", inputs_.actions, kMostInputs);
-  archive.list("episode.start", inputs_.start, environment_->task().state.size());
+  archive.list("episode.start", inputs_.start, task.state.size());
   archive.list("episode.push_steps", inputs_.pushSteps, kMostInputs);
   archive.list("episode.push_impulses", inputs_.pushImpulses, kMostInputs);
   archive.under("log.", [&] { log_.transfer(archive); });
@@ -63,12 +64,15 @@ void Life::transfer(Archive& archive) {
 
 void Life::repeatEpisode(Archive& archive) {
   const auto& [random, start, actions, pushSteps, pushImpulses] = inputs_;
-  const auto most = static_cast<int>(environment_->task().actions.size());
-  if (std::any_of(actions.begin(), actions.end(), [=](int a) { return a >= most; }))
-    return archive.refuse("episode.actions", "names actions that there are not");
+  const Task& task = environment_->task();
+  const auto known = [&](Action a) {
+    return (a >= 0 && a < static_cast<Action>(task.actions.size())) || (task.handMade && a == kHandMade);
+  };
+  for (std::size_t i = 0; i < actions.size(); ++i)
+    if (!known(inputs_.actionAt(i))) return archive.refuse("episode.actions", "names actions that there are not");
   if (pushSteps.size() != pushImpulses.size())
     return archive.refuse("episode.push_steps", "is not as long as the list of impulses");
-  if (!start.empty() && !checkState(environment_->task(), start))
+  if (!start.empty() && !checkState(task, start))
     return archive.refuse("episode.start", "is no state of the environment");
   if (inEpisode_ && static_cast<std::int64_t>(actions.size()) != log_.current().steps)
     return archive.refuse("episode.actions", "is not as long as the episode");

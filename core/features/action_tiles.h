@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tiles over actions that are combinations of several variables (Task::actionVariables). In tiling i an action lies, in
-// action variable j, in the tile floor((u/width·n + i·(2d + 1)) / n), with d counting on from the state variables, so
-// that actions which are near share weights in most tilings and tell themselves apart in some. The tiles of all action
-// variables together are the columns of a block of weights: one look-up of a state's tile serves all actions.
+// action variable j, in the tile floor(((u − u_min)/width·n + i·(2d + 1) mod n) / n), with d counting on from the state
+// variables, so that actions which are near share weights in most tilings and tell themselves apart in some. The tiles
+// of all action variables together are the columns of a block of weights: one look-up of a state's tile serves all
+// actions.
 //
 // Without action variables every action has a column of its own in every tiling.
 #pragma once

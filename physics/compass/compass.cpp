@@ -7,8 +7,6 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kMostStance = 0.5, kMostSwing = 1.0;  // [rad]: beyond, it has fallen
-
 enum RewardTerm { kFootstep, kFall, kTime };
 
 StateVariable variable(const char* key, const char* title, const char* symbol, bool rate, double low, double high,
@@ -28,6 +26,7 @@ StateVariable variable(const char* key, const char* title, const char* symbol, b
 }
 
 Task makeTask(const CompassSettings& s) {
+  constexpr double kMostStance = 0.5, kMostSwing = 1.0;  // [rad]: what tiles cover and maps show
   Task task;
   task.state = {variable("stance_angle", "stance angle", "θ", false, -kMostStance, kMostStance, 0.1),
                 variable("stance_rate", "stance rate", "θ\u0307", true, -3.0, 0.6, 0.5),
@@ -94,7 +93,7 @@ Outcome Compass::step(Action action) {
   Outcome outcome;
   outcome.terms[kTime] = settings_.timeReward;
   outcome.terms[kFootstep] = settings_.footstepReward * footstep;
-  if (std::abs(state_[0]) > kMostStance || std::abs(state_[2]) > kMostSwing) {
+  if (std::abs(state_[0]) > settings_.mostStance || std::abs(state_[2]) > settings_.mostSwing) {
     outcome.terms[kFall] = settings_.fallReward;
     outcome.ending = Ending::Terminal;
     outcome.event = Event::Fall;

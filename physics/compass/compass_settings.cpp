@@ -57,6 +57,17 @@ void CompassSettings::declare(Fields& f) {
   f.real(startNoise, signedModel(model("start_noise", "Start noise", "", 0,
                                        "Share by which start angles and rates vary; in rad/s that of the swing leg."),
                                  0, 1, 0, 0.5));
+  f.real(gravity, signedModel(model("gravity", "Gravity", "m/s²", gravity, "On the Earth 9.81."), 0, 30, 0, 30));
+  f.real(solidFrom,
+         signedModel(model("solid_from", "Solid from", "rad", solidFrom,
+                           "The swing foot meets the floor from this angle in front of the stance leg on.", 3),
+                     0, 0.4, 0, 0.4));
+  f.real(mostStance, signedModel(model("fall_stance", "Fall, stance leg", "rad", mostStance,
+                                       "It has fallen beyond this angle of the stance leg.", 3),
+                                 0.1, 1.5, 0.1, 1.5));
+  f.real(mostSwing, signedModel(model("fall_swing", "Fall, swing leg", "rad", mostSwing,
+                                      "It has fallen beyond this angle of the swing leg.", 3),
+                                0.1, 2.5, 0.1, 2.5));
   Parameter substepsOf = model("substeps", "Substeps", "", 1, "Steps of the simulation in one transition.", 3);
   f.integer(substeps, signedModel(substepsOf, 1, 1000, 10, 80));
   Parameter limit = model("max_steps", "Step limit", "", 1, "An episode is cut off after so many steps; no fall.", 3);

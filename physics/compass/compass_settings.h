@@ -14,6 +14,8 @@ struct CompassSettings {
   double hipMass = 1.0;           ///< half of it on each leg, at the hip [kg]
   double footRadius = 0.02;       ///< [m]
   double friction = 5.0;          ///< of feet and floor
+  double gravity = 9.81;          ///< [m/s²]
+  double solidFrom = 0.1;         ///< the swing foot meets the floor beyond this angle in front of the stance leg [rad]
   double slope = 0.0;             ///< [rad]; below 0 it goes uphill
   double torque = 0.6;            ///< of the hip: −, 0, + this [N m]
   double startStance = 0.20;      ///< [rad]
@@ -23,7 +25,8 @@ struct CompassSettings {
   int substeps = 40;              ///< Box2D steps a transition
 
   // The task.
-  double footstepReward = 200.0;  ///< a metre of a footstep
+  double mostStance = 0.5, mostSwing = 1.0;  ///< beyond these angles it has fallen [rad]
+  double footstepReward = 200.0;             ///< a metre of a footstep
   double fallReward = -100.0;
   double timeReward = -1.0;  ///< a step
   int testEvery = 10;        ///< episodes

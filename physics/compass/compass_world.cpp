@@ -9,8 +9,6 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kGravity = 9.81;  // [m/s²]
-
 float f(double x) {
   return static_cast<float>(x);
 }
@@ -26,7 +24,7 @@ int legOf(b2Contact& contact) {
 
 CompassWorld::CompassWorld(const CompassSettings& s, const Posture& posture, double x)
     : settings_(s),
-      world_(b2Vec2(f(kScale * kGravity * std::sin(s.slope)), f(-kScale * kGravity * std::cos(s.slope)))) {
+      world_(b2Vec2(f(kScale * s.gravity * std::sin(s.slope)), f(-kScale * s.gravity * std::cos(s.slope)))) {
   world_.SetAllowSleeping(false);
   world_.SetContinuousPhysics(false);
   world_.SetContactListener(this);
@@ -83,7 +81,7 @@ double CompassWorld::footX(int leg) const {
 
 void CompassWorld::decideSolid() {
   const Posture p = posture();
-  if (p.swing - p.stance < kSolidFrom)
+  if (p.swing - p.stance < settings_.solidFrom)
     solid_ = false;
   else if (static_cast<double>(foot(1 - stance_).y) > kScale * settings_.footRadius)
     solid_ = true;

@@ -43,7 +43,6 @@ class CompassWorld final : private b2ContactListener {
  private:
   static constexpr double kScale = 10.0;
   static constexpr int kVelocityIterations = 6, kPositionIterations = 3;
-  static constexpr double kSolidFrom = 0.1;  // the swing foot meets the floor beyond this angle between the legs [rad]
 
   void PreSolve(b2Contact* contact, const b2Manifold* old) override;
   void decideSolid();

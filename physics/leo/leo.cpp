@@ -172,23 +172,24 @@ Outcome Leo::step(Action action) {
   ++steps_;
   ++sinceFootstep_;
 
-  if (const int leg = supportingLeg(); leg != stance_) {  // a footstep
+  // The step that ends in a footstep still counts for the leg that swung; the next one begins at −L.
+  const double parted = ankleDistance() - distance_;
+  distance_ += parted;
+  if (const int leg = supportingLeg(); leg != stance_) {
     stance_ = leg;
+    const bool forward = distance_ > 0;
     distance_ = -distance_;
-    const bool forward = ankleDistance() < 0;  // the new stance leg is in front
     if (forward) sinceFootstep_ = 0, swingsForward_ = true;
     measures_[kNetFootsteps] += forward ? 1.0 : -1.0;
   }
   measures_[kDistance] = world_->hip().x - start_;
   measures_[kEnergyTaken] += energy;
-  const double distance = ankleDistance();
   observe();
 
   Outcome outcome;
   outcome.terms[kTime] = settings_.timeReward;
   outcome.terms[kEnergy] = settings_.energyReward * energy;
-  outcome.terms[kFootstep] = settings_.footstepReward * (distance - distance_);
-  distance_ = distance;
+  outcome.terms[kFootstep] = settings_.footstepReward * parted;
   if (std::abs(state_[0]) > settings_.mostTorso || std::abs(state_[0] + state_[2]) > settings_.mostStanceThigh) {
     outcome.terms[kFall] = settings_.fallReward;
     outcome.ending = Ending::Terminal;

@@ -8,10 +8,10 @@
 // Actions (343): voltages of stance hip, swing hip and swing knee, 7 levels of each. The stance knee (21.21 V/rad
 // towards 0) and both ankles (42.42 V/rad towards 3.72°) look after themselves. Step: 1/30 s.
 // Rewards: time −1 a step; energy −3 a joule that hips and knees take; footstep +300·(L − L_before), L the distance of
-// the ankles [m], swing minus stance, which changes its sign with a footstep; fall −125 when doomed.
-// Measures: how far the hip got; footsteps forward less those back, which tells a walk from a limp that drags one toe
-// behind the other foot; the energy of hips and knees.
-// Ends: abs(torso) > 1 rad or abs(torso + stance hip) > 0.36π, doomed (terminal, a fall); the step limit (truncated).
+// the ankles [m], swing minus stance, of the legs as they were before the step; behind a footstep L_before = −L; fall
+// −125 when doomed. Measures: how far the hip got; footsteps forward less those back, which tells a walk from a limp
+// that drags one toe behind the other foot; the energy of hips and knees. Ends: abs(torso) > 1 rad or abs(torso +
+// stance hip) > 0.36π, doomed (terminal, a fall); the step limit (truncated).
 #pragma once
 
 #include <array>

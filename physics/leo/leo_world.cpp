@@ -101,7 +101,7 @@ LeoWorld::LeoWorld(const LeoSettings& s, const Angles& angles, const Angles& rat
     setMass(foot(leg), a.foot);
   }
 
-  // Everything turns about the sole of the leg that stands lower, at rest there.
+  // Everything turns about the foot that stands lower, whose origin is at rest.
   const auto spin = [&](Body body, b2Vec2 anchor, b2Vec2 velocity) {
     b2Body* b = bodies_[body];
     const b2Vec2 arm = b->GetWorldCenter() - anchor;
@@ -188,13 +188,10 @@ double LeoWorld::step(const Voltages& wanted) {
   const double h = kStepTime / settings_.substeps;
   const double kG = settings_.torqueConstant * settings_.gearRatio;
   Voltages u = wanted;
-  double energy = 0.0;
-  for (int j = 0; j < kJoints; ++j) {
-    u[static_cast<std::size_t>(j)] = std::clamp(u[static_cast<std::size_t>(j)], -settings_.voltage, settings_.voltage);
-    if (j >= kLeftAnkle) continue;
-    const double volts = u[static_cast<std::size_t>(j)];
-    const double current = (volts - kG * jointRate(static_cast<Joint>(j))) / settings_.resistance;
-    energy += std::max(0.0, volts * current) * kStepTime;
+  Voltages rateBefore{};
+  for (std::size_t j = 0; j < kJoints; ++j) {
+    u[j] = std::clamp(u[j], -settings_.voltage, settings_.voltage);
+    rateBefore[j] = jointRate(static_cast<Joint>(j));
   }
   for (int i = 0; i < settings_.substeps; ++i) {
     for (int j = 0; j < kJoints; ++j) drive(static_cast<Joint>(j), u[static_cast<std::size_t>(j)]);
@@ -203,6 +200,11 @@ double LeoWorld::step(const Voltages& wanted) {
                                                                 f(kScale * settings_.anatomy.boomPoint.y)}),
                                 true);
     world_.Step(f(h), kVelocityIterations, kPositionIterations);
+  }
+  double energy = 0.0;  // the rate is the mean of before and after, as in leosim
+  for (std::size_t j = 0; j < kLeftAnkle; ++j) {
+    const double rate = 0.5 * (rateBefore[j] + jointRate(static_cast<Joint>(j)));
+    energy += std::max(0.0, u[j] * (u[j] - kG * rate) / settings_.resistance) * kStepTime;
   }
   return energy;
 }

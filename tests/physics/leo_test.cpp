@@ -63,12 +63,12 @@ TEST(Leo, StandsWithTheLowestCircleOnTheFloor) {
   EXPECT_NEAR(world.jointAngle(kRightKnee), -1.27, 1e-6);
 }
 
-// No load: the back-EMF and dry friction hold the motor at ω = (A·U − F)/D = 5.58 rad/s less what friction takes.
+// No load and no friction: the back-EMF holds the motor at ω = U/(k·G) = 5.58 rad/s. The thigh's weight and the turning
+// of the torso take from that and add to it.
 TEST(Leo, AMotorReachesItsSpeedWithoutLoad) {
   LeoSettings settings;
   settings.dryFriction = 0.0;
   settings.anatomy.torso = {9.0, 0.065869, settings.anatomy.torso.centre};  // so that the thigh turns and not the torso
-  Leo walker(settings);
   LeoWorld world(settings, Anatomy().start, {});
   LeoWorld::Voltages u{};
   u[kRightHip] = settings.voltage;
@@ -142,6 +142,55 @@ TEST(Leo, RewardIsTheSumOfItsTermsAndAFallIsDoom) {
   EXPECT_EQ(o.event, Event::Fall);
   EXPECT_EQ(o.terms[3], -125.0);
   EXPECT_TRUE(std::abs(walker.state()[0]) > 1.0 || std::abs(walker.state()[0] + walker.state()[2]) > 0.36 * M_PI);
+}
+
+// Also of the step that ends in a footstep: what the leg swung before it touched the floor counts.
+TEST(Leo, TheFootstepTermIsHowFarTheLegsPartInTheRolesTheyHadBefore) {
+  Leo walker;
+  Random random(1);
+  walker.reset(random);
+  const auto ankles = [&](int stance) { return walker.world().ankle(1 - stance).x - walker.world().ankle(stance).x; };
+  int footsteps = 0;
+  double swung = 0.0;
+  for (int i = 0; i < 750; ++i) {
+    const int stance = walker.stanceLeg();
+    const double before = ankles(stance);
+    const Outcome o = walker.step(kHandMade);
+    ASSERT_NE(o.event, Event::Fall);
+    EXPECT_NEAR(o.terms[2], 300 * (ankles(stance) - before), 1e-9);
+    if (walker.stanceLeg() == stance) continue;
+    ++footsteps;
+    swung += ankles(stance);
+  }
+  EXPECT_GT(footsteps, 40);
+  std::printf("%d footsteps of %.3f m on the mean, %.2f m together\n", footsteps, swung / footsteps, swung);
+  // The laboratory adds up its footsteps and comes to 7.5 … 9 m; the hip gets further, because feet roll.
+  EXPECT_GT(swung, 7.5);
+  EXPECT_LT(swung, 9.0);
+}
+
+// U·I of hips and knees, I = (U − k·G·ω)/R, ω the mean of before and after.
+TEST(Leo, EnergyIsWhatTheMotorsTake) {
+  Leo walker;
+  Random random(1);
+  walker.reset(random);
+  const LeoSettings s;
+  const double kG = s.torqueConstant * s.gearRatio;
+  const auto rates = [&] {
+    std::array<double, 4> r{};
+    for (std::size_t j = 0; j < 4; ++j) r[j] = walker.world().jointRate(static_cast<Joint>(j));
+    return r;
+  };
+  const double stanceKnee = walker.state()[6];
+  const auto before = rates();
+  const Outcome o = walker.step(0);  // all three voltages lowest; the left leg stands
+  const auto after = rates();
+  const std::array<double, 4> volts = {-10.69, -10.69, std::clamp(-21.21 * stanceKnee, -10.69, 10.69), -10.69};
+  double joules = 0.0;
+  for (std::size_t j = 0; j < 4; ++j)
+    joules += std::max(0.0, volts[j] * (volts[j] - kG * (before[j] + after[j]) / 2) / s.resistance) / 30;
+  EXPECT_NEAR(o.terms[1], -3 * joules, 1e-9);
+  EXPECT_GT(joules, 0.1);
 }
 
 TEST(Leo, AnEpisodeRepeatsBitForBit) {

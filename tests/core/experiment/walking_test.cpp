@@ -114,6 +114,23 @@ TEST(Walking, ASavedLifeKeepsItsTestsAndGoesOnTesting) {
     EXPECT_EQ(life.greedyTests()[i].reward, (*whole)->greedyTests()[i].reward) << i;
 }
 
+TEST(Walking, ASavedLifeOfTheHandMadeControllerGoesOn) {
+  const Registry registry = fullRegistry();
+  Configuration c = walker(registry, "leo", "scripted");
+  c.episodes = 3;
+  ASSERT_TRUE(c.parameters.set("environment.max_steps", 60.0));
+  const auto whole = makeLife(registry, c, 0, true), first = makeLife(registry, c, 0, true);
+  (*first)->keepInputs();
+  while (!(*whole)->finished()) (*whole)->step();
+  for (int i = 0; i < 100; ++i) (*first)->step();
+  auto file = TensorFile::parse(checkpointOf(**first, c, true).write(), "life");
+  ASSERT_TRUE(file);
+  auto resumed = resume(registry, std::make_shared<const TensorFile>(std::move(*file)), {});
+  ASSERT_TRUE(resumed) << resumed.error().message;
+  while (!resumed->life->finished()) resumed->life->step();
+  EXPECT_EQ(resumed->life->hash(), (*whole)->hash());
+}
+
 // Thesis, section 4.5: the highest intermediate reward in place of the goal's; from footstep to footstep.
 TEST(Walking, TheRuleOfThumbGoesByTheHighestRewardOfAStep) {
   const Registry registry = fullRegistry();
