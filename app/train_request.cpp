@@ -158,7 +158,6 @@ Status checkResume(const TrainOptions& o) {
 }
 
 Result<TrainRequest> makeResumeRequest(const Registry& registry, const TrainOptions& o, TrainRequest request) {
-  if (const Status s = checkResume(o); !s) return s.error();
   auto file = readQFile(*o.resume);
   if (!file) return file.error();
   request.limits = {request.configuration.minutes, request.configuration.episodes};
@@ -204,6 +203,8 @@ Result<TrainRequest> makeTrainRequest(const Registry& registry, const TrainOptio
   request.json = o.json, request.turbo = o.turbo;
   request.log = o.log, request.save = o.save, request.journal = o.journal, request.checkpoint = o.checkpoint;
 
+  if (o.resume)
+    if (const Status s = checkResume(o); !s) return s.error();
   const auto assignments = parseAssignments(o.assignments);
   if (!assignments) return assignments.error();
   auto chosen = chosenConfiguration(registry, o, *assignments);

@@ -124,7 +124,10 @@ Result<Resumed> resume(const Registry& registry, std::shared_ptr<const TensorFil
   const bool keepRows = d.keepRows.get<bool>();
   Archive archive = Archive::reader(*file);
   auto life = resumeLife(registry, now, inForce, keepRows, *changes, archive);
-  if (!life) return life.error();
+  if (!life) {
+    const Error& e = life.error();
+    return e.message.starts_with(file->name) ? e : fileError(file->name, e.message);
+  }
   return Resumed{std::move(*configuration), std::move(*life), keepRows};
 }
 

@@ -37,6 +37,15 @@ Life::Life(LifeParts parts, LifeLimits limits, bool keepRows, Archive& archive)
   tellTime();
 }
 
+namespace {
+
+/// Whether the environment can do it.
+bool isAction(const Task& task, Action a) {
+  return (a >= 0 && a < static_cast<Action>(task.actions.size())) || (task.handMade && a == kHandMade);
+}
+
+}  // namespace
+
 void Life::save(Archive& archive) const {
   const_cast<Life*>(this)->transfer(archive);  // a writer changes nothing
 }
@@ -48,7 +57,8 @@ void Life::transfer(Archive& archive) {
   policyRandom_ = Random(policyRandom);
   archive.value("steps", steps_, 0, kMostSteps);
   const Task& task = environment_->task();
-  archive.value("action", action_, task.handMade ? kHandMade : 0, static_cast<int>(task.actions.size()) - 1);
+  archive.value("action", action_, kHandMade, static_cast<int>(task.actions.size()) - 1);
+  if (archive.reading() && archive.good() && !isAction(task, action_)) archive.refuse("action", "is out of range");
   archive.value("pre_learned", preLearned_, 0, 1);
   archive.value("in_episode", inEpisode_, 0, 1);
   archive.value("environment_changed", environmentChanged_, 0, 1);
@@ -65,11 +75,9 @@ void Life::transfer(Archive& archive) {
 void Life::repeatEpisode(Archive& archive) {
   const auto& [random, start, actions, pushSteps, pushImpulses] = inputs_;
   const Task& task = environment_->task();
-  const auto known = [&](Action a) {
-    return (a >= 0 && a < static_cast<Action>(task.actions.size())) || (task.handMade && a == kHandMade);
-  };
   for (std::size_t i = 0; i < actions.size(); ++i)
-    if (!known(inputs_.actionAt(i))) return archive.refuse("episode.actions", "names actions that there are not");
+    if (!isAction(task, inputs_.actionAt(i)))
+      return archive.refuse("episode.actions", "names actions that there are not");
   if (pushSteps.size() != pushImpulses.size())
     return archive.refuse("episode.push_steps", "is not as long as the list of impulses");
   if (!start.empty() && !checkState(task, start))

@@ -175,6 +175,8 @@ Status checkTask(const TensorFile& file, const Task& task) {
   if (names(about["state"]) != names(state)) return refuse("the state", names(about["state"]), names(state));
   for (const char* key : {"values", "names"}) {
     const Json theirs = about["actions"].contains(key) ? about["actions"][key] : Json(nullptr);
+    if (theirs.is_array() && theirs.size() != actions[key].size())
+      return refuse("the number of actions", theirs.size(), actions[key].size());
     if (theirs != actions[key]) return refuse(fmt::format("the list of action {}", key), theirs, actions[key]);
   }
   return Done{};

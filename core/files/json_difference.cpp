@@ -11,11 +11,11 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// "pole_angle", where that is what an entry of a list is about; else its number.
-std::string nameOfEntry(const Json& entry, std::size_t number) {
+/// "pole_angle", where that is what an entry of a list is about.
+std::optional<std::string> subjectOf(const Json& entry) {
   if (entry.is_object() && entry.contains("variable") && entry["variable"].is_string())
     return entry["variable"].get<std::string>();
-  return fmt::format("entry {}", number + 1);
+  return std::nullopt;
 }
 
 std::string shortText(const Json& json) {
@@ -40,7 +40,9 @@ std::optional<Difference> firstDifference(const Json& theirs, const Json& ours, 
   }
   if (ours.is_array() && theirs.is_array() && ours.size() == theirs.size()) {
     for (std::size_t i = 0; i < ours.size(); ++i)
-      if (auto found = firstDifference(theirs[i], ours[i], nameOfEntry(ours[i], i))) return found;
+      if (auto found =
+              firstDifference(theirs[i], ours[i], subjectOf(ours[i]).value_or(inside(fmt::format("entry {}", i + 1)))))
+        return found;
     return std::nullopt;
   }
   if (theirs == ours) return std::nullopt;

@@ -36,6 +36,15 @@ std::string nameOf(const Combination& c, std::string name, bool whole) {
   return name;
 }
 
+/// "{policy.epsilon}", where a name still has one.
+std::string placeholderIn(const std::string& name) {
+  const auto begin = name.find('{'), end = name.find('}', begin);
+  if (begin == std::string::npos || end == std::string::npos) return "";
+  const std::string inside = name.substr(begin + 1, end - begin - 1);
+  const bool key = inside.find('.') != std::string::npos && inside.find(' ') == std::string::npos;
+  return key ? name.substr(begin, end - begin + 1) : "";
+}
+
 /// Makes one condition; everything that it needs to know of the plan is in `head`.
 class ConditionMaker {
  public:
@@ -69,9 +78,10 @@ class ConditionMaker {
     if (now.episodes) condition.text += fmt::format(" episodes={}", *now.episodes);
     condition.name = nameOf(c, draft.name, true);
     if (condition.name.empty()) condition.name = draft.names.policy;
+    if (const std::string unknown = placeholderIn(condition.name); !unknown.empty())
+      return refuse(fmt::format("name: {} is none of the condition's own settings.", unknown));
     condition.reference = nameOf(c, draft.reference, false);
-    if (const auto life = makeLife(registry_, now, 0, false); !life)  // what no single check can see
-      return refuse(life.error().message);
+    if (const Status s = tryOut(condition); !s) return refuse(s.error().message);
     return condition;
   }
 
@@ -189,6 +199,21 @@ class ConditionMaker {
     condition.text += fmt::format(" pre-learning=({}) pool={}", pre.text,
                                   pre.pool == 0 ? std::string("each") : std::to_string(pre.pool));
     condition.preLearning = std::move(pre);
+    return Done{};
+  }
+
+  /// What no single check can see: a life of it, and one that begins with what is learned before.
+  Status tryOut(const Condition& condition) const {
+    Configuration now = condition.configuration;
+    if (const auto life = makeLife(registry_, now, 0, false); !life) return life.error();
+    if (!condition.preLearning) return Done{};
+    const Configuration& before = condition.preLearning->configuration;
+    const auto lesson = makeLife(registry_, before, 0, false);
+    if (!lesson) return Error{"pre-learning: " + lesson.error().message};
+    auto file = std::make_shared<TensorFile>(qFileOf(**lesson, before));
+    file->name = "pre-learning";
+    now.start = std::move(file);
+    if (const auto life = makeLife(registry_, now, 0, false); !life) return life.error();
     return Done{};
   }
 

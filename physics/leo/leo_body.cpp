@@ -20,8 +20,8 @@ Parameter part(std::string key, std::string title, const char* unit, double low,
 }
 
 void declarePoint(Fields& f, Vec& v, const std::string& key, const std::string& title, const char* help) {
-  f.real(v.x, part(key + "_x", title + " x", "m", -0.5, 0.5, help));
-  f.real(v.y, part(key + "_y", title + " y", "m", -0.5, 0.5, help));
+  f.real(v.x, part(key + "_x", title + " x", "m", -0.2, 0.2, help));
+  f.real(v.y, part(key + "_y", title + " y", "m", -0.2, 0.2, help));
 }
 
 void declareMass(Fields& f, Mass& m, const std::string& key, const std::string& title) {
@@ -30,7 +30,7 @@ void declareMass(Fields& f, Mass& m, const std::string& key, const std::string& 
   mass.order = key == "torso" ? 1 : 2;
   if (key == "torso") mass.symbol = "m";
   f.real(m.mass, mass);
-  f.real(m.inertia, part(key + "_inertia", title + " inertia", "kg m²", 1e-6, 1, "About its centre of mass."));
+  f.real(m.inertia, part(key + "_inertia", title + " inertia", "kg m²", 1e-5, 1, "About its centre of mass."));
   declarePoint(f, m.centre, key + "_centre", title + " centre", "Centre of mass, in the body's own frame.");
 }
 

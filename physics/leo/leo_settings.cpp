@@ -51,7 +51,7 @@ void LeoSettings::declare(Fields& f) {
   thigh.label = "Fall, thigh";
   f.real(mostStanceThigh, thigh);
   f.real(efficiency, model("efficiency", "Efficiency", "η", "", 0.05, 1, "Of the gears."));
-  f.real(voltage, model("voltage", "Voltage", "U", "V", 1, 30, "The largest; actions are levels between ± this."));
+
   f.real(boomForce, model("boom_force", "Boom force", "", "N", -20, 20, "What the boom adds, upwards positive."));
   f.real(grip, model("contact_friction", "Grip", "", "", 0.01, 100, "Of feet and floor.", "ours", 3));
   f.real(hipTarget, model("hip_target", "Hip target", "", "rad", 0, 1.5,
@@ -62,6 +62,10 @@ void LeoSettings::declare(Fields& f) {
   f.integer(maxSteps, model("max_steps", "Step limit", "", "", 1, 1e9, "An episode is cut off after so many; no fall.",
                             kLeosim, 3));
   f.integer(testEvery, testParameter());
+  Parameter most = model("voltage", "Voltage", "U", "V", 1, 30, "The largest; actions are levels between ± this.");
+  most.when = When::NewTable;  // the tiles of actions belong to their voltages
+  most.group = Group::Representation;
+  f.real(voltage, most);
   Parameter levelsOf =
       model("levels", "Levels", "", "", 2, 15, "Of each voltage; actions are their combinations.", kLeosim, 3);
   levelsOf.when = When::NewTable;
