@@ -79,7 +79,8 @@ class ConditionMaker {
     condition.name = nameOf(c, draft.name, true);
     if (condition.name.empty()) condition.name = draft.names.policy;
     if (const std::string unknown = placeholderIn(condition.name); !unknown.empty())
-      return refuse(fmt::format("name: {} is none of the condition's own settings.", unknown));
+      return planError(path_, c.where.at("name")->line,
+                       fmt::format("name: {} is none of the condition's own settings.", unknown));
     condition.reference = nameOf(c, draft.reference, false);
     if (const Status s = tryOut(condition); !s) return refuse(s.error().message);
     return condition;

@@ -218,6 +218,25 @@ TEST(Checkpoint, ADamagedTensorIsASentence) {
   }
 }
 
+// −1 is no action, also where the hand-made controller's −2 is one.
+TEST(Checkpoint, AnActionThatThereIsNotIsRefused) {
+  const Registry r = fullRegistry();
+  Names names;
+  names.environment = "leo";
+  auto c = configure(r, names, {{"features.memory", "4096"}});
+  ASSERT_TRUE(c);
+  c->minutes = 0.1;
+  const auto life = lifeOf(r, *c);
+  life->keepInputs();
+  live(*life, 50);
+  TensorFile file = checkpointOf(*life, *c, true);
+  for (Tensor& t : file.tensors)
+    if (t.name == "action") t.bytes.assign(t.bytes.size(), '\xff');
+  const auto resumed = resume(r, std::make_shared<const TensorFile>(file), {});
+  ASSERT_FALSE(resumed);
+  EXPECT_NE(resumed.error().message.find("\"action\" is out of range"), std::string::npos) << resumed.error().message;
+}
+
 TEST(Journal, ALifeIsLivedAgainWithEverythingThatWasDoneToIt) {
   const Registry r = fullRegistry();
   Configuration c = configurationOf(r, kLearners[1]);

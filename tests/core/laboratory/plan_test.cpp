@@ -128,6 +128,8 @@ TEST(Plan, WhatIsWrongIsNamedWithItsLine) {
   expectRefusal("[[condition]]\nname = \"a\"\nminutes = 1\n[[condition]]\nname = \"b\"\nminutes = 1\n", {"the same"});
   expectRefusal("reference = \"c\"\n[[condition]]\nname = \"a\"\nminutes = 1\n", {"reference", "c"});
   expectRefusal(kPre + "pool = 0\n[[condition]]\nminutes = 1\n", {"pre-learning", "pool"});
+  expectRefusal(kPre + "set.features.tilings = 8\n[[condition]]\nminutes = 1\n", {"pre-learning", "tilings", "8"});
+  expectRefusal("[[condition]]\nminutes = 1\nname = \"{environment.foo}\"\n", {"line 3", "{environment.foo}"});
   expectRefusal(kPre + "file = \"q.safetensors\"\n[[condition]]\nminutes = 1\n", {"pre-learning", "file"});
   expectRefusal("[pre-learning]\nfile = \"q.safetensors\"\n[[condition]]\nminutes = 1\n", {"q.safetensors"});
   expectRefusal("[[condition]]\nminutes = 1\nset = 5\n", {"line 3", "set.features.scale"});
