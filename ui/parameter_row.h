@@ -28,7 +28,6 @@ class ParameterRow final : public QWidget {
   /// Shows a value, what Reset goes back to, and since which step it holds, if it was changed.
   void show(double value, double base, std::optional<std::int64_t> changedAt);
   /// Whether the marker's policy is in force.
-
   void setInForce(bool inForce);
 
  Q_SIGNALS:

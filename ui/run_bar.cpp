@@ -73,11 +73,7 @@ RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
   });
   task_->setPlaceholderText(tr("Changed model"));
   agent_ = new Combo(tr("Learning rule"), this);
-  for (const auto& entry : session.registry().agents) {
-    if (entry.name == "scripted" && !session.task().handMade) continue;  // nothing acts there
-    agent_->addItem(toText(entry.title), toText(entry.name));
-    agent_->setItemData(agent_->count() - 1, toText(entry.help), Qt::ToolTipRole);
-  }
+  fillAgents();
   connect(agent_, &QComboBox::activated, this, [this](int i) {
     const QString name = agent_->itemData(i).toString();
     refresh();  // until it is agreed to
@@ -97,7 +93,8 @@ RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
   });
   connect(&session_, &Session::parametersReplaced, this, [this] {
     fillTasks();
-    layOut();
+    fillAgents();
+    refresh();
   });
   connect(&session_, &Session::configurationChanged, this, &RunBar::refresh);
   connect(&session_, &Session::frame, this, [this] {  // numbers that change faster cannot be read
@@ -128,6 +125,16 @@ void RunBar::fillTasks() {
   for (const auto& entry : session_.registry().environments)
     if (entry.name != here) add(entry, entry.name, true);
   task_->view()->setMinimumWidth(task_->view()->sizeHintForColumn(0) + 24);
+}
+
+void RunBar::fillAgents() {
+  const QSignalBlocker blocker(agent_);
+  agent_->clear();
+  for (const auto& entry : session_.registry().agents) {
+    if (entry.name == "scripted" && !session_.task().handMade) continue;  // nothing acts there
+    agent_->addItem(toText(entry.title), toText(entry.name));
+    agent_->setItemData(agent_->count() - 1, toText(entry.help), Qt::ToolTipRole);
+  }
 }
 
 void RunBar::setMarkers() {

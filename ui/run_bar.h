@@ -42,6 +42,7 @@ class RunBar final : public QWidget {
   void layOut();
   void refresh();
   void fillTasks();
+  void fillAgents();
   void setMarkers();
 
   Session& session_;

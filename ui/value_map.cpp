@@ -166,8 +166,9 @@ QString numberText(double value, const MapScale& scale) {
     const double size = std::abs(value);
     if (value == std::floor(value) || size >= 100) return toText(fixedText(value, 0));
     if (size >= 1) return toText(fixedText(value, 1));
-    constexpr int kMost = 3;  // decimals that there is room for
-    return toText(fixedText(value, size >= 0.1 && std::fmod(10 * size, 1.0) == 0.0 ? 1 : kMost));
+    if (size < 0.1) return toText(fixedText(value, 3));
+    const std::string text = fixedText(value, 2);
+    return toText(text.ends_with('0') ? fixedText(value, 1) : text);
   }
   constexpr std::array<const char*, 10> kSuperscripts = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   return QStringLiteral("10") + kSuperscripts[static_cast<std::size_t>(std::lround(std::log10(value))) % 10];

@@ -4,27 +4,14 @@
 #include <algorithm>
 
 #include "core/experiment/cpu_time.h"
+#include "core/policies/greedy.h"
 
 namespace surefoot {
-
-namespace {
-
-/// Of the best ones any, each as likely as the others.
-Action greedyAction(std::span<const double> q, Random& random) {
-  const double best = *std::max_element(q.begin(), q.end());
-  const auto ties = std::count(q.begin(), q.end(), best);
-  auto left = ties > 1 ? static_cast<std::ptrdiff_t>(random.uniform() * static_cast<double>(ties)) : 0;
-  for (std::size_t a = 0; a < q.size(); ++a)
-    if (q[a] == best && left-- == 0) return static_cast<Action>(a);
-  return 0;
-}
-
-}  // namespace
 
 GreedyTester::GreedyTester(std::unique_ptr<Environment> environment, std::uint64_t seed)
     : environment_(std::move(environment)),
       seed_(seed) {
-  if (environment_) q_.resize(environment_->task().actions.size());
+  if (environment_) q_.resize(environment_->task().actions.size()), pi_.resize(q_.size());
 }
 
 void GreedyTester::follow(Environment& environment) {
@@ -45,7 +32,8 @@ void GreedyTester::test(const ActionValueFunction& values, std::int64_t episode,
   Outcome outcome;
   do {
     values.evaluate(environment_->state(), Layer::Sum, q_);
-    outcome = environment_->step(greedyAction(q_, random));
+    shareAmongGreedy(q_, 1.0, pi_);
+    outcome = environment_->step(sample(pi_, random));
     ++test.steps;
     test.reward += outcome.reward;
     test.falls += outcome.event == Event::Fall;

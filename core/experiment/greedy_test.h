@@ -45,7 +45,7 @@ class GreedyTester {
  private:
   std::unique_ptr<Environment> environment_;
   std::uint64_t seed_;
-  std::vector<double> q_;
+  std::vector<double> q_, pi_;
   std::vector<GreedyTest> tests_;
   double cpuSeconds_ = 0.0;
 };

@@ -203,17 +203,17 @@ class ConditionMaker {
     return Done{};
   }
 
-  /// What no single check can see: a life of it, and one that begins with what is learned before.
+  /// What no single check can see: a life of it, with what is learned before.
   Status tryOut(const Condition& condition) const {
     Configuration now = condition.configuration;
-    if (const auto life = makeLife(registry_, now, 0, false); !life) return life.error();
-    if (!condition.preLearning) return Done{};
-    const Configuration& before = condition.preLearning->configuration;
-    const auto lesson = makeLife(registry_, before, 0, false);
-    if (!lesson) return Error{"pre-learning: " + lesson.error().message};
-    auto file = std::make_shared<TensorFile>(qFileOf(**lesson, before));
-    file->name = "pre-learning";
-    now.start = std::move(file);
+    if (condition.preLearning) {
+      const Configuration& before = condition.preLearning->configuration;
+      const auto lesson = makeLife(registry_, before, 0, false);
+      if (!lesson) return lesson.error();
+      auto file = std::make_shared<TensorFile>(qFileOf(**lesson, before));
+      file->name = "pre-learning";
+      now.start = std::move(file);
+    }
     if (const auto life = makeLife(registry_, now, 0, false); !life) return life.error();
     return Done{};
   }

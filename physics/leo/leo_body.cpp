@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/leo/leo_body.h"
 
+#include "physics/world/walking.h"
+
 namespace surefoot::leo {
 
 namespace {
@@ -15,7 +17,7 @@ Parameter part(std::string key, std::string title, const char* unit, double low,
           .when = When::NextEpisode,
           .group = Group::Model,
           .help = help,
-          .origin = "wcaarls/grl, addons/leosim",
+          .origin = kLeosim,
           .order = 3};
 }
 

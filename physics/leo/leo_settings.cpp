@@ -7,8 +7,6 @@ namespace surefoot {
 
 namespace {
 
-constexpr const char* kLeosim = "wcaarls/grl, addons/leosim";
-
 Parameter model(const char* key, const char* title, const char* symbol, const char* unit, double low, double high,
                 const char* help, const char* origin = kLeosim, int order = 2) {
   return {.key = key,

@@ -25,6 +25,9 @@ inline b2Body* addFloor(b2World& world, double scale, double friction) {
   return floor;
 }
 
+/// Where the constants of LEO and its task come from.
+inline constexpr const char* kLeosim = "wcaarls/grl, addons/leosim";
+
 /// How often the greedy policy is tested.
 inline Parameter testParameter() {
   return {.key = "test_every",
@@ -37,7 +40,7 @@ inline Parameter testParameter() {
           .when = When::NextEpisode,
           .group = Group::Model,
           .help = "Episodes between two tests of the greedy policy, which are not counted; 0: none.",
-          .origin = "wcaarls/grl, addons/leosim",
+          .origin = kLeosim,
           .order = 3};
 }
 

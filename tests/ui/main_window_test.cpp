@@ -108,6 +108,21 @@ TEST(MainWindow, AnotherLearningRuleStartsAgainAndShowsItsParts) {
   EXPECT_FALSE(rows.contains("agent.step_size"));
 }
 
+TEST(MainWindow, TheToolbarFollowsTheTask) {
+  Window w;
+  auto* task = w.named<QComboBox>("Task");
+  auto* agent = w.named<QComboBox>("Learning rule");
+  EXPECT_EQ(task->currentText(), "Actual system");
+  EXPECT_EQ(agent->findData("scripted"), -1) << "the pendulum has no hand-made controller";
+  ASSERT_TRUE(w.session->setParameter("environment.damping", 0.05));
+  EXPECT_EQ(task->currentIndex(), -1) << "a model that was changed is no scenario";
+  Q_EMIT task->activated(task->findData("leo"));
+  EXPECT_EQ(w.session->configuration().names.environment, "leo");
+  EXPECT_EQ(task->currentText(), "LEO walker");
+  EXPECT_GE(agent->findData("scripted"), 0);
+  EXPECT_EQ(agent->currentText(), "Sarsa");
+}
+
 TEST(MainWindow, EveryMenuEntryCanBeTriggered) {
   Window w;
   w.session->setRunning(true);
