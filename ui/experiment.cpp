@@ -3,6 +3,8 @@
 
 #include <QDateTime>
 #include <QDir>
+#include <QFile>
+#include <QThread>
 #include <algorithm>
 #include <thread>
 
@@ -145,8 +147,7 @@ Status Experiment::run() {
   if (storePath_.empty()) {
     if (!QDir().mkpath(folder_))
       return Error{tr("The results have no place: %1 cannot be made.").arg(folder_).toStdString()};
-    const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd-HHmmss-zzz"));
-    storePath_ = QDir(folder_).filePath(QStringLiteral("results-%1.sqlite").arg(stamp)).toStdString();
+    storePath_ = placeForResults();
   }
   auto store = Store::missing(storePath_) ? Store::create(storePath_, stored_) : Store::openToWrite(storePath_);
   if (!store) return store.error();
@@ -158,6 +159,17 @@ Status Experiment::run() {
   setState(State::Running);
   timer_.start(kTick);
   return Done{};
+}
+
+/// A new empty file, named by the time; another window may have taken the name in the same millisecond.
+std::string Experiment::placeForResults() const {
+  for (;;) {
+    const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd-HHmmss-zzz"));
+    QFile file(QDir(folder_).filePath(QStringLiteral("results-%1.sqlite").arg(stamp)));
+    // What cannot be made at all is told by the store.
+    if (file.open(QIODevice::WriteOnly | QIODevice::NewOnly) || !file.exists()) return file.fileName().toStdString();
+    QThread::msleep(1);
+  }
 }
 
 void Experiment::pause() {

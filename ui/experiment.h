@@ -90,6 +90,7 @@ class Experiment final : public QObject {
   void take();
   Status openStore(const std::string& path);
   Status readText(const std::string& text, const std::string& path);
+  std::string placeForResults() const;
   void setState(State state);
   std::vector<FigureSpec> standardFigures(const StoredPlan& plan) const;
 

@@ -34,15 +34,17 @@ struct Page : Window {
     EXPECT_TRUE(writeWhole("plan", path.toStdString(), plan));
     window->setPage(1);
     page.open(path);
+    QObject::connect(&page, &ExperimentPage::refused, [this](const QString& why) { refusal = why.toStdString(); });
   }
   void runToTheEnd() {
     page.runOrPause();
-    EXPECT_TRUE(waitFor([&] { return experiment().state() == State::Complete; }, 60'000));
+    EXPECT_TRUE(waitFor([&] { return experiment().state() == State::Complete; }, 60'000)) << refusal;
   }
   Experiment& experiment() { return page.experiment(); }
 
   QTemporaryDir folder;
   QString path;
+  std::string refusal;
   ExperimentPage& page;
 };
 
