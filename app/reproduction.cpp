@@ -78,6 +78,9 @@ Result<Reproduced> reproduce(const Registry& registry, const std::string& recipe
     done.figures.push_back(recipe->name + "/" + figure->name);
     done.captions.push_back(figure->title);
   }
+  const auto plan = planToStore(registry, recipe->plan);
+  if (!plan) return plan.error();
+  done.table = conditionsTable(findingsOf(*plan, *evidence), *evidence, recipe->table);
   auto judgements = judgeAll(registry, *recipe, *evidence);
   if (!judgements) return judgements.error();
   done.judgements = std::move(*judgements);

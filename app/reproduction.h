@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/laboratory/conditions_table.h"
 #include "core/laboratory/laboratory.h"
 #include "core/laboratory/recipe.h"
 
@@ -15,6 +16,7 @@ struct Reproduced {
   std::string name{}, title{};
   std::vector<std::string> figures{};  ///< files without their ending, relative to the output folder
   std::vector<std::string> captions{};
+  ConditionsTable table{};                ///< of the recipe's own conditions
   std::vector<Judgement> judgements{};    ///< on the recipe's own conditions
   std::vector<Judgement> onLabPreset{};   ///< of calibrated claims
   std::vector<std::string> calibrated{};  ///< their ids

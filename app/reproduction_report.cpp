@@ -6,6 +6,7 @@
 #include <span>
 
 #include "app/progress_line.h"
+#include "app/report_table.h"
 #include "app/reproduction.h"
 #include "core/files/read_file.h"
 #include "core/files/whole_file.h"
@@ -68,21 +69,6 @@ std::string extentOf(const Reproduced& r) {
                      r.lives == 1 ? "life" : "lives", r.conditions == 1 ? "" : " each");
 }
 
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (c == '&')
-      out += "&amp;";
-    else if (c == '<')
-      out += "&lt;";
-    else if (c == '>')
-      out += "&gt;";
-    else
-      out += c;
-  }
-  return out;
-}
-
 std::string base64(const std::string& bytes) {
   constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string out;
@@ -99,7 +85,8 @@ std::string base64(const std::string& bytes) {
 constexpr const char* kStyle =
     "body{font:15px/1.5 system-ui,sans-serif;color:#1c1c1e;max-width:1080px;margin:2em auto;padding:0 1.2em}"
     "h1{font-size:1.6em}h2{font-size:1.2em;margin-top:2.2em;border-top:1px solid #ddd;padding-top:.8em}"
-    "table{border-collapse:collapse;font-size:13px;width:100%}th,td{text-align:left;vertical-align:top;padding:4px "
+    "table{border-collapse:collapse;font-size:13px;width:100%;margin:.8em "
+    "0}th,td{text-align:left;vertical-align:top;padding:4px "
     "8px;border-bottom:1px solid #e4e4e4}"
     "th{font-weight:600}td.n{white-space:nowrap}img{max-width:100%;width:760px;border:1px solid #e4e4e4;margin:.6em 0}"
     ".agrees{color:#1a6b3c}.differs{color:#b3261e}.undecided{color:#666}small{color:#666}";
@@ -112,9 +99,9 @@ std::string asHtmlTable(const std::vector<Row>& rows) {
     out += fmt::format(
         "<tr><td class=n>{}{}</td><td>{}{}</td><td>{}</td><td class=n>{}</td><td class=n>{}</td><td "
         "class={}>{}</td></tr>\n",
-        j.id, r.preset == "lab" ? "<br><small>lab preset</small>" : "", escaped(j.says),
-        j.note.empty() ? "" : "<br><small>" + escaped(j.note) + "</small>", escaped(thesisText(j.thesis)), oursText(j),
-        escaped(pText(j)), nameOf(j.verdict), nameOf(j.verdict));
+        j.id, r.preset == "lab" ? "<br><small>lab preset</small>" : "", escapedForHtml(j.says),
+        j.note.empty() ? "" : "<br><small>" + escapedForHtml(j.note) + "</small>", escapedForHtml(thesisText(j.thesis)),
+        oursText(j), escapedForHtml(pText(j)), nameOf(j.verdict), nameOf(j.verdict));
   }
   return out + "</table>\n";
 }
@@ -128,30 +115,27 @@ Result<std::string> asHtml(const std::vector<Reproduced>& recipes, const std::st
   if (!pictures)
     out += "<p>There are no pictures: this program was built without Qt. The numbers are in the CSV files.</p>\n";
   for (const Reproduced& r : recipes) {
-    out += fmt::format("<h2 id=\"{0}\">{0}: {1}</h2>\n<p><small>{2}, {3}</small></p>\n", escaped(r.name),
-                       escaped(r.title), extentOf(r), durationText(r.seconds));
+    out += fmt::format("<h2 id=\"{0}\">{0}: {1}</h2>\n<p><small>{2}, {3}</small></p>\n", escapedForHtml(r.name),
+                       escapedForHtml(r.title), extentOf(r), durationText(r.seconds));
     for (std::size_t i = 0; pictures && i < r.figures.size(); ++i) {
       const auto png = readFile(folder + "/" + r.figures[i] + ".png");
       if (!png) return png.error();
-      out += fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">\n", escaped(r.captions[i]), base64(*png));
+      out += fmt::format("<img alt=\"{}\" src=\"data:image/png;base64,{}\">\n", escapedForHtml(r.captions[i]),
+                         base64(*png));
     }
+    if (!r.table.rows.empty()) out += asHtml(r.table);
     if (const auto rows = rowsOf({&r, 1}); !rows.empty()) out += asHtmlTable(rows);
   }
   return out + "<h2>All claims</h2>\n" + asHtmlTable(all) + "</html>\n";
-}
-
-std::string cell(std::string text) {
-  for (std::size_t i = text.find('|'); i != std::string::npos; i = text.find('|', i + 2)) text.insert(i, 1, '\\');
-  return text;
 }
 
 std::string asMarkdownTable(const std::vector<Row>& rows) {
   std::string out = "| claim | what | thesis | ours (95 %) | p | verdict | note |\n|---|---|---|---|---|---|---|\n";
   for (const Row& r : rows) {
     const Judgement& j = *r.judgement;
-    out +=
-        fmt::format("| {}{} | {} | {} | {} | {} | {} | {} |\n", j.id, r.preset == "lab" ? " (lab)" : "", cell(j.says),
-                    cell(thesisText(j.thesis)), oursText(j), pText(j), nameOf(j.verdict), cell(j.note));
+    out += fmt::format("| {}{} | {} | {} | {} | {} | {} | {} |\n", j.id, r.preset == "lab" ? " (lab)" : "",
+                       escapedForMarkdown(j.says), escapedForMarkdown(thesisText(j.thesis)), oursText(j), pText(j),
+                       nameOf(j.verdict), escapedForMarkdown(j.note));
   }
   return out;
 }
@@ -165,6 +149,7 @@ std::string asMarkdown(const std::vector<Reproduced>& recipes, bool pictures) {
     out += fmt::format("\n## {}: {}\n\n{}, {}.\n\n", r.name, r.title, extentOf(r), durationText(r.seconds));
     for (std::size_t i = 0; pictures && i < r.figures.size(); ++i)
       out += fmt::format("![{}]({}.png)\n", r.captions[i], r.figures[i]);
+    if (!r.table.rows.empty()) out += "\n" + asMarkdown(r.table);
     if (const auto rows = rowsOf({&r, 1}); !rows.empty()) out += "\n" + asMarkdownTable(rows);
   }
   return out + "\n## All claims\n\n" + asMarkdownTable(all);

@@ -230,6 +230,11 @@ void Experiment::setState(State state) {
   Q_EMIT stateChanged();
 }
 
+QString Experiment::whyNoResults() const {
+  if (!plan_) return tr("Choose a plan, and run it.");
+  return state_ == State::Running ? tr("Appears with the first lives.") : tr("Appears when the plan runs.");
+}
+
 std::vector<Judgement> Experiment::judgements() const {
   std::vector<Judgement> list;
   if (!view_ || !plan_) return list;

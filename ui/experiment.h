@@ -51,6 +51,8 @@ class Experiment final : public QObject {
   const std::shared_ptr<const LabView>& view() const { return view_; }
   /// The claims of the thesis that a recipe bears on, judged on what is there; empty for other plans.
   std::vector<Judgement> judgements() const;
+  /// What stands where results are missing: what brings them.
+  QString whyNoResults() const;
   /// Whether a claim is about a change against the reference.
   bool isInPercent(const std::string& claim) const;
   /// Draws one of the figures from the newest results; nothing until there are any.

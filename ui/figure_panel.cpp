@@ -35,6 +35,7 @@ FigurePanel::FigurePanel(Experiment& experiment, std::size_t first, QWidget* par
     refresh();
   });
   connect(&experiment_, &Experiment::resultsChanged, this, &FigurePanel::refresh);
+  connect(&experiment_, &Experiment::stateChanged, this, &FigurePanel::refresh);
   connect(&experiment_, &Experiment::chosenChanged, this, [this] { view_->setChosen(experiment_.chosen()); });
   refresh();
 }
@@ -59,17 +60,15 @@ void FigurePanel::refresh() {
   choose_->setEnabled(!figures.empty());
   if (spec == figures.end()) {
     header_->setTitle(tr("Figure"));
-    return view_->setFigure({}, tr("Choose a plan, and run it."));
+    return view_->setFigure({}, experiment_.whyNoResults());
   }
   header_->setTitle(toText(spec->title));
   header_->setNote(spec->kind == "bars" ? tr("mean of a life, 95 % interval; X: p < .01")
                                         : tr("mean of the lives, 95 % band"));
-  const auto figure = experiment_.figure(*spec);
-  if (figure)
+  if (const auto figure = experiment_.figure(*spec))
     view_->setFigure(*figure, {});
   else
-    view_->setFigure({}, experiment_.state() == Experiment::State::Running ? tr("Appears with the first lives.")
-                                                                           : tr("Appears when the plan runs."));
+    view_->setFigure({}, experiment_.whyNoResults());
 }
 
 std::string FigurePanel::asCsv() const {

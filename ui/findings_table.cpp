@@ -3,6 +3,7 @@
 
 #include <QHeaderView>
 #include <QKeyEvent>
+#include <QPainter>
 #include <cmath>
 
 #include "core/text.h"
@@ -67,6 +68,7 @@ FindingsTable::FindingsTable(Experiment& experiment, QWidget* parent) : QTableWi
                 tr("p Holm"), tr("X"), tr("Time min")});
   connect(&experiment_, &Experiment::resultsChanged, this, &FindingsTable::refresh);
   connect(&experiment_, &Experiment::planChanged, this, &QTableWidget::clearSelection);
+  connect(&experiment_, &Experiment::stateChanged, viewport(), qOverload<>(&QWidget::update));
   setToolTip(tr("The condition of the chosen row stands out in the figures; Escape lets go"));
   connect(this, &QTableWidget::itemSelectionChanged, this, [this] {
     const auto rows = selectedItems();
@@ -79,11 +81,20 @@ void FindingsTable::keyPressEvent(QKeyEvent* event) {
   QTableWidget::keyPressEvent(event);
 }
 
+void FindingsTable::paintEvent(QPaintEvent* event) {
+  QTableWidget::paintEvent(event);
+  if (rowCount() > 0) return;
+  QPainter p(viewport());
+  p.setPen(themeOf(*this).quiet);
+  p.setFont(textFont(13));
+  p.drawText(viewport()->rect(), Qt::AlignCenter, experiment_.whyNoResults());
+}
+
 void FindingsTable::refresh() {
   const auto& view = experiment_.view();
   const int selected = currentRow();
   setRowCount(view ? static_cast<int>(view->findings.conditions.size()) : 0);
-  if (!view) return;
+  if (!view) return viewport()->update();
   int row = 0;
   for (const Finding& f : view->findings.conditions) {
     const bool strong = f.comparison && f.comparison->significant();

@@ -17,6 +17,7 @@ class FindingsTable final : public QTableWidget {
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
 
  private:
   void refresh();

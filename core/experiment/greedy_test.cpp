@@ -73,11 +73,10 @@ void GreedyTester::transfer(Archive& archive) {
 }
 
 const GreedyTest* firstWalk(const std::vector<GreedyTest>& tests, const std::vector<TaskMeasure>& measures) {
-  constexpr double kFar = 2.0;  // [m]: what nothing but walking reaches
   const auto distance = measureAt(measures, "distance");
   if (!distance) return nullptr;
   for (const GreedyTest& test : tests)
-    if (test.falls == 0 && test.measures[*distance] > kFar) return &test;
+    if (test.falls == 0 && test.measures[*distance] > kWalkDistance) return &test;
   return nullptr;
 }
 

@@ -50,8 +50,11 @@ class GreedyTester {
   double cpuSeconds_ = 0.0;
 };
 
-/// The first test in which a robot walked: more than 2 m without a fall. nullptr: none did, or the task has no
-/// distance.
+/// [m]: what nothing but walking reaches in a test.
+inline constexpr double kWalkDistance = 2.0;
+
+/// The first test in which a robot walked: more than kWalkDistance without a fall. nullptr: none did, or the task has
+/// no distance.
 const GreedyTest* firstWalk(const std::vector<GreedyTest>& tests, const std::vector<TaskMeasure>& measures);
 
 }  // namespace surefoot

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace surefoot {
 
 Result<ActionTiles> ActionTiles::create(const Task& task, const TileSettings& settings) {
-  constexpr std::size_t kMost = 4096;
   ActionTiles tiles;
   tiles.actions_ = tiles.count_ = task.actions.size();
   if (task.actionVariables.empty()) return tiles;
@@ -34,9 +34,9 @@ Result<ActionTiles> ActionTiles::create(const Task& task, const TileSettings& se
         column = static_cast<std::uint16_t>(column * along + tileOf(i, v.levels[a / repeat % v.levels.size()]));
       }
     tiles.count_ *= along;
-    if (tiles.count_ > kMost)
+    if (tiles.count_ > kMostColumns)
       return Error{fmt::format("features.{}: with it an action has {} tiles; at most {} are allowed.", v.key,
-                               tiles.count_, kMost)};
+                               tiles.count_, kMostColumns)};
     tiles.layout_.push_back(
         {{"variable", v.key}, {"tiles_per_unit", settings.actionTilesPerUnit(j)}, {"levels", v.levels}});
   }
@@ -48,6 +48,10 @@ Result<ActionTiles> ActionTiles::create(const Task& task, const TileSettings& se
     column = static_cast<std::uint16_t>(names[column] - 1);
   }
   tiles.count_ = used;
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto columns = tiles.columnsOf(i);
+    tiles.reach_.push_back(static_cast<std::uint16_t>(*std::max_element(columns.begin(), columns.end()) + 1));
+  }
   return tiles;
 }
 

@@ -19,6 +19,8 @@ namespace surefoot {
 
 class ActionTiles {
  public:
+  static constexpr std::size_t kMostColumns = 4096;  // of a block
+
   static Result<ActionTiles> create(const Task& task, const TileSettings& settings);
 
   /// Whether actions share columns.
@@ -29,6 +31,8 @@ class ActionTiles {
   std::span<const std::uint16_t> columnsOf(std::size_t tiling) const {
     return {columns_.data() + tiling * actions_, actions_};
   }
+  /// All columns of a tiling are below this; only where shared().
+  std::size_t reach(std::size_t tiling) const { return reach_[tiling]; }
   std::size_t column(std::size_t tiling, int action) const {
     const auto a = static_cast<std::size_t>(action);
     return shared() ? columns_[tiling * actions_ + a] : a;
@@ -39,6 +43,7 @@ class ActionTiles {
  private:
   std::size_t actions_ = 0, count_ = 0;
   std::vector<std::uint16_t> columns_;  // [tiling][action]; empty: each its own
+  std::vector<std::uint16_t> reach_;    // [tiling]
   nlohmann::json layout_;
 };
 

@@ -5,29 +5,58 @@
 #include <cmath>
 #include <limits>
 
+#include "core/experiment/greedy_test.h"
+
 namespace surefoot {
 
 namespace {
 
 struct NamedMeasure {
-  const char* name;
+  const char *name, *title;
   double (*of)(const LifeMeasures&);
 };
-constexpr NamedMeasure kMeasures[] = {{"falls", [](const LifeMeasures& l) { return l.falls; }},
-                                      {"minutes", [](const LifeMeasures& l) { return l.minutes; }},
-                                      {"all_falls", [](const LifeMeasures& l) { return l.allFalls; }},
-                                      {"end_performance", [](const LifeMeasures& l) { return l.endPerformance; }},
-                                      {"average_reward", [](const LifeMeasures& l) { return l.averageReward; }},
-                                      {"success_during", [](const LifeMeasures& l) { return l.during.success; }},
-                                      {"success_after", [](const LifeMeasures& l) { return l.after.success; }},
-                                      {"failure_during", [](const LifeMeasures& l) { return l.during.failure; }},
-                                      {"failure_after", [](const LifeMeasures& l) { return l.after.failure; }},
-                                      {"first_transitions", [](const LifeMeasures& l) { return l.firstTransitions; }}};
+
+double own(const LifeMeasures& life, std::string_view name) {
+  const auto found = std::find_if(life.own.begin(), life.own.end(), [&](const auto& m) { return m.name == name; });
+  return found == life.own.end() ? std::numeric_limits<double>::quiet_NaN() : found->value;
+}
+
+/// 1: at its end the robot walks, by the last ten greedy tests.
+double walks(const LifeMeasures& life) {
+  const double distance = own(life, "greedy_distance");
+  return std::isfinite(distance) ? distance > kWalkDistance && own(life, "greedy_falls") <= 0.5 : distance;
+}
+
+constexpr NamedMeasure kMeasures[] = {
+    {"falls", "falls during learning", [](const LifeMeasures& l) { return l.falls; }},
+    {"minutes", "learning time [min]", [](const LifeMeasures& l) { return l.minutes; }},
+    {"all_falls", "falls of a life", [](const LifeMeasures& l) { return l.allFalls; }},
+    {"end_performance", "falls per episode, last 500", [](const LifeMeasures& l) { return l.endPerformance; }},
+    {"average_reward", "average reward at the end", [](const LifeMeasures& l) { return l.averageReward; }},
+    {"success_during", "transitions of a success, during learning",
+     [](const LifeMeasures& l) { return l.during.success; }},
+    {"success_after", "transitions of a success, after learning",
+     [](const LifeMeasures& l) { return l.after.success; }},
+    {"failure_during", "transitions of a failure, during learning",
+     [](const LifeMeasures& l) { return l.during.failure; }},
+    {"failure_after", "transitions of a failure, after learning",
+     [](const LifeMeasures& l) { return l.after.failure; }},
+    {"first_transitions", "transitions of an episode, first 80",
+     [](const LifeMeasures& l) { return l.firstTransitions; }},
+    {"walks", "lives that walk", walks}};
 
 /// What a task may measure besides (measuresOf).
-constexpr const char* kOwnMeasures[] = {"falls_per_hour", "distance",        "net_footsteps",        "energy",
-                                        "greedy_falls",   "greedy_distance", "greedy_net_footsteps", "greedy_energy",
-                                        "greedy_reward",  "walks_after"};
+constexpr std::pair<const char*, const char*> kOwnMeasures[] = {
+    {"falls_per_hour", "falls an hour"},
+    {"distance", "distance of a life [m]"},
+    {"net_footsteps", "net footsteps of a life"},
+    {"energy", "energy of a life [J]"},
+    {"greedy_falls", "falls of a greedy test, last 10"},
+    {"greedy_distance", "distance of a greedy test, last 10 [m]"},
+    {"greedy_net_footsteps", "net footsteps of a greedy test, last 10"},
+    {"greedy_energy", "energy of a greedy test, last 10 [J]"},
+    {"greedy_reward", "reward of a greedy test, last 10"},
+    {"walks_after", "time to the first greedy walk [min]"}};
 
 }  // namespace
 
@@ -50,8 +79,16 @@ Result<std::vector<Evidence>> readEvidence(const Store& store) {
 std::vector<std::string> measureNames() {
   std::vector<std::string> names;
   for (const NamedMeasure& m : kMeasures) names.emplace_back(m.name);
-  names.insert(names.end(), std::begin(kOwnMeasures), std::end(kOwnMeasures));
+  for (const auto& [name, title] : kOwnMeasures) names.emplace_back(name);
   return names;
+}
+
+std::string measureTitle(std::string_view measure) {
+  for (const NamedMeasure& m : kMeasures)
+    if (measure == m.name) return m.title;
+  for (const auto& [name, title] : kOwnMeasures)
+    if (measure == name) return title;
+  return std::string(measure);
 }
 
 std::vector<double> valuesOf(const Evidence& evidence, std::string_view measure) {
@@ -59,11 +96,9 @@ std::vector<double> valuesOf(const Evidence& evidence, std::string_view measure)
   for (const NamedMeasure& m : kMeasures)
     if (measure == m.name)
       for (const LifeMeasures& l : evidence.lives) values.push_back(m.of(l));
-  if (std::find(std::begin(kOwnMeasures), std::end(kOwnMeasures), measure) == std::end(kOwnMeasures)) return values;
-  for (const LifeMeasures& l : evidence.lives) {
-    const auto found = std::find_if(l.own.begin(), l.own.end(), [&](const auto& m) { return m.name == measure; });
-    values.push_back(found == l.own.end() ? std::numeric_limits<double>::quiet_NaN() : found->value);
-  }
+  for (const auto& [name, title] : kOwnMeasures)
+    if (measure == name)
+      for (const LifeMeasures& l : evidence.lives) values.push_back(own(l, measure));
   return values;
 }
 

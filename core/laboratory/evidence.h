@@ -25,8 +25,11 @@ struct Evidence {
 Result<std::vector<Evidence>> readEvidence(const Store& store);
 
 /// The names of what is measured of a life: falls, minutes, all_falls, end_performance, average_reward, success_during,
-/// success_after, failure_during, failure_after, first_transitions; and what a task may measure itself (measuresOf).
+/// success_after, failure_during, failure_after, first_transitions, walks (0 or 1: more than kWalkDistance on the mean
+/// of the last ten greedy tests, at most half of which fall); and what a task may measure itself (measuresOf).
 std::vector<std::string> measureNames();
+/// What a person calls it: "distance of a life [m]".
+std::string measureTitle(std::string_view measure);
 /// One value a life; NaN where a life has none. Empty for a name that is not there.
 std::vector<double> valuesOf(const Evidence& evidence, std::string_view measure);
 

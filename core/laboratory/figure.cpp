@@ -20,33 +20,6 @@ namespace {
 
 constexpr std::size_t kPoints = 361;  // of a curve against time
 
-/// What an axis of a measure is called.
-std::string titleOf(const std::string& measure) {
-  static const std::map<std::string, std::string> kTitles = {
-      {"falls", "falls during learning"},
-      {"minutes", "learning time [min]"},
-      {"all_falls", "falls of a life"},
-      {"end_performance", "falls per episode, last 500"},
-      {"average_reward", "average reward at the end"},
-      {"success_during", "transitions of a success, during learning"},
-      {"success_after", "transitions of a success, after learning"},
-      {"failure_during", "transitions of a failure, during learning"},
-      {"failure_after", "transitions of a failure, after learning"},
-      {"first_transitions", "transitions of an episode, first 80"},
-      {"falls_per_hour", "falls an hour"},
-      {"distance", "distance of a life [m]"},
-      {"net_footsteps", "net footsteps of a life"},
-      {"energy", "energy of a life [J]"},
-      {"greedy_falls", "falls of a greedy test, last 10"},
-      {"greedy_distance", "distance of a greedy test, last 10 [m]"},
-      {"greedy_net_footsteps", "net footsteps of a greedy test, last 10"},
-      {"greedy_energy", "energy of a greedy test, last 10 [J]"},
-      {"greedy_reward", "reward of a greedy test, last 10"},
-      {"walks_after", "time to the first greedy walk [min]"}};
-  const auto found = kTitles.find(measure);
-  return found == kTitles.end() ? measure : found->second;
-}
-
 std::string policyOf(const Evidence& e) {
   return e.configuration.value("policy", "");
 }
@@ -100,7 +73,7 @@ bool differs(const Evidence& e, const std::vector<Evidence>& all, const std::str
 void addBars(Figure& figure, const FigureSpec& spec, const Chosen& chosen, const std::vector<Evidence>& all,
              std::uint64_t seed) {
   figure.bars = true;
-  figure.yTitle = titleOf(spec.measure);
+  figure.yTitle = measureTitle(spec.measure);
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     const Evidence& e = *chosen[i];
     figure.labels.push_back(e.name());
@@ -125,8 +98,9 @@ std::string titleOf(const Registry& registry, const Evidence& e, const std::stri
 Status addAgainst(const Registry& registry, Figure& figure, const FigureSpec& spec, const Chosen& chosen,
                   std::uint64_t seed) {
   figure.xTitle = titleOf(registry, *chosen[0], spec.along);
-  figure.yTitle = titleOf(spec.measure);
-  FigureSeries series{.name = titleOf(spec.measure), .policy = policyOf(*chosen[0]), .x = {}, .y = {}, .marked = {}};
+  figure.yTitle = measureTitle(spec.measure);
+  FigureSeries series{
+      .name = measureTitle(spec.measure), .policy = policyOf(*chosen[0]), .x = {}, .y = {}, .marked = {}};
   std::map<double, const Evidence*> inOrder;
   for (const Evidence* e : chosen) {
     const double x = parameterOf(*e, spec.along);

@@ -47,7 +47,7 @@ class Reader {
     std::vector<PlanSetting> shared;
     for (const auto& [key, node] : root) {
       const std::string name(key.str());
-      if (name == "condition" || name == "figure" || name == "claim" || name == "shows") continue;
+      if (name == "condition" || name == "figure" || name == "claim" || name == "shows" || name == "table") continue;
       const std::string prefix = name == "base" ? "" : name + ".";
       auto& into = name == "base" || name == "pre-learning" ? shared : file.head;
       const Status s = node.is_table() ? flatten(*node.as_table(), prefix, into, 0) : add(name, node, into);
@@ -161,14 +161,17 @@ Result<PlanFile> parsePlanFile(const std::string& text, const std::string& path)
 Result<nlohmann::json> parseRecipeBlocks(const std::string& text, const std::string& path) {
   const toml::parse_result parsed = toml::parse(text);
   if (!parsed) return planError(path, lineOf(parsed.table()), "this is not TOML.");
-  nlohmann::json blocks = {
-      {"shows", nlohmann::json::array()}, {"figure", nlohmann::json::array()}, {"claim", nlohmann::json::array()}};
+  nlohmann::json blocks = {{"shows", nlohmann::json::array()},
+                           {"table", nlohmann::json::array()},
+                           {"figure", nlohmann::json::array()},
+                           {"claim", nlohmann::json::array()}};
   for (auto& [key, value] : blocks.items()) {
     const toml::node* node = parsed.table().get(key);
     if (!node) continue;
-    if (!node->is_array() || (key != "shows" && !node->as_array()->is_homogeneous<toml::table>()))
+    const bool list = key == "shows" || key == "table";
+    if (!node->is_array() || (!list && !node->as_array()->is_homogeneous<toml::table>()))
       return planError(path, lineOf(*node),
-                       fmt::format("{}: {} is expected.", key, key == "shows" ? "a list" : "[[" + key + "]]"));
+                       fmt::format("{}: {} is expected.", key, list ? "a list" : "[[" + key + "]]"));
     value = asJson(*node);
   }
   return blocks;

@@ -90,11 +90,19 @@ Result<Recipe> read(const Registry& registry, const std::string& path, const Pla
   if (!blocks) return blocks.error();
   Recipe recipe{.name = std::filesystem::path(path).stem().string(),
                 .shows = {},
+                .table = {},
                 .plan = std::move(*plan),
                 .figures = {},
                 .claims = {}};
   for (const Json& shown : (*blocks)["shows"])
     if (shown.is_string()) recipe.shows.push_back(shown);
+  const auto measures = measureNames();
+  for (const Json& column : (*blocks)["table"]) {
+    const std::string measure = column.is_string() ? column.get<std::string>() : column.dump();
+    if (std::find(measures.begin(), measures.end(), measure) == measures.end())
+      return planError(path, 0, fmt::format("table: there is no measure \"{}\".", measure));
+    recipe.table.push_back(measure);
+  }
   if (const Status s = readFigures((*blocks)["figure"], recipe); !s) return planError(path, 0, s.error().message);
   if (const Status s = readClaims((*blocks)["claim"], recipe); !s) return planError(path, 0, s.error().message);
   return recipe;

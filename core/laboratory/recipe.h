@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A recipe: a plan, what to draw of its results, and which claims of the thesis they are held against. One TOML file:
-// a plan with [[figure]] and [[claim]] blocks and, at the top, the list `shows` of the thesis's figures and tables.
+// a plan with [[figure]] and [[claim]] blocks and, at the top, the list `shows` of the thesis's figures and tables, and
+// `table` of the measures that stand in the table of its conditions beside the falls.
 #pragma once
 
 #include "core/laboratory/claim.h"
@@ -12,6 +13,7 @@ namespace surefoot {
 struct Recipe {
   std::string name;                ///< of its file
   std::vector<std::string> shows;  ///< "4.4", "table 4.2"
+  std::vector<std::string> table;  ///< of measureNames()
   Plan plan;
   std::vector<FigureSpec> figures;
   std::vector<Claim> claims;

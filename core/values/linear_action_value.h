@@ -21,6 +21,7 @@
 #include "core/files/archive.h"
 #include "core/random.h"
 #include "core/values/initial_value.h"
+#include "core/values/shared_weights.h"
 #include "core/values/weight_table.h"
 
 namespace surefoot {
@@ -55,7 +56,8 @@ class LinearActionValue final : public ActionValueFunction {
   }
   /// q ← q̂(s, ·) for the state with the active features x.
   void values(const Active& x, std::span<double> q) const {
-    if (sharesWeights()) return sharedValues(x, q);
+    if constexpr (ActionSharing<F>)
+      if (sharesWeights()) return sumShared(weights_, x.indices(), columns_, features_.actionTiles(), q);
     if constexpr (F::kBinary) return weights_.sumRows(x.indices(), actions_, q.data());
     for (double& value : q) value = 0.0;
     for (std::size_t k = 0; k < static_cast<std::size_t>(x.count); ++k)
@@ -236,22 +238,6 @@ class LinearActionValue final : public ActionValueFunction {
     for (std::size_t k = before; k < weights_.size(); ++k) weights_.set(k, low + (high - low) * uniformAt(seed_, k));
     visits_.resize(rows(), 0);
   }
-  /// A block of weights is settled once and then serves all actions.
-  void sharedValues(const Active& x, std::span<double> q) const {
-    if constexpr (ActionSharing<F>) {
-      std::fill(q.begin(), q.end(), 0.0);
-      std::array<double, kMostColumns> block;
-      constexpr std::size_t kAhead = 3;  // blocks that are on their way from memory
-      const auto count = static_cast<std::size_t>(x.count);
-      for (std::size_t k = 0; k < std::min(kAhead, count); ++k) weights_.fetch(x.index[k] * columns_, columns_);
-      for (std::size_t k = 0; k < count; ++k) {
-        if (k + kAhead < count) weights_.fetch(x.index[k + kAhead] * columns_, columns_);
-        weights_.settle(x.index[k] * columns_, columns_, block.data());
-        const std::uint16_t* const column = features_.actionTiles().columnsOf(k).data();
-        for (std::size_t a = 0; a < actions_; ++a) q[a] += block[column[a]];
-      }
-    }
-  }
   /// How much q̂(s) moves if every weight of x moves by its x: Σ x², and more where hashed features share a weight.
   double response(const Active& x) const {
     if constexpr (!ClaimingFeatureMap<F>) return squaredLength(x);
@@ -270,7 +256,6 @@ class LinearActionValue final : public ActionValueFunction {
   }
 
   static constexpr std::uint32_t kMostVisits = ~std::uint32_t{0};
-  static constexpr std::size_t kMostColumns = 4096;  // of ActionTiles
 
   F features_;
   std::size_t actions_, columns_;

@@ -168,6 +168,7 @@ TEST_F(LaboratoryCommands, ReproduceRunsDrawsJudgesAndReports) {
   EXPECT_GT(contentOf(out + "/4.3/4.3a.csv").size(), 1000u);
   const std::string html = contentOf(out + "/report.html");
   EXPECT_NE(html.find("B11"), std::string::npos);
+  EXPECT_NE(html.find("<th>falls during learning</th>"), std::string::npos) << "the table of the conditions";
   if (first.err.empty()) {  // built with its window
     EXPECT_EQ(contentOf(out + "/4.3/4.3a.png").substr(1, 3), "PNG");
     EXPECT_EQ(contentOf(out + "/4.3/4.3a.pdf").substr(0, 4), "%PDF");
@@ -194,6 +195,8 @@ TEST_F(LaboratoryCommands, AWrongRecipeIsRefusedInASentence) {
   refuse("[[claim]]\nid = \"X\"\nkind = \"value\"\nthesis = 3\nconditions = [\"b\"]\n", {"claim X", "b"});
   refuse("[[claim]]\nkind = \"value\"\n", {"id"});
   refuse("[claim]\nid = \"X\"\n", {"claim", "[[claim]]"});
+  std::ofstream(file("t.toml")) << "lives = 2\ntable = [\"height\"]\n[[condition]]\nname = \"a\"\n";
+  expectRefusal("reproduce " + file("t.toml") + " --out " + file("out"), 2, {"table", "height"});
 }
 
 TEST_F(LaboratoryCommands, WhatCannotBeIsRefusedInASentence) {

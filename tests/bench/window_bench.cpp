@@ -1,19 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window costs the learner: turbo in a visible window and the same life without one, in turns, each for the
-// same wall-clock time, so that a machine whose speed wanders favours neither. Needs two processors and a display:
+// What the window costs the learner: turbo in a visible window and the same task without one, in turns of half a
+// second, because a machine's speed wanders from second to second by more than what is to be measured. Needs two
+// processors and a display:
 //
 //   xvfb-run window_bench [MINUTES]
 //
-// With MINUTES every panel is open in a window of 1920×1080, a turn takes a quarter of a minute, of which the last
-// fifth is without the window, and the memory of the process is told, too.
+// With MINUTES every panel is open in a window of 1920×1080, two thirds of the time are the window's, and the memory of
+// the process is told every minute.
 //
 // Speeds are per second by the clock and per CPU-second of the learner's thread: where the window, the display and the
-// learner share too few processors, the first tells how long the learner waited for one.
+// learner share too few processors, the first tells how long the learner waited for one. The ratio is a geometric mean
+// with its 95 % interval; every turn is held against the turns without the window before and after it.
 #include <fmt/format.h>
 
 #include <QApplication>
 #include <QThread>
 #include <algorithm>
+#include <atomic>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -21,6 +25,7 @@
 
 #include <unistd.h>
 
+#include "core/laboratory/statistics.h"
 #include "physics/register.h"
 #include "ui/live_page.h"
 #include "ui/main_window.h"
@@ -34,18 +39,18 @@ using namespace surefoot;
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr int kTurns = 9;
-constexpr double kTurn = 3.0;       // [s]
-constexpr double kLongTurn = 11.5;  // [s]
-constexpr int kTurnsAMinute = 4;
-constexpr double kWarmUp = 0.5;  // [s]
+constexpr double kWith = 0.6, kWithout = 0.3;  // [s], measured
+constexpr double kSettle = 0.05;               // [s], before each
+constexpr double kMinutes = 0.5;               // where none are asked for
 
-/// Counts how often a widget was painted.
+/// Counts how often a widget was painted while it is on.
 class PaintCounter final : public QObject {
  public:
+  bool on = false;
   int count = 0;
+  double seconds = 0;  // that it was on
   bool eventFilter(QObject*, QEvent* event) override {
-    count += event->type() == QEvent::Paint;
+    count += on && event->type() == QEvent::Paint;
     return false;
   }
 };
@@ -75,32 +80,87 @@ struct Speed {
 /// Of the steps that were counted since then. The learner's thread is the one, but for this, that worked most.
 class Stopwatch {
  public:
-  Speed of(std::int64_t steps) const {
+  /// `end`: when they had been taken.
+  Speed of(std::int64_t steps, Clock::time_point end) const {
     double most = 0;
     for (const auto& [thread, cpu] : cpuOfThreads())
       if (const auto before = cpu_.find(thread); thread != std::to_string(getpid()) && before != cpu_.end())
         most = std::max(most, cpu - before->second);
-    return {static_cast<double>(steps) / seconds(), static_cast<double>(steps) / most};
+    const double share = most / secondsUntil(Clock::now());
+    const double clock = static_cast<double>(steps) / secondsUntil(end);
+    return {clock, clock / share};
   }
-  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  double secondsUntil(Clock::time_point end) const { return std::chrono::duration<double>(end - start_).count(); }
 
  private:
   std::map<std::string, double> cpu_ = cpuOfThreads();
   Clock::time_point start_ = Clock::now();
 };
 
-/// Of a life on a thread of its own, while this thread sleeps.
-Speed withoutWindow(Life& life) {
-  Speed speed;
-  std::thread learner([&] {
-    for (int i = 0; i < 100'000; ++i) life.step();
-    const std::int64_t first = life.steps();
-    const Stopwatch watch;
-    while (watch.seconds() < kTurn)
-      for (int i = 0; i < 10'000; ++i) life.step();
-    speed = watch.of(life.steps() - first);
+/// A life that steps on a thread of its own whenever it may, and nothing else.
+class Headless {
+ public:
+  explicit Headless(std::unique_ptr<Life> life) : life_(std::move(life)), thread_([this] { run(); }) {}
+  ~Headless() {
+    end_ = true;
+    setRunning(true);
+    thread_.join();
+  }
+  void setRunning(bool running) {
+    running_ = running;
+    running_.notify_one();
+  }
+  std::int64_t steps() const { return steps_.load(std::memory_order_relaxed); }
+
+ private:
+  void run() {
+    while (!end_) {
+      running_.wait(false);
+      for (int i = 0; i < 256; ++i) life_->step();
+      steps_.store(life_->steps(), std::memory_order_relaxed);
+    }
+  }
+
+  std::unique_ptr<Life> life_;
+  std::atomic<bool> running_{false}, end_{false};
+  std::atomic<std::int64_t> steps_{0};
+  std::thread thread_;
+};
+
+/// Of a life without a window, while this thread sleeps.
+Speed withoutWindow(Headless& headless) {
+  const auto sleep = [](double s) { std::this_thread::sleep_for(std::chrono::duration<double>(s)); };
+  headless.setRunning(true);
+  sleep(kSettle);
+  const std::int64_t first = headless.steps();
+  const Stopwatch watch;
+  sleep(kWithout);
+  const Speed speed = watch.of(headless.steps() - first, Clock::now());
+  headless.setRunning(false);
+  return speed;
+}
+
+/// In turbo. Steps are those of the snapshots of the first frame and the last, taken when these were.
+Speed withWindow(Session& session, PaintCounter& frames) {
+  session.setRunning(true);
+  processEventsFor(kSettle);
+  std::optional<Stopwatch> watch;
+  std::int64_t first = 0, last = 0;
+  Clock::time_point end;
+  const auto connection = QObject::connect(&session, &Session::frame, [&] {
+    last = session.snapshot().steps;
+    end = Clock::now();
+    if (!watch) watch.emplace(), first = last;
   });
-  learner.join();
+  const Stopwatch whole;
+  frames.on = true;
+  processEventsFor(kWith);
+  frames.on = false;
+  frames.seconds += whole.secondsUntil(Clock::now());
+  QObject::disconnect(connection);
+  const Speed speed = watch ? watch->of(last - first, end) : Speed{};
+  session.setRunning(false);
+  processEventsFor(kSettle);
   return speed;
 }
 
@@ -122,15 +182,18 @@ void openEveryPanel(LivePage& page) {
   page.splitDockWidget(panel("falls"), panel("list"), Qt::Horizontal);
 }
 
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
+/// The geometric mean of ratios with its 95 % interval, "0.981 (0.975 … 0.987)".
+std::string meanText(const std::vector<double>& logarithms) {
+  const auto mean = meanInterval(logarithms);
+  if (!mean) return "too few turns";
+  return fmt::format("{:.3f} ({:.3f} … {:.3f})", std::exp(mean->value), std::exp(mean->low), std::exp(mean->high));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const int minutes = argc > 1 ? std::atoi(argv[1]) : 0;
+  const bool everyPanel = argc > 1;
+  const double minutes = everyPanel ? std::atof(argv[1]) : kMinutes;
   QApplication application(argc, argv);
   applyAppearance(application, Appearance{});
   Registry registry;
@@ -138,37 +201,38 @@ int main(int argc, char** argv) {
   registerPhysics(registry);
   const auto configuration = configure(registry, {}, {});
   auto life = makeLife(registry, *configuration, 0, false);
+  Headless headless(std::move(*life));
 
   Session session(registry, *configuration, false);
   MainWindow window(session);
-  minutes > 0 ? window.resize(1920, 1080) : window.resize(1280, 800);
+  everyPanel ? window.resize(1920, 1080) : window.resize(1280, 800);
   window.show();
-  if (minutes > 0) openEveryPanel(window.livePage());
+  if (everyPanel) openEveryPanel(window.livePage());
   PaintCounter frames;
   window.findChild<WorldView*>()->installEventFilter(&frames);
   session.setTurbo(true);
 
-  std::vector<double> ratios, ratiosOfCpu, rates;
-  for (int turn = 0; turn < (minutes > 0 ? kTurnsAMinute * minutes : kTurns); ++turn) {
-    session.setRunning(true);
-    processEventsFor(kWarmUp);
-    const std::int64_t first = session.snapshot().steps;
-    frames.count = 0;
-    const Stopwatch watch;
-    processEventsFor(minutes > 0 ? kLongTurn - kWarmUp : kTurn);
-    const Speed with = watch.of(session.snapshot().steps - first);
-    rates.push_back(frames.count / watch.seconds());
-    session.setRunning(false);
-    processEventsFor(kWarmUp);
-    const Speed without = withoutWindow(**life);
-    ratios.push_back(with.clock / without.clock);
-    ratiosOfCpu.push_back(with.cpu / without.cpu);
+  const auto start = Clock::now();
+  const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - start).count() / 60; };
+  std::vector<double> byClock, byCpu;  // logarithms of ratios
+  double minute = 0;
+  Speed before = withoutWindow(headless), with;
+  while (elapsed() < minutes) {
+    with = withWindow(session, frames);
+    const Speed after = withoutWindow(headless);
+    byClock.push_back(std::log(with.clock / std::sqrt(before.clock * after.clock)));
+    byCpu.push_back(std::log(with.cpu / std::sqrt(before.cpu * after.cpu)));
+    before = after;
+    if (elapsed() < std::min(minute + 1, minutes)) continue;
+    minute += 1;
     fmt::print(
-        "with the window {:.2f} M steps/s, without {:.2f} M: {:.3f}, per CPU-second {:.3f}; {:.1f} frames/s, {:.1f} "
-        "MB\n",
-        with.clock * 1e-6, without.clock * 1e-6, ratios.back(), ratiosOfCpu.back(), rates.back(), residentMemory());
+        "{:.0f} min: with the window {:.2f} M steps/s, without {:.2f} M; {:.1f} frames/s, {:.1f} MB; so far {} of the "
+        "speed without\n",
+        minute, with.clock * 1e-6, before.clock * 1e-6, frames.count / frames.seconds, residentMemory(),
+        meanText(byClock));
     std::fflush(stdout);
+    frames.count = 0, frames.seconds = 0;
   }
-  fmt::print("median of {}: {:.3f} of the speed without a window, {:.3f} per CPU-second, {:.1f} frames/s\n",
-             ratios.size(), median(ratios), median(ratiosOfCpu), median(rates));
+  fmt::print("{} turns: {} of the speed without a window, {} per CPU-second\n", byClock.size(), meanText(byClock),
+             meanText(byCpu));
 }

@@ -65,6 +65,17 @@ TEST(ExperimentPage, RunsAPlanAndShowsWhatCameOfIt) {
     EXPECT_NE(figure->asCsv().find("two"), std::string::npos) << figure->asCsv();
 }
 
+TEST(ExperimentPage, ATableWithoutRowsSaysWhy) {
+  Page p;
+  auto* table = p.named<QTableWidget>("Results");
+  ASSERT_EQ(table->rowCount(), 0);
+  EXPECT_EQ(p.experiment().whyNoResults(), "Appears when the plan runs.");
+  const QImage empty = table->viewport()->grab().toImage();
+  QImage paper = empty;
+  paper.fill(empty.pixelColor(0, 0));
+  EXPECT_NE(empty, paper) << "nothing is written there";
+}
+
 TEST(ExperimentPage, TheResultsAreThoseOfAHeadlessRun) {
   Page p;
   p.runToTheEnd();

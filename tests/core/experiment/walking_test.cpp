@@ -189,6 +189,7 @@ TEST(Walking, MeasuresAreKeptInTheStoreAndFoundByTheLaboratory) {
     ASSERT_EQ(values.size(), 3u) << measure;
     for (const double v : values) EXPECT_TRUE(std::isfinite(v)) << measure;
   }
+  for (const double v : valuesOf((*evidence)[0], "walks")) EXPECT_TRUE(v == 0.0 || v == 1.0) << v;
   for (const double v : valuesOf((*evidence)[0], "energy")) EXPECT_TRUE(std::isnan(v)) << "the compass has none";
   ASSERT_TRUE(exportCsv(*store, folder.file("csv"), "--csv"));
   EXPECT_TRUE(std::filesystem::exists(folder.file("csv") + "/measures.csv"));

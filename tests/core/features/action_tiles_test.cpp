@@ -73,9 +73,10 @@ TEST(ActionTiles, OrdinaryActionsHaveAColumnEach) {
 }
 
 // All action values at once, by blocks, against one after the other over the plain tiles.
-TEST(ActionTiles, LearningIsThatOfThePlainSlowEvaluation) {
+class ManyActions : public testing::TestWithParam<int> {};
+TEST_P(ManyActions, LearningIsThatOfThePlainSlowEvaluation) {
   const Task task = taskWith(5, 1.3);
-  const int n = 8;
+  const int n = GetParam();
   const TileSettings settings = settingsOf(task, n);
   auto coder = HashedTileCoder::create(task, settings);
   ASSERT_TRUE(coder) << coder.error().message;
@@ -114,5 +115,6 @@ TEST(ActionTiles, LearningIsThatOfThePlainSlowEvaluation) {
   }
   EXPECT_EQ(estimate.values().features().failedLookUps(), 0);
 }
+INSTANTIATE_TEST_SUITE_P(Tilings, ManyActions, testing::Values(8, 6));  // blocks are taken four at a time, or singly
 
 }  // namespace surefoot

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/laboratory/conditions_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace surefoot {
+
+namespace {
+
+/// "1153 ± 90"; "–" where no life has the measure.
+std::string text(const Interval& i) {
+  if (!std::isfinite(i.value)) return "–";
+  const double size = std::abs(i.value);
+  const int decimals = size >= 100 ? 0 : size >= 10 ? 1 : 2;
+  if (!std::isfinite(i.low)) return fmt::format("{:.{}f}", i.value, decimals);
+  return fmt::format("{:.{}f} ± {:.{}f}", i.value, decimals, (i.high - i.low) / 2, decimals);
+}
+
+/// "28 of 30": of a measure that is 0 or 1 the mean ± would mislead.
+std::string countText(const std::vector<double>& values) {
+  const auto finite = std::count_if(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
+  return finite == 0 ? "–" : fmt::format("{} of {}", std::count(values.begin(), values.end(), 1.0), finite);
+}
+
+std::string cellOf(const Evidence& e, const std::string& measure, std::uint64_t seed) {
+  return measure == "walks" ? countText(valuesOf(e, measure)) : text(meanOf(e, measure, seed));
+}
+
+std::string changeText(const Interval& i) {
+  return fmt::format("{:+.0f} ({:+.0f} … {:+.0f})", i.value, i.low, i.high);
+}
+
+std::string pText(const Comparison& c) {
+  const std::string p = c.p() < 1e-10 ? "< 1e-10" : fmt::format("{:.2g}", c.p());
+  return c.significant() ? p + " X" : p;
+}
+
+}  // namespace
+
+ConditionsTable conditionsTable(const Findings& findings, const std::vector<Evidence>& evidence,
+                                const std::vector<std::string>& measures) {
+  ConditionsTable table{.heads = {"condition", "lives", measureTitle("falls"), "change, % (95 %)", "p"}, .rows = {}};
+  for (const std::string& measure : measures) table.heads.push_back(measureTitle(measure));
+  for (std::size_t i = 0; i < findings.conditions.size(); ++i) {
+    const Finding& f = findings.conditions[i];
+    const auto& c = f.comparison;
+    table.rows.push_back({f.name, std::to_string(f.lives), cellOf(evidence[i], "falls", findings.plan.seed),
+                          c ? changeText(c->change) : "", c ? pText(*c) : ""});
+    for (const std::string& measure : measures)
+      table.rows.back().push_back(cellOf(evidence[i], measure, findings.plan.seed));
+  }
+  return table;
+}
+
+}  // namespace surefoot
