@@ -195,7 +195,7 @@ TEST_F(LaboratoryCommands, AWrongRecipeIsRefusedInASentence) {
   refuse("[[claim]]\nid = \"X\"\nkind = \"value\"\nthesis = 3\nconditions = [\"b\"]\n", {"claim X", "b"});
   refuse("[[claim]]\nkind = \"value\"\n", {"id"});
   refuse("[claim]\nid = \"X\"\n", {"claim", "[[claim]]"});
-  std::ofstream(file("t.toml")) << "lives = 2\ntable = [\"height\"]\n[[condition]]\nname = \"a\"\n";
+  std::ofstream(file("t.toml")) << "lives = 2\ntable = [\"height\"]\n[[condition]]\nname = \"a\"\nminutes = 1\n";
   expectRefusal("reproduce " + file("t.toml") + " --out " + file("out"), 2, {"table", "height"});
 }
 

@@ -20,6 +20,7 @@ Evidence evidenceOf(const std::string& name, const std::vector<double>& falls, b
     if (robot) life.own = {{0, "greedy_distance", 2.1}, {0, "greedy_falls", last}, {0, "distance", 700}};
     e.lives.push_back(life);
   }
+  e.configuration = nlohmann::json::object();
   e.record.lives.resize(falls.size());
   e.record.episodes.resize(falls.size());
   return e;
