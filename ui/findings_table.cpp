@@ -86,7 +86,7 @@ void FindingsTable::paintEvent(QPaintEvent* event) {
   if (rowCount() > 0) return;
   QPainter p(viewport());
   p.setPen(themeOf(*this).quiet);
-  p.setFont(textFont(13));
+  p.setFont(textFont(11));
   p.drawText(viewport()->rect(), Qt::AlignCenter, experiment_.whyNoResults());
 }
 
