@@ -16,15 +16,13 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Runs what is missing of a plan into a store, and reads all of it.
-Result<std::vector<Evidence>> runAndRead(const Registry& registry, const Plan& plan, const std::string& path,
-                                         const LabOptions& lab) {
-  auto stored = planToStore(registry, plan);
-  if (!stored) return stored.error();
-  auto store = Store::missing(path) ? Store::create(path, *stored) : Store::openToWrite(path);
+Result<std::vector<Evidence>> runAndRead(const Registry& registry, const Plan& plan, const StoredPlan& stored,
+                                         const std::string& path, const LabOptions& lab) {
+  auto store = Store::missing(path) ? Store::create(path, stored) : Store::openToWrite(path);
   if (!store) return store.error();
   const auto there = store->plan();
   if (!there) return there.error();
-  if (const Status s = checkSamePlan(*there, *stored, path); !s) return s.error();
+  if (const Status s = checkSamePlan(*there, stored, path); !s) return s.error();
   if (there->conditions[0].lives != plan.lives)
     return Error{fmt::format("{}: it holds {} lives a condition and {} are asked for; name another folder.", path,
                              there->conditions[0].lives, plan.lives),
@@ -62,7 +60,9 @@ Result<Reproduced> reproduce(const Registry& registry, const std::string& recipe
   fs::create_directories(own, failed);
   if (failed) return Error{fmt::format("--out: {} cannot be made: {}.", own, failed.message()), ErrorKind::File};
 
-  const auto evidence = runAndRead(registry, recipe->plan, own + "/results.sqlite", lab);
+  const auto stored = planToStore(registry, recipe->plan);
+  if (!stored) return stored.error();
+  const auto evidence = runAndRead(registry, recipe->plan, *stored, own + "/results.sqlite", lab);
   if (!evidence) return evidence.error();
   Reproduced done{.name = recipe->name,
                   .title = recipe->plan.title,
@@ -78,9 +78,7 @@ Result<Reproduced> reproduce(const Registry& registry, const std::string& recipe
     done.figures.push_back(recipe->name + "/" + figure->name);
     done.captions.push_back(figure->title);
   }
-  const auto plan = planToStore(registry, recipe->plan);
-  if (!plan) return plan.error();
-  done.table = conditionsTable(findingsOf(*plan, *evidence), *evidence, recipe->table);
+  done.table = conditionsTable(findingsOf(*stored, *evidence), *evidence, recipe->table);
   auto judgements = judgeAll(registry, *recipe, *evidence);
   if (!judgements) return judgements.error();
   done.judgements = std::move(*judgements);
@@ -88,7 +86,9 @@ Result<Reproduced> reproduce(const Registry& registry, const std::string& recipe
   if (recipe->calibrated()) {
     const auto onLab = onLabPreset(registry, recipePath, changes);
     if (!onLab) return onLab.error();
-    const auto labEvidence = runAndRead(registry, onLab->plan, own + "/results-lab.sqlite", lab);
+    const auto labStored = planToStore(registry, onLab->plan);
+    if (!labStored) return labStored.error();
+    const auto labEvidence = runAndRead(registry, onLab->plan, *labStored, own + "/results-lab.sqlite", lab);
     if (!labEvidence) return labEvidence.error();
     auto labJudgements = judgeAll(registry, *onLab, *labEvidence);
     if (!labJudgements) return labJudgements.error();

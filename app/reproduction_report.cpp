@@ -10,6 +10,7 @@
 #include "app/reproduction.h"
 #include "core/files/read_file.h"
 #include "core/files/whole_file.h"
+#include "core/laboratory/statistics_text.h"
 #include "core/version.h"
 
 namespace surefoot {
@@ -39,7 +40,7 @@ std::vector<Row> rowsOf(std::span<const Reproduced> recipes) {
 }
 
 std::string numberText(double v) {
-  return fmt::format("{:.{}f}", v, std::abs(v) >= 100 ? 0 : std::abs(v) >= 10 ? 1 : 2);
+  return fmt::format("{:.{}f}", v, decimalsOf(v));
 }
 std::string thesisText(const nlohmann::json& thesis) {
   if (thesis.is_number()) return fmt::format("{:g}", thesis.get<double>());
@@ -52,8 +53,7 @@ std::string oursText(const Judgement& j) {
   return text;
 }
 std::string pText(const Judgement& j) {
-  if (!j.p) return "";
-  return *j.p < 1e-10 ? "< 1e-10" : fmt::format("{:.2g}", *j.p);
+  return j.p ? shortPText(*j.p) : "";
 }
 
 std::string summary(const std::vector<Row>& rows) {

@@ -6,18 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/laboratory/statistics_text.h"
+
 namespace surefoot {
 
 namespace {
-
-/// "1153 ± 90"; "–" where no life has the measure.
-std::string text(const Interval& i) {
-  if (!std::isfinite(i.value)) return "–";
-  const double size = std::abs(i.value);
-  const int decimals = size >= 100 ? 0 : size >= 10 ? 1 : 2;
-  if (!std::isfinite(i.low)) return fmt::format("{:.{}f}", i.value, decimals);
-  return fmt::format("{:.{}f} ± {:.{}f}", i.value, decimals, (i.high - i.low) / 2, decimals);
-}
 
 /// "28 of 30": of a measure that is 0 or 1 the mean ± would mislead.
 std::string countText(const std::vector<double>& values) {
@@ -26,7 +19,9 @@ std::string countText(const std::vector<double>& values) {
 }
 
 std::string cellOf(const Evidence& e, const std::string& measure, std::uint64_t seed) {
-  return measure == "walks" ? countText(valuesOf(e, measure)) : text(meanOf(e, measure, seed));
+  if (measure == "walks") return countText(valuesOf(e, measure));
+  const Interval mean = meanOf(e, measure, seed);
+  return plusMinusText(mean, decimalsOf(mean.value));
 }
 
 std::string changeText(const Interval& i) {
@@ -34,8 +29,7 @@ std::string changeText(const Interval& i) {
 }
 
 std::string pText(const Comparison& c) {
-  const std::string p = c.p() < 1e-10 ? "< 1e-10" : fmt::format("{:.2g}", c.p());
-  return c.significant() ? p + " X" : p;
+  return shortPText(c.p()) + (c.significant() ? " X" : "");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/laboratory/findings.h"
+#include "core/laboratory/statistics_text.h"
 
 namespace surefoot {
 
@@ -43,13 +44,6 @@ OrderedJson asJson(const Comparison& c) {
           {"lives_needed", asJson(c.livesNeeded)},
           {"minutes_difference", asJson(c.minutes)},
           {"change_per_cent_until_reference_ends", asJson(c.changeAtItsEnd)}};
-}
-
-/// "93.4 ± 4.1"
-std::string text(const Interval& i, int decimals) {
-  if (!std::isfinite(i.value)) return "–";
-  if (!std::isfinite(i.low)) return fmt::format("{:.{}f}", i.value, decimals);
-  return fmt::format("{:.{}f} ± {:.{}f}", i.value, decimals, (i.high - i.low) / 2, decimals);
 }
 
 /// "< 1e-10", "0.0031"
@@ -123,8 +117,8 @@ std::string findingsAsTable(const Findings& findings) {
       change = "reference";
     }
     out += fmt::format("{} {} {} {} {} {} {}\n", padded(f.name, width), padded(std::to_string(f.lives), 6),
-                       padded(f.end ? std::to_string(*f.end) : "–", 6), padded(text(f.falls, 1), 16),
-                       padded(text(f.minutes, 2), 13), padded(change, 24), p);
+                       padded(f.end ? std::to_string(*f.end) : "–", 6), padded(plusMinusText(f.falls, 1), 16),
+                       padded(plusMinusText(f.minutes, 2), 13), padded(change, 24), p);
   }
   for (const Finding& f : findings.conditions)
     for (const std::string& warning : f.warnings) out += fmt::format("{}: {}.\n", f.name, warning);

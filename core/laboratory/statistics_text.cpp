@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/laboratory/statistics_text.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace surefoot {
+
+int decimalsOf(double value) {
+  return std::abs(value) >= 100 ? 0 : std::abs(value) >= 10 ? 1 : 2;
+}
+
+std::string plusMinusText(const Interval& i, int decimals) {
+  if (!std::isfinite(i.value)) return "–";
+  if (!std::isfinite(i.low)) return fmt::format("{:.{}f}", i.value, decimals);
+  return fmt::format("{:.{}f} ± {:.{}f}", i.value, decimals, (i.high - i.low) / 2, decimals);
+}
+
+std::string shortPText(double p) {
+  return p < 1e-10 ? "< 1e-10" : fmt::format("{:.2g}", p);
+}
+
+}  // namespace surefoot
