@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A combo box in ink: hairline frame, a chevron, no wheel.
+// A combo box with a name that the wheel leaves alone.
 #pragma once
 
 #include <QComboBox>
@@ -13,7 +13,6 @@ class Combo final : public QComboBox {
   explicit Combo(const QString& name, QWidget* parent = nullptr);
 
  protected:
-  void paintEvent(QPaintEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
 };
 

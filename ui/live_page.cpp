@@ -2,10 +2,7 @@
 #include "ui/live_page.h"
 
 #include <QAction>
-#include <QPainter>
-#include <QProxyStyle>
 #include <QSplitter>
-#include <QStyleOption>
 #include <QTabBar>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -22,43 +19,13 @@
 #include "ui/session.h"
 #include "ui/step_view.h"
 #include "ui/symbol_text.h"
-#include "ui/theme.h"
 #include "ui/value_maps.h"
 #include "ui/world_view.h"
 
 namespace surefoot {
 
-namespace {
-
-/// Separators between docks: wide enough to take hold of, one hairline to see.
-class HairlineStyle final : public QProxyStyle {
- public:
-  int pixelMetric(PixelMetric metric, const QStyleOption* option, const QWidget* widget) const override {
-    if (metric == PM_DockWidgetSeparatorExtent) return 5;
-    if (metric == PM_DockWidgetFrameWidth) return 0;
-    return QProxyStyle::pixelMetric(metric, option, widget);
-  }
-  void drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
-                     const QWidget* widget) const override {
-    if (element != PE_IndicatorDockWidgetResizeHandle || !widget)
-      return QProxyStyle::drawPrimitive(element, option, painter, widget);
-    const Theme& t = themeOf(*widget);
-    const QRect r = option->rect;
-    painter->fillRect(r, t.panel);
-    const bool upright = r.height() > r.width();
-    painter->fillRect(
-        upright ? QRect(r.center().x(), r.top(), 1, r.height()) : QRect(r.left(), r.center().y(), r.width(), 1),
-        t.hairline);
-  }
-};
-
-}  // namespace
-
 LivePage::LivePage(Session& session, QWidget* parent) : QMainWindow(parent), session_(session) {
   setWindowFlags(Qt::Widget);
-  auto* style = new HairlineStyle;
-  style->setParent(this);
-  setStyle(style);
   setDockOptions(AllowNestedDocks | AllowTabbedDocks);
   setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);

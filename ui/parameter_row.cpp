@@ -59,7 +59,6 @@ ParameterRow::ParameterRow(const Parameter& parameter, const std::string& policy
   QFont small = textFont(11);
   small.setUnderline(true);
   reset_->setFont(small);
-  reset_->setObjectName(QStringLiteral("flat"));
   reset_->hide();
   connect(reset_, &QToolButton::clicked, this, [this] { Q_EMIT edited(toText(parameter_.key), base_); });
   setFixedHeight(kRow);

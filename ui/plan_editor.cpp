@@ -42,6 +42,7 @@ PlanEditor::PlanEditor(Experiment& experiment, QWidget* parent)
   auto* form = new ConditionForm(experiment.registry());
   auto* scroll = new QScrollArea;
   scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setFixedWidth(360);
   scroll->setWidget(form);

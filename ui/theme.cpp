@@ -3,9 +3,9 @@
 
 #include <QApplication>
 #include <QFontMetrics>
-#include <QStyle>
-#include <QStyleFactory>
 #include <QWidget>
+
+#include "ui/flat_style.h"
 
 namespace surefoot {
 
@@ -53,8 +53,12 @@ const Theme& darkTheme() {
   return theme;
 }
 
+const Theme& themeOf(const QPalette& palette) {
+  return palette.color(QPalette::Active, QPalette::Window).lightness() < 128 ? darkTheme() : lightTheme();
+}
+
 const Theme& themeOf(const QWidget& widget) {
-  return widget.palette().color(QPalette::Active, QPalette::Window).lightness() < 128 ? darkTheme() : lightTheme();
+  return themeOf(widget.palette());
 }
 
 namespace {
@@ -93,71 +97,18 @@ QString tabularFamily() {
   return QApplication::font().family();
 }
 
-/// Menus, tool tips, combo boxes and scroll bars: what Fusion draws with frames and gradients of its own.
-QString styleSheetOf(const Theme& t) {
-  return QString(R"(
-QMenuBar { background: %1; spacing: 4px; padding: 0 4px; }
-QMenuBar::item { background: transparent; color: %2; padding: 4px 8px; border-radius: 4px; }
-QMenuBar::item:selected { background: %3; }
-QMenu { background: %1; color: %2; border: 1px solid %4; padding: 4px; }
-QMenu::item { padding: 5px 24px 5px 24px; border-radius: 4px; }
-QMenu::item:selected { background: %3; }
-QMenu::item:disabled { color: %5; }
-QMenu::separator { height: 1px; background: %4; margin: 4px 8px; }
-QToolTip { background: %1; color: %2; border: 1px solid %4; padding: 4px; }
-QComboBox { border: 1px solid %6; border-radius: 4px; padding: 0 8px; background: %1; color: %2; }
-QComboBox:focus { border: 2px solid %7; padding: 0 7px; }
-QComboBox::drop-down { border: none; width: 18px; }
-QComboBox::down-arrow { image: none; }
-QComboBox QAbstractItemView { background: %1; color: %2; selection-background-color: %4; selection-color: %2;
-  border: 1px solid %6; outline: none; padding: 2px; }
-QScrollArea { border: none; background: transparent; }
-QScrollBar:vertical { background: transparent; width: 8px; margin: 0; }
-QScrollBar::handle:vertical { background: %6; border-radius: 3px; min-height: 24px; margin: 1px; }
-QScrollBar::add-line, QScrollBar::sub-line { height: 0; }
-QToolButton#flat { border: none; background: transparent; padding: 0; }
-QSplitter::handle { background: %4; }
-QCheckBox::indicator, QRadioButton::indicator { width: 14px; height: 14px; border: 1px solid %5; background: %1; }
-QCheckBox::indicator { border-radius: 3px; }
-QRadioButton::indicator { border-radius: 8px; }
-QCheckBox::indicator:checked { background: %2; border-color: %2; }
-QRadioButton::indicator:checked { width: 6px; height: 6px; border: 5px solid %2; }
-QCheckBox::indicator:focus, QRadioButton::indicator:focus { border-color: %7; }
-QTabBar::tab { background: %1; color: %5; padding: 3px 10px; border: none; border-bottom: 2px solid transparent; }
-QTabBar::tab:selected { color: %2; border-bottom-color: %2; }
-QTabBar::tab:focus { border-bottom-color: %7; }
-QDialog { border: 1px solid %6; }
-QPushButton { border: 1px solid %6; border-radius: 4px; background: %1; color: %2; padding: 5px 12px; }
-QPushButton:hover { background: %3; }
-QPushButton:disabled { color: %6; border-color: %4; }
-QPushButton:focus { border: 2px solid %7; padding: 4px 11px; }
-QDialog QLineEdit, surefoot--ConditionForm QLineEdit { border: 1px solid %6; border-radius: 4px; background: %1; color: %2;
-  padding: 3px 8px; }
-QDialog QLineEdit:focus, surefoot--ConditionForm QLineEdit:focus { border: 2px solid %7; padding: 2px 7px; }
-QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
-QHeaderView::section { border: none; border-bottom: 1px solid %4; background: %1; padding: 0 10px; }
-QTableView { outline: 0; }
-QTableView::item { border-bottom: 1px solid %4; padding: 0 10px; }
-QTableView::item:selected { background: %3; color: %2; }
-)")
-      .arg(t.panel.name(), t.ink.name(), t.fill.name(), t.hairline.name(), t.quiet.name(), t.outline.name(),
-           t.accent.name());
-}
-
 }  // namespace
 
 void applyAppearance(QApplication& application, Appearance appearance) {
-  static const bool systemIsDark = QApplication::palette().color(QPalette::Window).lightness() < 128;
+  static const bool systemIsDark = themeOf(QApplication::palette()).dark;
   const bool dark = appearance == Appearance::Dark || (appearance == Appearance::System && systemIsDark);
-  const Theme& theme = dark ? darkTheme() : lightTheme();
-  if (application.style()->name() != QLatin1String("fusion")) QApplication::setStyle(QStyleFactory::create("Fusion"));
+  if (!qobject_cast<FlatStyle*>(application.style())) QApplication::setStyle(new FlatStyle);
   if (QApplication::font() != textFont(13)) QApplication::setFont(textFont(13));
+  const Theme& theme = dark ? darkTheme() : lightTheme();
   static const Theme* now = nullptr;
   if (now == &theme) return;
   now = &theme;
-  application.setStyleSheet({});  // or every widget would be styled twice
   QApplication::setPalette(paletteOf(theme));
-  application.setStyleSheet(styleSheetOf(theme));
 }
 
 QFont textFont(int pixels, int weight) {

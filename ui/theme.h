@@ -27,6 +27,7 @@ const Theme& lightTheme();
 const Theme& darkTheme();
 
 /// The theme that a widget is drawn in: its palette decides.
+const Theme& themeOf(const QPalette& palette);
 const Theme& themeOf(const QWidget& widget);
 
 /// Style, palette and font of the whole program.

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Buttons, fields, indicators and scroll bars.
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QDialog>
+#include <QMenu>
+#include <QPainter>
+#include <QStyleOption>
+#include <QTabBar>
+#include <QTableView>
+
+#include "ui/flat_style.h"
+#include "ui/icons.h"
+#include "ui/theme.h"
+
+namespace surefoot {
+
+namespace {
+
+/// What every field and button stands on: a rounded frame, heavier and in the accent where the keyboard is.
+void drawPlate(QPainter& p, const QStyleOption& option, const QColor& fill, const QColor& frame) {
+  const bool focus = option.state & QStyle::State_HasFocus;
+  const double inset = focus ? 1 : 0.5;
+  p.save();
+  p.setRenderHint(QPainter::Antialiasing);
+  p.setPen(QPen(focus ? themeOf(option.palette).accent : frame, focus ? 2 : 1));
+  p.setBrush(fill);
+  p.drawRoundedRect(QRectF(option.rect).adjusted(inset, inset, -inset, -inset), 4, 4);
+  p.restore();
+}
+
+void drawButton(QPainter& p, const QStyleOption& option) {
+  const Theme& t = themeOf(option.palette);
+  const bool enabled = option.state & QStyle::State_Enabled;
+  const bool down = option.state & (QStyle::State_Sunken | QStyle::State_On);
+  const bool hover = enabled && (option.state & QStyle::State_MouseOver);
+  drawPlate(p, option, down ? t.track : hover ? t.fill : t.panel, enabled ? t.outline : t.hairline);
+}
+
+/// A button without a frame of its own: a plate only under the pointer or the keyboard.
+void drawQuietButton(QPainter& p, const QStyleOption& option) {
+  const Theme& t = themeOf(option.palette);
+  const bool hover = option.state & QStyle::State_MouseOver, focus = option.state & QStyle::State_HasFocus;
+  const bool down = option.state & (QStyle::State_Sunken | QStyle::State_On);
+  if (hover || focus || down) drawPlate(p, option, down ? t.track : hover ? t.fill : t.panel, Qt::transparent);
+}
+
+void drawTick(QPainter& p, QPointF centre, const QColor& colour) {
+  p.setPen(QPen(colour, 1.75, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  p.setBrush(Qt::NoBrush);
+  p.drawPolyline(QPolygonF({centre + QPointF(-3.2, 0.2), centre + QPointF(-1, 2.5), centre + QPointF(3.2, -2.4)}));
+}
+
+void drawIndicator(QPainter& p, const QStyleOption& option, bool round) {
+  const Theme& t = themeOf(option.palette);
+  const bool on = option.state & QStyle::State_On, enabled = option.state & QStyle::State_Enabled;
+  const bool focus = option.state & QStyle::State_HasFocus;
+  const QColor ink = enabled ? t.ink : t.outline;
+  QRectF box(0, 0, 13, 13);
+  box.moveCenter(QRectF(option.rect).center());
+  p.save();
+  p.setRenderHint(QPainter::Antialiasing);
+  p.setPen(QPen(focus ? t.accent : on ? ink : t.quiet, focus ? 2 : 1));
+  p.setBrush(on && !round ? ink : t.panel);
+  p.drawRoundedRect(box, round ? 6.5 : 3, round ? 6.5 : 3);
+  if (on && round) {
+    p.setPen(Qt::NoPen);
+    p.setBrush(ink);
+    p.drawEllipse(box.center(), 3.5, 3.5);
+  } else if (on) {
+    drawTick(p, box.center(), t.panel);
+  }
+  p.restore();
+}
+
+/// In a menu there are no boxes: what is on has a tick.
+void drawMenuTick(QPainter& p, const QStyleOption& option) {
+  if (!(option.state & QStyle::State_On)) return;
+  p.save();
+  p.setRenderHint(QPainter::Antialiasing);
+  drawTick(p, QRectF(option.rect).center(), themeOf(option.palette).ink);
+  p.restore();
+}
+
+void drawDockSeparator(QPainter& p, const QStyleOption& option) {
+  const Theme& t = themeOf(option.palette);
+  const QRect r = option.rect;
+  const bool upright = r.height() > r.width();
+  p.fillRect(r, t.panel);
+  p.fillRect(upright ? QRect(r.center().x(), r.top(), 1, r.height()) : QRect(r.left(), r.center().y(), r.width(), 1),
+             t.hairline);
+}
+
+void drawFramed(QPainter& p, const QRect& r, const QColor& fill, const QColor& frame) {
+  p.fillRect(r, frame);
+  p.fillRect(r.adjusted(1, 1, -1, -1), fill);
+}
+
+void drawScrollBar(QPainter& p, const QStyleOption& option, const QRect& handle) {
+  const Theme& t = themeOf(option.palette);
+  p.save();
+  p.setRenderHint(QPainter::Antialiasing);
+  p.setPen(Qt::NoPen);
+  p.setBrush(option.state & QStyle::State_Sunken ? t.quiet : t.outline);
+  p.drawRoundedRect(QRectF(handle).adjusted(1, 1, -1, -1), 3, 3);
+  p.restore();
+}
+
+void drawCell(QPainter& p, const QStyleOption& option) {
+  const Theme& t = themeOf(option.palette);
+  if (option.state & QStyle::State_Selected) p.fillRect(option.rect, t.fill);
+  p.fillRect(QRect(option.rect.left(), option.rect.bottom(), option.rect.width(), 1), t.hairline);
+}
+
+/// Who shows by himself where the keyboard is.
+bool showsItsFocus(const QWidget* widget) {
+  return qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QComboBox*>(widget) ||
+         qobject_cast<const QTabBar*>(widget) || qobject_cast<const QTableView*>(widget);
+}
+
+}  // namespace
+
+void FlatStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* option, QPainter* painter,
+                              const QWidget* widget) const {
+  const Theme& t = themeOf(option->palette);
+  switch (element) {
+    case PE_PanelButtonCommand:
+      return drawButton(*painter, *option);
+    case PE_PanelButtonTool:
+      return drawQuietButton(*painter, *option);
+    case PE_FrameLineEdit:
+      return drawPlate(*painter, *option, t.panel, t.outline);
+    case PE_IndicatorCheckBox:
+      return qobject_cast<const QMenu*>(widget) ? drawMenuTick(*painter, *option)
+                                                : drawIndicator(*painter, *option, false);
+    case PE_IndicatorRadioButton:
+      return drawIndicator(*painter, *option, true);
+    case PE_IndicatorDockWidgetResizeHandle:
+      return drawDockSeparator(*painter, *option);
+    case PE_PanelTipLabel:
+    case PE_PanelMenu:
+      return drawFramed(*painter, option->rect, t.panel, t.hairline);
+    case PE_Widget:
+      if (qobject_cast<const QDialog*>(widget)) drawFramed(*painter, option->rect, t.panel, t.outline);
+      return;
+    case PE_PanelItemViewItem:
+      if (!qobject_cast<const QTableView*>(widget)) break;
+      return drawCell(*painter, *option);
+    case PE_FrameFocusRect:
+      if (!showsItsFocus(widget)) break;
+      return;
+    case PE_FrameMenu:
+    case PE_PanelMenuBar:
+    case PE_FrameTabBarBase:
+    case PE_FrameDockWidget:
+      return;
+    default:
+      break;
+  }
+  QProxyStyle::drawPrimitive(element, option, painter, widget);
+}
+
+void FlatStyle::drawSpinBox(const QStyleOptionSpinBox& option, QPainter& painter, const QWidget* widget) const {
+  const Theme& t = themeOf(option.palette);
+  const bool enabled = option.state & State_Enabled;
+  drawPlate(painter, option, t.panel, enabled ? t.outline : t.hairline);
+  for (const bool up : {true, false}) {
+    const QRectF place = subControlRect(CC_SpinBox, &option, up ? SC_SpinBoxUp : SC_SpinBoxDown, widget);
+    const bool possible =
+        enabled && (option.stepEnabled & (up ? QAbstractSpinBox::StepUpEnabled : QAbstractSpinBox::StepDownEnabled));
+    painter.save();
+    painter.translate(place.center());
+    if (up) painter.rotate(180);
+    drawIcon(painter, Icon::Chevron, QRectF(-5, -4, 10, 8), possible ? t.ink : t.outline);
+    painter.restore();
+  }
+}
+
+void FlatStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
+                                   const QWidget* widget) const {
+  const Theme& t = themeOf(option->palette);
+  const bool enabled = option->state & State_Enabled;
+  if (control == CC_ComboBox) {
+    drawPlate(*painter, *option, t.panel, enabled ? t.outline : t.hairline);
+    const QRect arrow = subControlRect(control, option, SC_ComboBoxArrow, widget);
+    return drawIcon(*painter, Icon::Chevron, arrow, enabled ? t.ink : t.outline);
+  }
+  if (control == CC_ScrollBar)
+    return drawScrollBar(*painter, *option, subControlRect(control, option, SC_ScrollBarSlider, widget));
+  if (const auto* box = qstyleoption_cast<const QStyleOptionSpinBox*>(option); box && control == CC_SpinBox)
+    return drawSpinBox(*box, *painter, widget);
+  QProxyStyle::drawComplexControl(control, option, painter, widget);
+}
+
+}  // namespace surefoot
