@@ -6,6 +6,7 @@
 #include <condition_variable>
 #include <map>
 #include <mutex>
+#include <set>
 
 #include "core/experiment/q_file.h"
 #include "core/files/read_file.h"
@@ -39,7 +40,7 @@ class Lesson {
   void used() {
     if (--uses > 0) return;
     const std::lock_guard lock(mutex_);
-    q_.reset();  // a few megabytes
+    q_.reset();  // a few megabytes, of LEO a hundred
   }
 
  private:
@@ -85,33 +86,44 @@ class Laboratory {
   }
 
  private:
-  /// Lessons stand right before the first life that needs them, so whoever waits waits for work in hand.
+  /// Life by life over all conditions: these can be compared early, and a Q-function is soon done with.
   Status planTasks() {
     const auto there = store_.lives();
     if (!there) return there.error();
     std::set<std::pair<int, int>> done;
     for (const StoredLife& l : *there) done.emplace(l.condition, l.life);
-    std::int64_t number = 0;
-    for (int c = 0; c < static_cast<int>(plan_.conditions.size()); ++c)
-      for (int life = 0; life < plan_.lives; ++life) {
-        if (number++ % options_.shards != options_.shard - 1) continue;
+    std::vector<Task> lives;
+    for (int life = 0; life < plan_.lives; ++life)
+      for (int c = 0; c < static_cast<int>(plan_.conditions.size()); ++c) {
+        if ((std::int64_t{c} * plan_.lives + life) % options_.shards != options_.shard - 1) continue;
         ++result_.livesPlanned;
         if (done.contains({c, life}))
           ++result_.livesThere;
         else
-          tasks_.push_back({lessonFor(plan_.conditions[static_cast<std::size_t>(c)], life), c, life});
+          lives.push_back({lessonFor(plan_.conditions[static_cast<std::size_t>(c)], life), c, life});
       }
+    addLessons(std::move(lives));
     return Done{};
+  }
+
+  /// Lessons stand some lives before the first that needs them, so that few wait, and those for work in hand.
+  void addLessons(std::vector<Task> lives) {
+    const std::size_t ahead = 2 * static_cast<std::size_t>(options_.jobs);
+    std::set<const Lesson*> added;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < lives.size(); ++i) {
+      for (; next < lives.size() && next <= i + ahead; ++next)
+        if (Lesson* lesson = lives[next].lesson; lesson && added.insert(lesson).second)
+          tasks_.push_back({.lesson = lesson});
+      tasks_.push_back(lives[i]);
+    }
   }
 
   Lesson* lessonFor(const Condition& condition, int life) {
     if (!condition.preLearning) return nullptr;
     const int number = condition.preLearning->numberFor(life);
     auto& lesson = lessons_[{condition.preLearning->text, number}];
-    if (!lesson) {
-      lesson = std::make_unique<Lesson>(*condition.preLearning, number);
-      tasks_.push_back({.lesson = lesson.get()});
-    }
+    if (!lesson) lesson = std::make_unique<Lesson>(*condition.preLearning, number);
     ++lesson->uses;
     return lesson.get();
   }
