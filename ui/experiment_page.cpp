@@ -121,6 +121,7 @@ QWidget* ExperimentPage::makeColumn() {
   auto* scroll = new QScrollArea;
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidget(new ConditionList(experiment_));
   layout->addWidget(scroll, 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How large things are and where their parts lie; flat_style_fields.cpp and flat_style_items.cpp draw them.
+// How large things are and where their parts lie; flat_style_fields, _items and _surfaces draw them.
 #include "ui/flat_style.h"
 
 #include <QDialog>
@@ -52,8 +52,6 @@ int FlatStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const
     case PM_DockWidgetFrameWidth:
     case PM_TabBarTabOverlap:
     case PM_TabBarTabShiftVertical:
-    case PM_TabBarTabShiftHorizontal:
-    case PM_TabBarBaseOverlap:
       return 0;
     case PM_MenuPanelWidth:
       return 1;
@@ -88,7 +86,7 @@ int FlatStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const
 
 int FlatStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                          QStyleHintReturn* data) const {
-  if (hint == SH_DialogButtonBox_ButtonsHaveIcons) return 0;
+  if (hint == SH_DialogButtonBox_ButtonsHaveIcons || hint == SH_EtchDisabledText) return 0;
   return QProxyStyle::styleHint(hint, option, widget, data);
 }
 
@@ -113,7 +111,8 @@ QSize FlatStyle::sizeFromContents(ContentsType type, const QStyleOption* option,
     case CT_MenuItem: {
       const auto* item = qstyleoption_cast<const QStyleOptionMenuItem*>(option);
       if (!item) return usual;
-      if (item->menuItemType == QStyleOptionMenuItem::Separator) return {usual.width(), kSeparator};
+      if (item->menuItemType == QStyleOptionMenuItem::Separator && item->text.isEmpty())
+        return {usual.width(), kSeparator};
       return {usual.width(), item->fontMetrics.height() + 2 * kMenuItemMargin};
     }
     case CT_HeaderSection:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fusion drawn flat: hairlines and one rounded frame in place of bevels and gradients. Every colour comes from the
-// palette's theme, so a change of colours is a change of palette. (With a style sheet Qt matches the selectors for
-// every widget anew: a tenth of a second where this takes a hundredth.)
+// palette's theme, so a change of colours is a change of palette. (With a style sheet Qt matches its selectors for
+// every widget anew, which took longer than anything else in the window.)
 #pragma once
 
 #include <QProxyStyle>
@@ -37,6 +37,9 @@ class FlatStyle final : public QProxyStyle {
   void polish(QWidget* widget) override;
 
  private:
+  /// False: not a surface of this style's own.
+  static bool drawSurface(PrimitiveElement element, QPainter& painter, const QStyleOption& option,
+                          const QWidget* widget);
   /// What the words at the head of a column keep clear beyond Fusion's margin, to stand above those of the cells [px].
   int headMargin() const;
   void drawMenuEntry(ControlElement element, const QStyleOptionMenuItem& item, QPainter& painter,

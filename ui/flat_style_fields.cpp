@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Buttons, fields, indicators and scroll bars.
+// Buttons, fields, indicators and scroll bars: what is pressed, typed into or turned.
 #include <QAbstractButton>
 #include <QComboBox>
-#include <QDialog>
 #include <QMenu>
 #include <QPainter>
 #include <QStyleOption>
@@ -40,7 +39,8 @@ void drawButton(QPainter& p, const QStyleOption& option) {
 /// A button without a frame of its own: a plate only under the pointer or the keyboard.
 void drawQuietButton(QPainter& p, const QStyleOption& option) {
   const Theme& t = themeOf(option.palette);
-  const bool hover = option.state & QStyle::State_MouseOver, focus = option.state & QStyle::State_HasFocus;
+  const bool hover = (option.state & QStyle::State_MouseOver) && (option.state & QStyle::State_Enabled);
+  const bool focus = option.state & QStyle::State_HasFocus;
   const bool down = option.state & (QStyle::State_Sunken | QStyle::State_On);
   if (hover || focus || down) drawPlate(p, option, down ? t.track : hover ? t.fill : t.panel, Qt::transparent);
 }
@@ -56,13 +56,14 @@ void drawIndicator(QPainter& p, const QStyleOption& option, bool round) {
   const bool on = option.state & QStyle::State_On, enabled = option.state & QStyle::State_Enabled;
   const bool focus = option.state & QStyle::State_HasFocus;
   const QColor ink = enabled ? t.ink : t.outline;
-  QRectF box(0, 0, 13, 13);
+  const double side = focus ? 12 : 13;  // the heavier frame needs the room
+  QRectF box(0, 0, side, side);
   box.moveCenter(QRectF(option.rect).center());
   p.save();
   p.setRenderHint(QPainter::Antialiasing);
   p.setPen(QPen(focus ? t.accent : on ? ink : t.quiet, focus ? 2 : 1));
   p.setBrush(on && !round ? ink : t.panel);
-  p.drawRoundedRect(box, round ? 6.5 : 3, round ? 6.5 : 3);
+  p.drawRoundedRect(box, round ? side / 2 : 3, round ? side / 2 : 3);
   if (on && round) {
     p.setPen(Qt::NoPen);
     p.setBrush(ink);
@@ -73,27 +74,13 @@ void drawIndicator(QPainter& p, const QStyleOption& option, bool round) {
   p.restore();
 }
 
-/// In a menu there are no boxes: what is on has a tick.
+/// In a menu there are no boxes: what is on has a tick, or as one of several Fusion's dot.
 void drawMenuTick(QPainter& p, const QStyleOption& option) {
   if (!(option.state & QStyle::State_On)) return;
   p.save();
   p.setRenderHint(QPainter::Antialiasing);
   drawTick(p, QRectF(option.rect).center(), themeOf(option.palette).ink);
   p.restore();
-}
-
-void drawDockSeparator(QPainter& p, const QStyleOption& option) {
-  const Theme& t = themeOf(option.palette);
-  const QRect r = option.rect;
-  const bool upright = r.height() > r.width();
-  p.fillRect(r, t.panel);
-  p.fillRect(upright ? QRect(r.center().x(), r.top(), 1, r.height()) : QRect(r.left(), r.center().y(), r.width(), 1),
-             t.hairline);
-}
-
-void drawFramed(QPainter& p, const QRect& r, const QColor& fill, const QColor& frame) {
-  p.fillRect(r, frame);
-  p.fillRect(r.adjusted(1, 1, -1, -1), fill);
 }
 
 void drawScrollBar(QPainter& p, const QStyleOption& option, const QRect& handle) {
@@ -104,12 +91,6 @@ void drawScrollBar(QPainter& p, const QStyleOption& option, const QRect& handle)
   p.setBrush(option.state & QStyle::State_Sunken ? t.quiet : t.outline);
   p.drawRoundedRect(QRectF(handle).adjusted(1, 1, -1, -1), 3, 3);
   p.restore();
-}
-
-void drawCell(QPainter& p, const QStyleOption& option) {
-  const Theme& t = themeOf(option.palette);
-  if (option.state & QStyle::State_Selected) p.fillRect(option.rect, t.fill);
-  p.fillRect(QRect(option.rect.left(), option.rect.bottom(), option.rect.width(), 1), t.hairline);
 }
 
 /// Who shows by himself where the keyboard is.
@@ -129,33 +110,17 @@ void FlatStyle::drawPrimitive(PrimitiveElement element, const QStyleOption* opti
     case PE_PanelButtonTool:
       return drawQuietButton(*painter, *option);
     case PE_FrameLineEdit:
-      return drawPlate(*painter, *option, t.panel, t.outline);
+      return drawPlate(*painter, *option, t.panel, option->state & State_Enabled ? t.outline : t.hairline);
     case PE_IndicatorCheckBox:
       return qobject_cast<const QMenu*>(widget) ? drawMenuTick(*painter, *option)
                                                 : drawIndicator(*painter, *option, false);
     case PE_IndicatorRadioButton:
       return drawIndicator(*painter, *option, true);
-    case PE_IndicatorDockWidgetResizeHandle:
-      return drawDockSeparator(*painter, *option);
-    case PE_PanelTipLabel:
-    case PE_PanelMenu:
-      return drawFramed(*painter, option->rect, t.panel, t.hairline);
-    case PE_Widget:
-      if (qobject_cast<const QDialog*>(widget)) drawFramed(*painter, option->rect, t.panel, t.outline);
-      return;
-    case PE_PanelItemViewItem:
-      if (!qobject_cast<const QTableView*>(widget)) break;
-      return drawCell(*painter, *option);
     case PE_FrameFocusRect:
       if (!showsItsFocus(widget)) break;
       return;
-    case PE_FrameMenu:
-    case PE_PanelMenuBar:
-    case PE_FrameTabBarBase:
-    case PE_FrameDockWidget:
-      return;
     default:
-      break;
+      if (drawSurface(element, *painter, *option, widget)) return;
   }
   QProxyStyle::drawPrimitive(element, option, painter, widget);
 }
@@ -189,6 +154,12 @@ void FlatStyle::drawComplexControl(ComplexControl control, const QStyleOptionCom
     return drawScrollBar(*painter, *option, subControlRect(control, option, SC_ScrollBarSlider, widget));
   if (const auto* box = qstyleoption_cast<const QStyleOptionSpinBox*>(option); box && control == CC_SpinBox)
     return drawSpinBox(*box, *painter, widget);
+  if (const auto* tool = qstyleoption_cast<const QStyleOptionToolButton*>(option); tool && control == CC_ToolButton) {
+    QStyleOptionToolButton plain(*tool);
+    plain.state &=
+        ~State_AutoRaise;  // or its plate is left out where the keyboard is; drawQuietButton needs no such help
+    return QProxyStyle::drawComplexControl(control, &plain, painter, widget);
+  }
   QProxyStyle::drawComplexControl(control, option, painter, widget);
 }
 

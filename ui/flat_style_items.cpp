@@ -24,6 +24,15 @@ bool isChosen(const QStyleOption& option) {
   return (option.state & QStyle::State_Selected) && (option.state & QStyle::State_Enabled);
 }
 
+/// A hairline between items, or the head of a section.
+void drawSeparator(QPainter& p, const QStyleOptionMenuItem& item) {
+  const Theme& t = themeOf(item.palette);
+  if (item.text.isEmpty()) return p.fillRect(item.rect.adjusted(8, 4, -8, -4), t.hairline);
+  p.setFont(textFont(11));
+  p.setPen(t.quiet);
+  p.drawText(item.rect.adjusted(8, 0, -8, 0), Qt::AlignVCenter | Qt::AlignLeft, item.text);
+}
+
 void drawBottomLine(QPainter& p, const QRect& r, int width, const QColor& colour) {
   p.fillRect(QRect(r.left(), r.bottom() - width + 1, r.width(), width), colour);
 }
@@ -34,7 +43,7 @@ void FlatStyle::drawMenuEntry(ControlElement element, const QStyleOptionMenuItem
                               const QWidget* widget) const {
   const Theme& t = themeOf(item.palette);
   if (element == CE_MenuItem && item.menuItemType == QStyleOptionMenuItem::Separator)
-    return painter.fillRect(item.rect.adjusted(8, 4, -8, -4), t.hairline);
+    return drawSeparator(painter, item);
   if (element == CE_MenuBarItem) painter.fillRect(item.rect, t.panel);
   if (isChosen(item)) drawChosen(painter, item.rect, t.fill);
   if (element == CE_MenuBarItem) {

@@ -195,7 +195,6 @@ void LivePage::childEvent(QChildEvent* event) {
   auto* tabs = event->polished() ? qobject_cast<QTabBar*>(event->child()) : nullptr;
   if (!tabs) return;
   tabs->setAccessibleName(tr("Panels that share this place"));
-  tabs->setDrawBase(false);
   tabs->setExpanding(false);
 }
 

@@ -3,20 +3,18 @@
 
 #include <QHBoxLayout>
 #include <QMenu>
-#include <QSlider>
 #include <QToolButton>
 #include <QWidgetAction>
 
 #include "core/text.h"
 #include "ui/link_button.h"
 #include "ui/panel.h"
+#include "ui/slider.h"
 #include "ui/symbol_text.h"
 
 namespace surefoot {
 
-namespace {
-constexpr int kSliderSteps = 200;
-}
+namespace {}
 
 MapBar::MapBar(QWidget* parent) : QWidget(parent) {
   auto* row = new QHBoxLayout(this);
@@ -140,16 +138,15 @@ void MapBar::addOther(QMenu& menu, std::size_t d) {
   add(tr("Fix where it is now"), Across::Fixed, choice_.projection);
 
   const StateVariable v = task_.state[d];
-  auto* slider = new QSlider(Qt::Horizontal, &menu);
-  slider->setRange(0, kSliderSteps);
+  auto* slider = new Slider(&menu);
   slider->setMinimumWidth(180);
   slider->setAccessibleName(tr("Fixed %1").arg(toText(v.title)));
   const double now = choice_.across[d] == Across::Fixed ? choice_.fixed[d] : d < live_.size() ? live_[d] : 0.0;
-  slider->setValue(static_cast<int>(kSliderSteps * (now - v.viewLow) / (v.viewHigh - v.viewLow)));
+  slider->setValue(static_cast<int>(Slider::kSteps * (now - v.viewLow) / (v.viewHigh - v.viewLow)));
   connect(slider, &QSlider::valueChanged, this, [this, d, v](int position) {
     MapChoice next = choice_;
     next.across[d] = Across::Fixed;
-    next.fixed[d] = v.viewLow + (v.viewHigh - v.viewLow) * position / kSliderSteps;
+    next.fixed[d] = v.viewLow + (v.viewHigh - v.viewLow) * position / Slider::kSteps;
     choose(next);
   });
   auto* action = new QWidgetAction(&menu);

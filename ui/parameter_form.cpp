@@ -80,6 +80,7 @@ ParameterForm::ParameterForm(Session& session, QWidget* parent) : QScrollArea(pa
   setWidgetResizable(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setFrameShape(QFrame::NoFrame);
+  setFocusPolicy(Qt::NoFocus);
   setMinimumWidth(264);
   build();
   connect(&session_, &Session::parametersReplaced, this, &ParameterForm::build);

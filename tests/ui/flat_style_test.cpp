@@ -13,7 +13,9 @@
 #include <QSpinBox>
 #include <QStyleOption>
 #include <QTabBar>
+#include <QTableWidget>
 #include <QTest>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "ui/theme.h"
@@ -30,14 +32,14 @@ struct Controls : QWidget {
     auto* tabs = new QTabBar;
     tabs->addTab("Maps");
     tabs->addTab("Falls");
-    for (QWidget* control :
-         {static_cast<QWidget*>(new QPushButton("Start")), static_cast<QWidget*>(new QLineEdit("190")),
-          static_cast<QWidget*>(combo), static_cast<QWidget*>(new QCheckBox("reduce motion")),
-          static_cast<QWidget*>(new QRadioButton("dark")), static_cast<QWidget*>(new QSpinBox),
-          static_cast<QWidget*>(tabs)}) {
-      column->addWidget(control);
-      all.push_back(control);
-    }
+    auto* reset = new QToolButton;
+    reset->setText("Reset");
+    reset->setAutoRaise(true);
+    reset->setFocusPolicy(Qt::TabFocus);
+    all = {new QPushButton("Start"), new QLineEdit("190"), combo, new QCheckBox("reduce motion"),
+           new QRadioButton("dark"), new QSpinBox,         tabs,  reset,
+           new QTableWidget(2, 2)};
+    for (QWidget* control : all) column->addWidget(control);
     show();
     activateWindow();
     EXPECT_TRUE(QTest::qWaitForWindowActive(this));
@@ -119,6 +121,10 @@ TEST(FlatStyle, AMenuIsAsHighAsItsItems) {
   menu.addAction("Pause");
   const int line = menu.fontMetrics().height() + 10;
   EXPECT_EQ(menu.sizeHint().height(), 2 * line + 9 + 2 * (4 + 1)) << "two items, a separator, margin and frame";
+  QMenu axes;
+  axes.addSection("Horizontal");
+  axes.addAction("pole angle");
+  EXPECT_EQ(axes.sizeHint().height(), 2 * line + 2 * (4 + 1)) << "the head of a section is to be read";
 }
 
 }  // namespace surefoot

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 #include "core/laboratory/findings.h"
 #include "tests/app/folder.h"
@@ -115,6 +116,24 @@ TEST_F(LaboratoryTest, WhatIsMissingIsDoneWithTheSameContent) {
   ASSERT_TRUE(part) << part.error().message;
   EXPECT_TRUE(run(*part, {.jobs = 2}).complete());
   EXPECT_EQ(*part->contentHash(), *whole.contentHash());
+}
+
+TEST_F(LaboratoryTest, WhatIsInterruptedHasAsManyLivesOfEveryCondition) {
+  std::string text = kPlan;
+  text.replace(text.find("0.3"), 3, "30");  // long enough to be interrupted
+  const auto plan = parsePlan(registry, text, "plan.toml", {.lives = {}, .seed = {}, .assignments = {}});
+  ASSERT_TRUE(plan) << plan.error().message;
+  auto store = Store::create(folder.file("s"), *planToStore(registry, *plan));
+  ASSERT_TRUE(store) << store.error().message;
+  std::atomic<bool> stop{false};
+  const auto watch = [&](const LabProgress& p) { stop = p.work.livesDone >= 4; };
+  ASSERT_TRUE(runPlan(registry, *plan, *store, {.jobs = 1, .interrupted = &stop, .progress = watch}));
+  std::map<int, int> count;
+  const auto lives = store->lives();
+  ASSERT_GE(lives->size(), 4u);
+  ASSERT_LT(lives->size(), 18u);
+  for (const StoredLife& l : *lives) ++count[l.condition];
+  for (int c = 0; c < 3; ++c) EXPECT_NEAR(count[c], static_cast<double>(lives->size()) / 3, 1) << c;
 }
 
 TEST_F(LaboratoryTest, ShardsJoinedAreTheWhole) {
