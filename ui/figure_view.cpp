@@ -102,8 +102,8 @@ QPen FigureView::penOf(std::size_t series, const Theme& t) const {
   }
   QColor colour = policyLook(s.policy, t).colour;
   if (all > 1) {
-    const double part = 1.1 * before / (all - 1) - 0.6;  // −0.6: towards black … 0.5: towards the paper
-    const QColor& other = part < 0 ? QColor(Qt::black) : t.panel;
+    const double part = 1.1 * before / (all - 1) - 0.6;  // −0.6: towards the ink … 0.5: towards the paper
+    const QColor& other = part < 0 ? t.ink : t.panel;
     const auto mix = [&](int a, int b) { return static_cast<int>(a + std::abs(part) * (b - a)); };
     colour =
         QColor(mix(colour.red(), other.red()), mix(colour.green(), other.green()), mix(colour.blue(), other.blue()));

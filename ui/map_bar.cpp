@@ -14,8 +14,6 @@
 
 namespace surefoot {
 
-namespace {}
-
 MapBar::MapBar(QWidget* parent) : QWidget(parent) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);

@@ -115,19 +115,19 @@ double Judge::p(const Evidence& a, const Evidence& b) {
 }
 
 Interval Judge::change(const Evidence& reference, const Evidence& e) {
-  return bootstrap(
-      {groupsOf(reference, measure_), groupsOf(e, measure_)}, shareQFunctions(reference, e),
-      [](const std::vector<double>& m) { return changeInPerCent(m[0], m[1]); }, random_);
+  return statistic({&reference, &e}, [](const std::vector<double>& m) { return changeInPerCent(m[0], m[1]); });
 }
 
 namespace {
-/// The values of several conditions, and whether they began with the same Q-functions.
+/// The values of several conditions, and whether they began with the same Q-functions, none of which is without a
+/// value.
 std::pair<std::vector<Groups>, bool> together(const std::vector<const Evidence*>& conditions,
                                               const std::string& measure) {
   std::pair<std::vector<Groups>, bool> all{{}, true};
   for (const Evidence* e : conditions) {
     all.first.push_back(groupsOf(*e, measure));
-    all.second = all.second && shareQFunctions(*conditions[0], *e);
+    all.second = all.second && shareQFunctions(*conditions[0], *e) &&
+                 all.first.back().size() == byQFunction(e->record, valuesOf(*e, measure)).size();
   }
   return all;
 }

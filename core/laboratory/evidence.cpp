@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "core/experiment/greedy_test.h"
 
@@ -110,7 +111,12 @@ Groups groupsOf(const Evidence& evidence, std::string_view measure) {
 }
 
 bool shareQFunctions(const Evidence& a, const Evidence& b) {
-  return a.hasPool() && a.pool == b.pool;
+  const auto numbers = [](const Evidence& e) {
+    std::set<int> all;
+    for (const StoredLife& l : e.record.lives) all.insert(l.qFunction);
+    return all;
+  };
+  return a.hasPool() && a.pool == b.pool && numbers(a) == numbers(b);
 }
 
 Interval meanOf(const Groups& groups, std::uint64_t seed) {
@@ -118,7 +124,11 @@ Interval meanOf(const Groups& groups, std::uint64_t seed) {
     const double nothing = std::numeric_limits<double>::quiet_NaN();
     return {nothing, nothing, nothing};
   }
-  if (groups.size() == 1) return meanInterval(groups[0]).value_or(Interval{groups[0][0], groups[0][0], groups[0][0]});
+  if (groups.size() == 1 || std::ranges::all_of(groups, [](const auto& group) { return group.size() == 1; })) {
+    std::vector<double> values;
+    for (const auto& group : groups) values.insert(values.end(), group.begin(), group.end());
+    return meanInterval(values).value_or(Interval{values[0], values[0], values[0]});
+  }
   Random random(seed);
   return bootstrap(
       {groups}, false, [](const std::vector<double>& means) { return means[0]; }, random);

@@ -62,10 +62,7 @@ Verdict Judge::notWorse() {
 Verdict Judge::ratio() {
   if (conditions_.size() != 2) complain("conditions", "two are expected");
   if (!problem_.empty()) return Verdict::Undecided;
-  const Interval i = bootstrap(
-      {groupsOf(*conditions_[0], measure_), groupsOf(*conditions_[1], measure_)},
-      shareQFunctions(*conditions_[0], *conditions_[1]), [](const std::vector<double>& m) { return m[0] / m[1]; },
-      random_);
+  const Interval i = statistic(conditions_, [](const std::vector<double>& m) { return m[0] / m[1]; });
   report(i);
   return agreesIf(overlaps(i, number("low"), number("high")));
 }

@@ -216,7 +216,6 @@ std::vector<double> fallsUntil(const ConditionRecord& record, std::size_t episod
 Groups byQFunction(const ConditionRecord& record, Sample values) {
   std::map<int, std::vector<double>> groups;
   for (std::size_t i = 0; i < values.size(); ++i) groups[record.lives[i].qFunction].push_back(values[i]);
-  if (groups.size() == values.size()) return {{values.begin(), values.end()}};
   Groups list;
   for (auto& [number, group] : groups) list.push_back(std::move(group));
   return list;

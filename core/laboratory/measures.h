@@ -61,7 +61,7 @@ std::vector<LifeMeasures> measure(const ConditionRecord& record, std::optional<s
 /// Falls of every life up to an episode.
 std::vector<double> fallsUntil(const ConditionRecord& record, std::size_t episode);
 
-/// The values of lives, those with one Q-function together; one group if every life had its own, or none.
+/// The values of lives, those with one Q-function together, in the order of these; one group if there was none.
 Groups byQFunction(const ConditionRecord& record, Sample values);
 
 /// A curve over lives with its 95 % band.

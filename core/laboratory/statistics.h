@@ -70,13 +70,13 @@ struct VarianceComponent {
 };
 std::optional<VarianceComponent> varianceComponent(const std::vector<Sample>& groups);
 
-/// Groups of values that belong together: the lives that began with one Q-function. One group each for lives that share
-/// nothing is written as one group of all.
+/// Groups of values that belong together: the lives that began with one Q-function. Lives that share nothing are one
+/// group of all; of those that began with a Q-function each, every one is a group.
 using Groups = std::vector<std::vector<double>>;
 
 /// The bootstrap (Efron & Tibshirani 1993): `f` of the means of a resample of every condition, so many times, in order.
 /// With several groups it draws groups, then values within each; `shared`: the groups of all conditions are the same
-/// ones, and are drawn together.
+/// ones, and are drawn together; with one value in each group, that is the bootstrap of pairs.
 std::vector<double> resample(const std::vector<Groups>& conditions, bool shared,
                              const std::function<double(const std::vector<double>& means)>& f, Random& random,
                              int count = 10'000);

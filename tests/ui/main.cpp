@@ -11,7 +11,8 @@
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
-  const QTemporaryDir settings;  // never the settings of whoever runs the tests
+  const QTemporaryDir settings, data;  // never the settings, results and autosaves of whoever runs the tests
+  qputenv("XDG_DATA_HOME", data.path().toUtf8());
   QApplication application(argc, argv);
   QApplication::setApplicationName("Surefoot");
   QApplication::setOrganizationName("Surefoot");

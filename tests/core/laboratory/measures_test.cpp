@@ -98,7 +98,8 @@ TEST(Measures, LearningCurveEndsWithTheShortestLife) {
 TEST(Measures, LivesOfOneQFunctionStandTogether) {
   const std::vector<double> values = {1, 2, 3, 4};
   EXPECT_EQ(byQFunction(recordOf({{}, {}, {}, {}}, {0, 1, 0, 1}), values), (Groups{{1, 3}, {2, 4}}));
-  EXPECT_EQ(byQFunction(recordOf({{}, {}, {}, {}}, {0, 1, 2, 3}), values), (Groups{{1, 2, 3, 4}})) << "each its own";
+  EXPECT_EQ(byQFunction(recordOf({{}, {}, {}, {}}, {0, 1, 2, 3}), values), (Groups{{1}, {2}, {3}, {4}}));
+  EXPECT_EQ(byQFunction(recordOf({{}, {}, {}, {}}, {2, 0, 3, 1}), values), (Groups{{2}, {4}, {1}, {3}}));
   EXPECT_EQ(byQFunction(recordOf({{}, {}, {}, {}}), values), (Groups{{1, 2, 3, 4}})) << "none";
 }
 

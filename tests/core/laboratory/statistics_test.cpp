@@ -163,6 +163,23 @@ TEST(Statistics, BootstrapOfGroupsSeesHowMuchTheyDiffer) {
   EXPECT_EQ(shared.high, 0.0);
 }
 
+TEST(Statistics, BootstrapOfPairsSeesWhatPairsHaveInCommon) {
+  // Pairs that differ by 1 exactly: their difference has no interval. Alone, that of two means of 100 has one.
+  Random draws(5);
+  Groups before, after;
+  for (int i = 0; i < 100; ++i) {
+    before.push_back({draws.uniform()});
+    after.push_back({before.back()[0] + 1});
+  }
+  const auto difference = [](const std::vector<double>& means) { return means[1] - means[0]; };
+  Random random(1);
+  const Interval paired = bootstrap({before, after}, true, difference, random);
+  EXPECT_NEAR(paired.low, 1, 1e-12);
+  EXPECT_NEAR(paired.high, 1, 1e-12);
+  const Interval alone = bootstrap({before, after}, false, difference, random);
+  EXPECT_NEAR((alone.high - alone.low) / 2, 1.96 * 0.0408, 0.015);
+}
+
 TEST(Statistics, ChangeInPerCent) {
   EXPECT_DOUBLE_EQ(changeInPerCent(20, 11), -45);
   EXPECT_DOUBLE_EQ(changeInPerCent(0, 0), 0);
