@@ -100,7 +100,7 @@ ConditionForm::ConditionForm(const Registry& registry, QWidget* parent)
   for (Sweep& sweep : sweeps_) {
     ++number;
     sweep = {new Combo(tr("Parameter %1 to set").arg(number)), field(tr("Values of parameter %1").arg(number), {})};
-    sweep.values->setPlaceholderText(tr("one value, or several: 0, 50, 100"));
+    sweep.values->setPlaceholderText(tr("one, or several: 0, 50, 100"));
     narrow(sweep.key);
     form->addRow(number == 1 ? tr("Set or vary") : tr("and"), sweep.key);
     form->addRow({}, sweep.values);
