@@ -10,6 +10,7 @@ constexpr std::int64_t kLeastEpisodes = 20;
 void RunCurves::update(const std::string& agent, const std::string& policy, const std::vector<CurvePoint>& points,
                        const std::vector<Change>& changes) {
   live_ = {agent, live_.number, points, {}};
+  live_.began = began_;
   if (points.empty()) return;
   std::vector<Change> switches;
   for (const Change& change : changes)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/experiment/learning_curve.h"
@@ -21,6 +22,8 @@ struct RunCurve {
   int number = 1;  ///< of the life since the window was opened
   std::vector<CurvePoint> points;
   std::vector<CurvePiece> pieces;  ///< the same points, cut where the policy changed; each begins where the last ended
+  std::string began{};  ///< how its life began: "pre-learned (scenario 2)"; empty: with an empty table
+  /// In force at its end.
   std::string policy() const { return pieces.empty() ? "" : pieces.back().policy; }
 };
 
@@ -28,6 +31,8 @@ class RunCurves {
  public:
   static constexpr std::size_t kMostEarlier = 5;
 
+  /// How the life that runs began, as RunCurve::began.
+  void setBegan(std::string began) { began_ = std::move(began); }
   /// The points of the life that runs, its learning rule, the policy of its last episode, and what was changed
   /// meanwhile.
   void update(const std::string& agent, const std::string& policy, const std::vector<CurvePoint>& points,
@@ -41,6 +46,7 @@ class RunCurves {
   const std::vector<RunCurve>& earlier() const { return earlier_; }
 
  private:
+  std::string began_;
   RunCurve live_;
   std::vector<RunCurve> earlier_;
 };
