@@ -16,16 +16,17 @@ namespace surefoot {
 namespace {
 
 void addTrainOptions(CLI::App& app, TrainOptions& o) {
-  const auto choice = [&](const char* name, std::string& value, const char* help) {
-    CLI::Option* option = app.add_option(name, value, help)->type_name("NAME");
-    if (!value.empty()) option->capture_default_str();
+  const auto choice = [&](const char* name, std::optional<std::string>& value, const std::string& help,
+                          const std::string& usual = "") {
+    addOption(app, name, value, (usual.empty() ? help : fmt::format("{} [{}]", help, usual)).c_str(), "NAME");
   };
-  choice("--environment", o.names.environment, "what to learn in");
+  const Names usual;
+  choice("--environment", o.names.environment, "what to learn in", usual.environment);
   choice("--preset", o.names.preset, "constants of the environment: thesis (the default) or lab");
   choice("--scenario", o.names.scenario, "deviation from the actual system: actual (the default), 1 … 6");
-  choice("--agent", o.names.agent, "learning rule");
-  choice("--features", o.names.features, "representation of the state");
-  choice("--policy", o.names.policy, "action-selection rule");
+  choice("--agent", o.names.agent, "learning rule", usual.agent);
+  choice("--features", o.names.features, "representation of the state", usual.features);
+  choice("--policy", o.names.policy, "action-selection rule", usual.policy);
   addAssignments(app, o.assignments, "a parameter, e.g. policy.temperature=1; may be repeated");
   addOption(app, "--seed", o.seed, "master seed, 0 to 18446744073709551615 [1]", "N");
   addOption(app, "--minutes", o.minutes, "length of a life in simulated minutes", "T");
@@ -35,7 +36,8 @@ void addTrainOptions(CLI::App& app, TrainOptions& o) {
   addOption(app, "--jobs", o.jobs, "threads [all cores]", "N");
   app.add_flag("--json", o.json, "print the result as one JSON object");
   addOption(app, "--log", o.log, "write a row an episode to this file, which must not exist yet", "FILE.csv");
-  addOption(app, "--load", o.load, "begin with what another life has learned", "FILE");
+  addOption(app, "--load", o.load,
+            "begin with what another life has learned, under its configuration; other options come on top", "FILE");
   addOption(app, "--from", o.from, "live as a journal, a saved session or a Q-function says; other options come on top",
             "FILE");
   app.add_option("--at", o.at,
@@ -136,7 +138,7 @@ struct CommandLine {
     addFileCommands();
     window->add_flag("--turbo", windowOptions.turbo, "learn flat out from the start");
     list->add_flag("--json", listOptions.json, "as JSON");
-    addOption(*probabilities, "--q", probabilitiesOptions.q, "action values, separated by commas", "Q1,Q2,…");
+    addOption(*probabilities, "--q", probabilitiesOptions.q, "action values, separated by ; or blanks, or by commas", "Q1;Q2;…");
     probabilities->add_option("--policy", probabilitiesOptions.policy, "action-selection rule")
         ->type_name("NAME")
         ->capture_default_str();
@@ -157,14 +159,14 @@ struct CommandLine {
       command->add_option("FILE", path, what)->type_name("");
     };
     file(query, queryOptions.file, "a Q-function");
-    addOption(*query, "--state", queryOptions.state, "the state, its variables separated by commas", "S1,S2,…");
+    addOption(*query, "--state", queryOptions.state, "the state, its variables separated by ; or blanks, or by commas", "S1;S2;…");
     addOption(*query, "--policy", queryOptions.policy, "action-selection rule, if not the file's", "NAME");
     addAssignments(*query, queryOptions.assignments, "a parameter of the policy; may be repeated");
     query->add_flag("--json", queryOptions.json, "as JSON");
 
     file(slice, sliceOptions.file, "a Q-function");
     addOption(*slice, "--axes", sliceOptions.axes, "the two state variables that vary", "VARIABLE,VARIABLE");
-    addOption(*slice, "--at", sliceOptions.at, "the state that the plane goes through [0,0,…]", "S1,S2,…");
+    addOption(*slice, "--at", sliceOptions.at, "the state that the plane goes through [0;0;…]", "S1;S2;…");
     addOption(*slice, "--points", sliceOptions.points, "points along each axis [101]", "N");
     addOption(*slice, "--out", sliceOptions.out, "the table to write, which must not exist yet", "FILE.csv");
 

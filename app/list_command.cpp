@@ -4,6 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "core/formulas.h"
+#include "core/glossary.h"
+#include "core/number_text.h"
 
 namespace surefoot {
 
@@ -51,6 +54,7 @@ OrderedJson describe(const Parameters::Entry& entry) {
   json["applies"] = whenName(p.when);
   json["origin"] = p.origin;
   json["help"] = p.help;
+  json["formula"] = formulaOf(p);
   return json;
 }
 
@@ -59,6 +63,11 @@ OrderedJson describe(const std::vector<Entry>& entries) {
   OrderedJson list = OrderedJson::array();
   for (const Entry& entry : entries) {
     OrderedJson json = {{"name", entry.name}, {"title", entry.title}, {"help", entry.help}};
+    if (const Word* word = wordOf(entry.name)) {
+      json["formula"] = word->formula;
+      json["meaning"] = word->text;
+      json["source"] = word->source;
+    }
     if constexpr (std::is_same_v<Entry, AssignmentEntry>) {
       json["environment"] = entry.environment;
       json["values"] = OrderedJson::object();
@@ -72,7 +81,12 @@ OrderedJson describe(const std::vector<Entry>& entries) {
 template <class Entry>
 std::string table(const char* heading, const std::vector<Entry>& entries) {
   std::string text = fmt::format("{}\n", heading);
-  for (const Entry& entry : entries) text += fmt::format("  {:<18}{}\n", entry.name, entry.help);
+  for (const Entry& entry : entries) {
+    text += fmt::format("  {:<18}{}\n", entry.name, entry.help);
+    const Word* word = wordOf(entry.name);
+    if (word && !word->formula.empty()) text += fmt::format("{:20}{}\n", "", word->formula);
+    if (word) text += fmt::format("{:20}{} ({})\n", "", word->text, word->source);
+  }
   return text + "\n";
 }
 
@@ -81,11 +95,11 @@ std::string table(const Parameters& parameters) {
   for (const auto& entry : parameters.all()) {
     const Parameter& p = entry.parameter;
     const std::string range =
-        p.kind == Kind::Choice ? joinWords(p.choices, "or") : fmt::format("{} … {}", p.low, p.high);
+        p.kind == Kind::Choice ? joinWords(p.choices, "or") : boundText(p.low) + " … " + boundText(p.high);
     std::string name = p.symbol.empty() ? p.key : fmt::format("{} ({})", p.key, p.symbol);
     text +=
-        fmt::format("  {:<32} default {}{}, {}, applies {}\n      {} Default: {}.\n", name, formatValue(p, p.fallback),
-                    p.unit.empty() ? "" : " " + p.unit, range, whenName(p.when), p.help, p.origin);
+        fmt::format("  {:<32} default {}{}, {}, applies {}\n      {} Default: {}.\n      {}\n", name, formatValue(p, p.fallback),
+                    p.unit.empty() ? "" : " " + p.unit, range, whenName(p.when), p.help, p.origin, formulaOf(p));
   }
   return text;
 }

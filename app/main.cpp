@@ -22,6 +22,7 @@ int fail(const Error& error) {
 
 int print(const std::string& text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return kDone;
+  if (errno == EPIPE) return kDone;  // `… | head` has read what it wanted
   return fail({fmt::format("standard output cannot be written: {}.", std::strerror(errno)), ErrorKind::File});
 }
 

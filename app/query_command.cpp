@@ -2,6 +2,7 @@
 // `surefoot query`: Q, Q⁺, Q⁻ and π of one state.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
@@ -48,9 +49,26 @@ Result<Answer> answer(const Registry& registry, const QueryRequest& request, Sto
   return a;
 }
 
+using OrderedJson = nlohmann::ordered_json;
+
+/// The names and units of what stands in "actions" and "action_coordinates".
+OrderedJson actionVariables(const Task& task) {
+  OrderedJson list = OrderedJson::array();
+  for (const ActionVariable& v : task.actionVariables)
+    list.push_back({{"variable", v.key}, {"title", v.title}, {"unit", v.unit}});
+  if (list.empty())
+    list.push_back({{"variable", task.actionTitle}, {"title", task.actionTitle}, {"unit", task.actionUnit}});
+  return list;
+}
+
 std::string asJson(const StoredFunction& f, const std::vector<double>& state, const Answer& a) {
-  nlohmann::ordered_json json = {{"state", state}, {"actions", nlohmann::ordered_json::array()}, {"q", a.q}};
-  for (std::size_t i = 0; i < a.q.size(); ++i) json["actions"].push_back(actionText(f.task(), i));
+  const Task& task = f.task();
+  OrderedJson json = {{"state", state}, {"action_variables", actionVariables(task)}, {"actions", OrderedJson::array()}};
+  for (std::size_t i = 0; i < a.q.size(); ++i) {
+    json["actions"].push_back(actionWithUnit(task, i));
+    json["action_coordinates"].push_back(actionValues(task, i));
+  }
+  json["q"] = a.q;
   if (f.values().split()) json["q_positive"] = a.positive, json["q_negative"] = a.negative;
   json["policy"] = a.policy;
   json["probabilities"] = a.pi;
@@ -58,13 +76,37 @@ std::string asJson(const StoredFunction& f, const std::vector<double>& state, co
   return json.dump() + "\n";
 }
 
+std::string withUnit(const std::string& title, const std::string& unit) {
+  return unit.empty() ? title : fmt::format("{} [{}]", title, unit);
+}
+
+/// What the columns of an action are called, and what stands in them.
+std::vector<std::string> actionHeads(const Task& task) {
+  std::vector<std::string> heads;
+  for (const ActionVariable& v : task.actionVariables) heads.push_back(withUnit(v.title, v.unit));
+  if (heads.empty()) heads.push_back(withUnit(task.actionTitle, task.actionNames.empty() ? task.actionUnit : ""));
+  return heads;
+}
+std::vector<std::string> actionCells(const Task& task, std::size_t i) {
+  if (task.actionVariables.empty()) return {actionText(task, i)};
+  std::vector<std::string> cells;
+  for (const double value : actionValues(task, i)) cells.push_back(fmt::format("{:.5g}", value));
+  return cells;
+}
+
 std::string asTable(const StoredFunction& f, const Answer& a) {
   const bool split = f.values().split();
-  std::string text = fmt::format("{:>10}  {:>12}", f.task().actionTitle, "Q");
+  const std::vector<std::string> heads = actionHeads(f.task());
+  const auto width = [&](std::size_t j) { return std::max<std::size_t>(10, heads[j].size()); };
+  std::string text;
+  for (std::size_t j = 0; j < heads.size(); ++j) text += fmt::format("{:>{}}  ", heads[j], width(j));
+  text += fmt::format("{:>12}", "Q");
   if (split) text += fmt::format("  {:>12}  {:>12}", "Q+", "Q-");
   text += fmt::format("  {:>12}\n", "probability");
   for (std::size_t i = 0; i < a.q.size(); ++i) {
-    text += fmt::format("{:>10}  {:>12.6g}", actionText(f.task(), i), a.q[i]);
+    const std::vector<std::string> cells = actionCells(f.task(), i);
+    for (std::size_t j = 0; j < cells.size(); ++j) text += fmt::format("{:>{}}  ", cells[j], width(j));
+    text += fmt::format("{:>12.6g}", a.q[i]);
     if (split) text += fmt::format("  {:>12.6g}  {:>12.6g}", a.positive[i], a.negative[i]);
     text += fmt::format("  {:>12.6g}\n", a.pi[i]);
   }
@@ -74,9 +116,17 @@ std::string asTable(const StoredFunction& f, const Answer& a) {
 }  // namespace
 
 int queryCommand(const Registry& registry, const QueryRequest& request) {
-  if (!request.state) return fail({"--state: the state is needed, such as --state 0.1,0,0."});
   auto function = openFunction(registry, request.file);
   if (!function) return fail(function.error());
+  if (!request.state) {
+    std::vector<std::string> names, zeros;
+    for (const StateVariable& v : function->task().state) {
+      names.push_back(v.key);
+      zeros.push_back(fmt::format("{}", std::clamp(0.0, v.low, v.high)));
+    }
+    return fail({fmt::format("--state: the state is needed, {}, such as --state {}.", joinWords(names),
+                             fmt::join(zeros, ","))});
+  }
   const auto state = parseState("--state", *request.state, function->task());
   if (!state) return fail(state.error());
   const auto found = answer(registry, request, *function, *state);

@@ -4,20 +4,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <limits>
-#include <thread>
 
+#include "core/number_text.h"
 #include "core/text.h"
 
 namespace surefoot {
 
+Names namesOr(const ChosenNames& chosen, const Names& otherwise) {
+  return {.environment = chosen.environment.value_or(otherwise.environment),
+          .preset = chosen.preset.value_or(otherwise.preset),
+          .scenario = chosen.scenario.value_or(otherwise.scenario),
+          .agent = chosen.agent.value_or(otherwise.agent),
+          .features = chosen.features.value_or(otherwise.features),
+          .policy = chosen.policy.value_or(otherwise.policy)};
+}
+
 Result<std::int64_t> parseCount(const std::string& option, const std::string& text, std::int64_t most) {
-  std::int64_t value = 0;
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (code == std::errc{} && end == text.data() + text.size() && value >= 1 && value <= most) return value;
-  return Error{fmt::format("{}: \"{}\" is not allowed; it takes a whole number from 1 to {}.", option,
-                           text.substr(0, 60), most)};
+  const auto value = parseWhole(option, text, 1, static_cast<std::uint64_t>(most));
+  if (!value) return value.error();
+  return static_cast<std::int64_t>(*value);
 }
 
 Result<std::vector<Assignment>> parseAssignments(const std::vector<std::string>& texts) {
@@ -33,19 +38,6 @@ Result<std::vector<Assignment>> parseAssignments(const std::vector<std::string>&
                                  assignments[i].value, assignments.back().value)};
   }
   return assignments;
-}
-
-Result<std::vector<double>> parseNumbers(const std::string& option, const std::string& text) {
-  std::vector<double> numbers;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const auto value = parseNumber(fmt::format("{}, value {}", option, numbers.size() + 1),
-                                   std::string_view(text).substr(begin, end - begin));
-    if (!value) return value.error();
-    numbers.push_back(*value);
-    begin = end + 1;
-  }
-  return numbers;
 }
 
 Status checkPolicyKeys(const Registry& registry, const std::string& policy,

@@ -10,9 +10,16 @@
 
 namespace surefoot {
 
+/// What was chosen by name; nothing where nothing was said.
+struct ChosenNames {
+  std::optional<std::string> environment, preset, scenario, agent, features, policy;
+};
+/// These, and the others from `otherwise`.
+Names namesOr(const ChosenNames& chosen, const Names& otherwise);
+
 /// The options of `train` and `window`, as they were written.
 struct TrainOptions {
-  Names names;
+  ChosenNames names;
   std::vector<std::string> assignments;
   std::optional<std::string> seed, minutes, episodes, until, lives, jobs, log, load;
   std::vector<std::string> at;
@@ -29,8 +36,6 @@ struct ProbabilitiesOptions {
   bool json = false;
 };
 
-/// "0.1,0,0" as numbers; `option` is named in messages.
-Result<std::vector<double>> parseNumbers(const std::string& option, const std::string& text);
 /// KEY=VALUE, each key once.
 Result<std::vector<Assignment>> parseAssignments(const std::vector<std::string>& texts);
 /// A whole number from 1 to `most`.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "app/requests.h"
+#include "core/number_text.h"
 
 namespace surefoot {
 
@@ -38,8 +39,25 @@ Result<std::vector<double>> parseState(const std::string& option, const std::str
                            state->size() == 1 ? "value is" : "values are", task.state.size(), joinWords(names, "and"))};
 }
 
+std::vector<double> actionValues(const Task& task, std::size_t a) {
+  if (task.actionVariables.empty()) return {task.actions[a]};
+  std::vector<double> values;
+  for (std::size_t j = 0; j < task.actionVariables.size(); ++j)
+    values.push_back(task.actionVariables[j].levels[levelOf(task, a, j)]);
+  return values;
+}
+
 std::string actionText(const Task& task, std::size_t a) {
-  return a < task.actionNames.size() ? task.actionNames[a] : fmt::format("{}", task.actions[a]);
+  if (a < task.actionNames.size()) return task.actionNames[a];
+  if (task.actionVariables.empty()) return fmt::format("{}", task.actions[a]);
+  std::vector<std::string> texts;
+  for (const double value : actionValues(task, a)) texts.push_back(fmt::format("{:.5g}", value));
+  return fmt::format("{}", fmt::join(texts, " "));
+}
+
+std::string actionWithUnit(const Task& task, std::size_t a) {
+  const std::string text = actionText(task, a);
+  return task.actionUnit.empty() || a < task.actionNames.size() ? text : text + " " + task.actionUnit;
 }
 
 }  // namespace surefoot

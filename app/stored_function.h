@@ -25,7 +25,13 @@ Result<std::unique_ptr<Agent>> makeAgent(const Registry& registry, const Configu
 /// The values of the state variables from "0.1,0,0", each in its range.
 Result<std::vector<double>> parseState(const std::string& option, const std::string& text, const Task& task);
 
-/// What to call action `a`: "left", or "0.75" for a torque.
+/// What action `a` is, in physical units, one value an action variable: {0.75} [N m], {-8.9, 0, 8.9} [V].
+std::vector<double> actionValues(const Task& task, std::size_t a);
+
+/// What to call action `a`: "left", "0.75" for a torque, "-8.9 0 8.9" for three voltages.
 std::string actionText(const Task& task, std::size_t a);
+
+/// The same with the unit: "0.75 N m".
+std::string actionWithUnit(const Task& task, std::size_t a);
 
 }  // namespace surefoot

@@ -2,14 +2,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
 #include <limits>
 #include <thread>
 
 #include "app/requests.h"
 #include "app/train_from.h"
+#include "app/train_load.h"
 #include "core/experiment/q_file.h"
+#include "core/number_text.h"
 #include "core/text.h"
 
 namespace surefoot {
@@ -23,8 +24,8 @@ Result<std::vector<CommandText>> parseCommands(const std::vector<std::string>& t
     const auto colon = text.find(':'), equals = text.find('=');
     std::int64_t step = -1;
     if (colon != std::string::npos && equals != std::string::npos && colon < equals && equals > colon + 1) {
-      const auto [end, code] = std::from_chars(text.data(), text.data() + colon, step);
-      if (code != std::errc{} || end != text.data() + colon || step > 1'000'000'000'000) step = -1;
+      const auto steps = parseWhole("--at", std::string_view(text).substr(0, colon), 0, 1'000'000'000'000);
+      if (steps) step = static_cast<std::int64_t>(*steps);
     }
     if (step < 0)
       return Error{
@@ -39,17 +40,17 @@ Result<std::vector<CommandText>> parseCommands(const std::vector<std::string>& t
 
 /// How long a life is, how many there are, and the seed.
 Status readExtent(const TrainOptions& o, Configuration& c) {
-  const auto real = [](const char* option, const std::optional<std::string>& text, double low, double high,
-                       std::optional<double>& member) -> Status {
+  const auto real = [](const char* option, const std::optional<std::string>& text, const char* unit, double low,
+                       double high, std::optional<double>& member) -> Status {
     if (!text) return Done{};
-    const Parameter parameter{.key = option, .low = low, .high = high};
+    const Parameter parameter{.key = option, .unit = unit, .low = low, .high = high};
     const auto value = parseValue(parameter, *text);
     if (!value) return value.error();
     member = *value;
     return Done{};
   };
-  if (const Status s = real("--minutes", o.minutes, 0.001, 1e6, c.minutes); !s) return s;
-  if (const Status s = real("--until", o.until, -1e9, 1e9, c.until); !s) return s;
+  if (const Status s = real("--minutes", o.minutes, "min", 0.001, 1e6, c.minutes); !s) return s;
+  if (const Status s = real("--until", o.until, "", -1e9, 1e9, c.until); !s) return s;
   if (o.seed) {
     const auto seed = parseSeed("--seed", *o.seed);
     if (!seed) return seed.error();
@@ -117,7 +118,7 @@ Status checkCheckpoint(const TrainOptions& o) {
 /// [steps] between two checkpoints.
 Result<std::int64_t> checkpointEvery(const TrainOptions& o, const Task& task) {
   constexpr std::int64_t kWithoutClock = 1'000'000;
-  const Parameter every{.key = "--every", .low = 0.001, .high = 1e6};
+  const Parameter every{.key = "--every", .unit = "min", .low = 0.001, .high = 1e6};
   const auto minutes = o.every ? parseValue(every, *o.every) : Result<double>(10.0);
   if (!minutes) return minutes.error();
   if (task.stepTime) return std::max<std::int64_t>(1, static_cast<std::int64_t>(*minutes * 60 / *task.stepTime));
@@ -128,13 +129,12 @@ Result<std::int64_t> checkpointEvery(const TrainOptions& o, const Task& task) {
 
 /// A name that was chosen where a file chooses them; nullptr: none.
 const char* namedOption(const TrainOptions& o) {
-  const Names usual;
-  if (o.names.environment != usual.environment) return "--environment";
-  if (!o.names.preset.empty()) return "--preset";
-  if (!o.names.scenario.empty()) return "--scenario";
-  if (o.names.agent != usual.agent) return "--agent";
-  if (o.names.features != usual.features) return "--features";
-  if (o.names.policy != usual.policy) return "--policy";
+  if (o.names.environment) return "--environment";
+  if (o.names.preset) return "--preset";
+  if (o.names.scenario) return "--scenario";
+  if (o.names.agent) return "--agent";
+  if (o.names.features) return "--features";
+  if (o.names.policy) return "--policy";
   return nullptr;
 }
 
@@ -179,11 +179,12 @@ Result<TrainRequest> makeResumeRequest(const Registry& registry, const TrainOpti
   return request;
 }
 
-/// The configuration that options choose by name, or that of a file.
-Result<LivedBefore> chosenConfiguration(const Registry& registry, const TrainOptions& o,
+/// The configuration that options choose by name, or that of a file: of --from, or else of --load (`loaded`).
+Result<LivedBefore> chosenConfiguration(const Registry& registry, const TrainOptions& o, const TensorFile* loaded,
                                         const std::vector<Assignment>& assignments) {
   if (!o.from) {
-    auto configuration = configure(registry, o.names, assignments);
+    auto configuration = loaded ? configurationUpon(registry, *loaded, o.names, assignments)
+                                : configure(registry, namesOr(o.names, {}), assignments);
     if (!configuration) return configuration.error();
     return LivedBefore{std::move(*configuration), {}};
   }
@@ -207,7 +208,13 @@ Result<TrainRequest> makeTrainRequest(const Registry& registry, const TrainOptio
     if (const Status s = checkResume(o); !s) return s.error();
   const auto assignments = parseAssignments(o.assignments);
   if (!assignments) return assignments.error();
-  auto chosen = chosenConfiguration(registry, o, *assignments);
+  std::shared_ptr<const TensorFile> loaded;
+  if (o.load) {
+    auto file = readQFile(*o.load);
+    if (!file) return file.error();
+    loaded = std::move(*file);
+  }
+  auto chosen = chosenConfiguration(registry, o, loaded.get(), *assignments);
   if (!chosen) return chosen.error();
   Configuration& c = request.configuration = std::move(chosen->configuration);
   if (!window) {
@@ -228,11 +235,7 @@ Result<TrainRequest> makeTrainRequest(const Registry& registry, const TrainOptio
   if (!commands) return commands.error();
   c.commands.insert(c.commands.end(), commands->begin(), commands->end());
   std::stable_sort(c.commands.begin(), c.commands.end(), [](const auto& a, const auto& b) { return a.step < b.step; });
-  if (o.load) {
-    auto file = readQFile(*o.load);
-    if (!file) return file.error();
-    beginWith(c, std::move(*file));
-  }
+  if (loaded) beginWith(c, std::move(loaded));
   if (window && c.lives > 1)
     return Error{fmt::format("--lives: the window shows one life, not {}; `surefoot train` runs many.", c.lives)};
   if (!c.minutes && !c.episodes) request.mostSteps = chosen->steps;

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
+#include "core/number_text.h"
 #include "core/text.h"
 
 namespace surefoot {
@@ -16,26 +16,17 @@ std::string allowedValues(const Parameter& p) {
     case Kind::Choice:
       return "one of " + joinWords(p.choices, "or");
     case Kind::Integer:
-      return fmt::format("a whole number from {:.0f} to {:.0f}", p.low, p.high);
+      return fmt::format("a whole number from {} to {}", boundText(p.low), boundText(p.high));
     case Kind::Real:
       break;
   }
-  return fmt::format("a number from {} to {}", p.low, p.high);
+  return fmt::format("a number from {} to {}", boundText(p.low), boundText(p.high));
 }
 
 std::string formatValue(const Parameter& p, double value) {
   if (p.kind != Kind::Choice) return fmt::format("{}", value);
   const auto index = static_cast<std::size_t>(value);
   return index < p.choices.size() ? p.choices[index] : fmt::format("{}", value);
-}
-
-Result<double> parseNumber(std::string_view name, std::string_view text) {
-  double value = 0.0;
-  std::string_view digits = text;
-  if (digits.starts_with('+') && !digits.starts_with("+-")) digits.remove_prefix(1);
-  const auto [end, code] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (code == std::errc{} && end == digits.data() + digits.size() && std::isfinite(value)) return value;
-  return Error{fmt::format("{}: \"{}\" is not a finite decimal number.", name, shortened(text))};
 }
 
 Result<double> checkValue(const Parameter& p, double value) {
@@ -50,10 +41,10 @@ Result<double> parseValue(const Parameter& p, std::string_view text) {
     if (found != p.choices.end()) return static_cast<double>(found - p.choices.begin());
     return Error{fmt::format("{}: \"{}\" is not allowed; it takes {}.", p.key, shortened(text), allowedValues(p))};
   }
-  const Result<double> number = parseNumber(p.key, text);
-  if (!number)
-    return Error{fmt::format("{}: \"{}\" is not allowed; it takes {}.", p.key, shortened(text), allowedValues(p))};
-  return checkValue(p, *number);
+  const NumberText number = readNumberText(text, p.unit);
+  if (number.good) return checkValue(p, number.value);
+  const std::string why = number.readings.empty() ? "is not allowed" : readingsText(number);
+  return Error{fmt::format("{}: \"{}\" {}; it takes {}.", p.key, shortened(text), why, allowedValues(p))};
 }
 
 void Fields::real(double& member, Parameter parameter) {
@@ -209,14 +200,6 @@ std::string joinWords(const std::vector<std::string>& words, std::string_view la
     text += words[i];
   }
   return text;
-}
-
-Result<std::uint64_t> parseSeed(std::string_view name, std::string_view text) {
-  std::uint64_t value = 0;
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (code == std::errc{} && end == text.data() + text.size()) return value;
-  return Error{fmt::format("{}: \"{}\" is not allowed; it takes a whole number from 0 to {}.", name, shortened(text),
-                           std::numeric_limits<std::uint64_t>::max())};
 }
 
 }  // namespace surefoot

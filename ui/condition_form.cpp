@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 
+#include "core/number_text.h"
 #include "core/text.h"
 #include "ui/combo.h"
 #include "ui/symbol_text.h"
@@ -48,17 +49,18 @@ std::string quoted(const std::string& text) {
   return out + "\"";
 }
 
-/// "0, 50, 100" as numbers or choices of a parameter: 0 or [0, 50, 100].
+/// "0; 50; 100" as numbers or choices of a parameter: 0 or [0, 50, 100].
 Result<std::string> valuesOf(const Parameter& parameter, const std::string& text) {
+  auto list = splitList(parameter.key, text);
+  const bool one = text.find_first_of(",;") == std::string::npos && parseValue(parameter, text);  // "9 min"
+  if (one) list = std::vector<std::string>{text};
+  if (!list) return list.error();
   std::vector<std::string> values;
-  for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(',', begin), text.size());
-    const auto value =
-        parseValue(parameter, QString::fromStdString(text.substr(begin, end - begin)).trimmed().toStdString());
+  for (const std::string& item : *list) {
+    const auto value = parseValue(parameter, item);
     if (!value) return value.error();
     const std::string written = formatValue(parameter, *value);
     values.push_back(parameter.choices.empty() ? written : quoted(written));
-    begin = end + 1;
   }
   return values.size() == 1 ? values[0] : fmt::format("[{}]", fmt::join(values, ", "));
 }
@@ -201,6 +203,7 @@ Result<std::string> ConditionForm::toml() const {
   line("policy", n.policy);
   const bool clock = (*environment)->task().stepTime.has_value();
   const auto length = parseValue({.key = clock ? "minutes" : "episodes",
+                                  .unit = clock ? "min" : "episodes",
                                   .low = clock ? 0.001 : 1,
                                   .high = 1e6,
                                   .kind = clock ? Kind::Real : Kind::Integer},
@@ -210,16 +213,16 @@ Result<std::string> ConditionForm::toml() const {
   for (const Sweep& sweep : sweeps_) {
     const Parameters::Entry* entry = c->parameters.find(chosen(sweep.key));
     if (!entry) continue;
-    const auto values = valuesOf(entry->parameter, sweep.values->text().toStdString());
+    const auto values = valuesOf(entry->parameter, sweep.values->text().trimmed().toStdString());
     if (!values) return values.error();
     toml += fmt::format("set.{} = {}\n", entry->parameter.key, *values);
   }
   if (const std::string on = chosen(preLearned_); !on.empty()) {
     const auto until =
-        parseValue({.key = "pre-learning.until", .low = -1e9, .high = 1e9}, until_->text().toStdString());
+        parseValue({.key = "pre-learning.until", .low = -1e9, .high = 1e9}, until_->text().trimmed().toStdString());
     if (!until) return until.error();
     const auto pool = parseValue({.key = "pre-learning.pool", .low = 1, .high = 1000, .kind = Kind::Integer},
-                                 pool_->text().toStdString());
+                                 pool_->text().trimmed().toStdString());
     if (!pool) return pool.error();
     toml += fmt::format("pre-learning.scenario = \"{}\"\npre-learning.until = {}\npre-learning.pool = {:.0f}\n", on,
                         *until, *pool);

@@ -10,6 +10,7 @@
 #include "ui/message_bar.h"
 #include "ui/pre_learning_dialog.h"
 #include "ui/session.h"
+#include "ui/symbol_text.h"
 #include "ui/theme.h"
 
 namespace surefoot {
@@ -21,10 +22,9 @@ void MainWindow::askForSeed() {
   dialog->setLabelText(tr("The life begins again with this seed, a whole number from 0 on:"));
   dialog->setTextValue(QString::number(session_.configuration().seed));
   connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& text) {
-    bool good = false;
-    const qulonglong seed = text.trimmed().toULongLong(&good);
-    if (!good) return messages_->say(tr("seed: \"%1\" is no whole number from 0 on.").arg(text));
-    begin([this, seed] { return session_.setSeed(seed); });
+    const auto seed = parseSeed("seed", text.trimmed().toStdString());
+    if (!seed) return messages_->say(toText(seed.error().message));
+    begin([this, seed = *seed] { return session_.setSeed(seed); });
   });
   dialog->open();
 }

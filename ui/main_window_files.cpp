@@ -13,6 +13,7 @@
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/session.h"
+#include "ui/suggested_command.h"
 #include "ui/symbol_text.h"
 
 namespace surefoot {
@@ -83,10 +84,8 @@ void MainWindow::saveTo(SavedAs what, const QString& path) {
     if (!s) return messages_->say(toText(s.error().message));
     remember(path);
     if (what == SavedAs::Session) setSessionPath(path);
-    const QString again = what == SavedAs::Journal     ? tr("surefoot replay %1").arg(path)
-                          : what == SavedAs::QFunction ? tr("surefoot train --load %1 --minutes 9").arg(path)
-                                                       : tr("surefoot train --resume %1 --minutes …").arg(path);
-    messages_->tell(tr("%1 is written. Without a window: %2").arg(QFileInfo(path).fileName(), again));
+    messages_->tell(tr("%1 is written. Without a window: %2")
+                        .arg(QFileInfo(path).fileName(), suggestedCommand(what, path, session_)));
   });
 }
 

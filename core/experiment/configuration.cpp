@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/experiment/q_file.h"
+#include "core/number_text.h"
 
 namespace surefoot {
 
@@ -115,21 +116,14 @@ Result<TimedCommand> makeCommand(const Registry& registry, const Configuration& 
   return command;
 }
 
-/// The state that a life is to be placed in: numbers with spaces between them.
+/// The state that a life is to be placed in: a list of numbers.
 Status readState(const CommandText& text, Environment& environment, std::vector<double>& state) {
   const auto refuse = [&](const std::string& why) {
     return Error{fmt::format("at step {}: place = \"{}\": {}", text.step, text.value, why)};
   };
-  std::string spaced = text.value;
-  std::replace(spaced.begin(), spaced.end(), ',', ' ');
-  std::string_view rest = spaced;
-  while (!rest.empty()) {
-    const auto end = rest.find(' ');
-    const auto number = parseNumber("place", rest.substr(0, end));
-    if (!number) return refuse("numbers with commas between them are expected.");
-    state.push_back(*number);
-    rest = end == std::string_view::npos ? std::string_view() : rest.substr(end + 1);
-  }
+  const auto numbers = parseNumbers("place", text.value);
+  if (!numbers) return refuse("numbers with ; or blanks between them are expected.");
+  state = *numbers;
   if (const Status s = checkState(environment.task(), state); !s) return refuse(s.error().message);
   return environment.place(state) ? Status(Done{}) : refuse("this environment begins only where it always does.");
 }

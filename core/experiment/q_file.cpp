@@ -30,8 +30,11 @@ Json stateAsJson(const Task& task) {
 }
 
 Json actionsAsJson(const Task& task) {
-  return {
+  Json json = {
       {"title", task.actionTitle}, {"unit", task.actionUnit}, {"values", task.actions}, {"names", task.actionNames}};
+  for (const ActionVariable& v : task.actionVariables)  // of a combination: the values are numbers of combinations
+    json["variables"].push_back({{"variable", v.key}, {"title", v.title}, {"unit", v.unit}, {"levels", v.levels}});
+  return json;
 }
 
 void add(Hash64& hash, std::string_view bytes) {

@@ -13,6 +13,7 @@ namespace surefoot {
 namespace {
 
 constexpr int kMostPool = 1'000'000;
+constexpr std::int64_t kMostEpisodes = 1'000'000'000;
 
 std::uint64_t hashText(std::string_view text, std::uint64_t seed) {
   Hash64 hash;
@@ -65,7 +66,7 @@ class ConditionMaker {
     Configuration& now = condition.configuration = std::move(*configuration);
     now.lives = head_.lives;
     now.minutes = draft.minutes;
-    if (draft.episodes) now.episodes = static_cast<std::int64_t>(*draft.episodes);
+    now.episodes = draft.episodes;
     if (!now.minutes && !now.episodes)
       return refuse("minutes or episodes: how long a life is must be given, e.g. minutes = 9.");
     condition.varied = c.varied;
@@ -92,7 +93,8 @@ class ConditionMaker {
     Names names;
     std::vector<Assignment> assignments;
     std::string name, reference, file;
-    std::optional<double> minutes, episodes, until, preMinutes, cap;
+    std::optional<double> minutes, until, preMinutes;
+    std::optional<std::int64_t> episodes, cap;
     int pool = 5;
   };
 
@@ -109,7 +111,7 @@ class ConditionMaker {
       else if (key == "minutes")
         status = readNumber(key, value, 1e-6, 1e6, draft.minutes);
       else if (key == "episodes")
-        status = readNumber(key, value, 1, 1e9, draft.episodes);
+        status = readCount(key, value, kMostEpisodes, draft.episodes);
       else if (key == "pre-learning.file")
         draft.file = value;
       else if (std::string* part = nameField(draft.names, key))
@@ -150,7 +152,7 @@ class ConditionMaker {
       else if (key == "until")
         status = readNumber(key, value, -1e6, 1e6, draft.until);
       else if (key == "cap")
-        status = readNumber(key, value, 1, 1e9, draft.cap);
+        status = readCount(key, value, kMostEpisodes, draft.cap);
       else if (key == "minutes")
         status = readNumber(key, value, 1e-6, 1e9, draft.preMinutes);
       else if (key == "pool" && value == "each")
@@ -167,7 +169,7 @@ class ConditionMaker {
 
   /// Everything of the condition but policy and step sizes, on its own scenario, until the reward is reached.
   Status addPreLearning(const Combination& c, Draft draft, Condition& condition, int line) const {
-    constexpr double kCap = 20'000;
+    constexpr std::int64_t kCap = 20'000;
     const auto refuse = [&](const std::string& sentence) {
       return planError(path_, line, "pre-learning: " + sentence);
     };
@@ -192,8 +194,8 @@ class ConditionMaker {
     if (draft.until) pre.text += fmt::format(" until={}", *draft.until);
     if (draft.preMinutes) pre.text += fmt::format(" minutes={}", *draft.preMinutes);
     if (draft.until || draft.cap) {
-      const double cap = draft.cap.value_or(kCap);
-      pre.configuration.episodes = static_cast<std::int64_t>(cap);
+      const std::int64_t cap = draft.cap.value_or(kCap);
+      pre.configuration.episodes = cap;
       pre.text += fmt::format(" cap={}", cap);
     }
     pre.configuration.seed = hashText(pre.text, head_.seed);

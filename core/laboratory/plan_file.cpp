@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "core/number_text.h"
 #include "core/parameters.h"
 #include "core/text.h"
 
@@ -148,10 +149,32 @@ nlohmann::json asJson(const toml::node& node) {
   return json;
 }
 
+/// TOML's whole numbers end at 2⁶³ − 1 and seeds at 2⁶⁴ − 1: a larger one, alone on its line, is put in quotes.
+std::string withLargeSeeds(const std::string& text) {
+  constexpr std::size_t kDigitsOfInt64 = 19;
+  std::string out;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size() - 1) + 1;
+    std::string line = text.substr(begin, end - begin);
+    begin = end;
+    const auto equals = line.find('=');
+    const auto key = line.substr(0, line.find_first_of(" \t="));
+    const auto first = equals == std::string::npos ? equals : line.find_first_not_of(" \t", equals + 1);
+    if (key == "seed" && first != std::string::npos) {
+      const auto last = std::min(line.find_first_not_of("0123456789_", first), line.size());
+      std::string digits = line.substr(first, last - first);
+      std::erase(digits, '_');
+      if (digits.size() >= kDigitsOfInt64) line.replace(first, last - first, "\"" + digits + "\"");
+    }
+    out += line;
+  }
+  return out;
+}
+
 }  // namespace
 
 Result<PlanFile> parsePlanFile(const std::string& text, const std::string& path) {
-  const toml::parse_result parsed = toml::parse(text);
+  const toml::parse_result parsed = toml::parse(withLargeSeeds(text));
   if (!parsed)
     return planError(path, static_cast<int>(parsed.error().source().begin.line),
                      fmt::format("this is not TOML: {}.", parsed.error().description()));
@@ -159,7 +182,7 @@ Result<PlanFile> parsePlanFile(const std::string& text, const std::string& path)
 }
 
 Result<nlohmann::json> parseRecipeBlocks(const std::string& text, const std::string& path) {
-  const toml::parse_result parsed = toml::parse(text);
+  const toml::parse_result parsed = toml::parse(withLargeSeeds(text));
   if (!parsed) return planError(path, lineOf(parsed.table()), "this is not TOML.");
   nlohmann::json blocks = {{"shows", nlohmann::json::array()},
                            {"table", nlohmann::json::array()},
@@ -189,10 +212,16 @@ Status readNumber(const std::string& key, const std::string& text, double low, d
   out = *value;
   return Done{};
 }
-Status readCount(const std::string& key, const std::string& text, int most, int& out) {
-  const auto value =
-      parseValue(Parameter{.key = key, .low = 1, .high = static_cast<double>(most), .kind = Kind::Integer}, text);
+Status readCount(const std::string& key, const std::string& text, std::int64_t most,
+                 std::optional<std::int64_t>& out) {
+  const auto value = parseWhole(key, text, 1, static_cast<std::uint64_t>(most));
   if (!value) return value.error();
+  out = static_cast<std::int64_t>(*value);
+  return Done{};
+}
+Status readCount(const std::string& key, const std::string& text, int most, int& out) {
+  std::optional<std::int64_t> value;
+  if (const Status s = readCount(key, text, std::int64_t{most}, value); !s) return s;
   out = static_cast<int>(*value);
   return Done{};
 }

@@ -41,6 +41,7 @@ Error planError(const std::string& path, int line, const std::string& sentence);
 Status readNumber(const std::string& key, const std::string& text, double low, double high, std::optional<double>& out);
 /// A whole number from 1 to `most`.
 Status readCount(const std::string& key, const std::string& text, int most, int& out);
+Status readCount(const std::string& key, const std::string& text, std::int64_t most, std::optional<std::int64_t>& out);
 Status readSeed(const std::string& text, std::uint64_t& out);
 /// true or false.
 Status readFlag(const std::string& key, const std::string& text, bool& out);

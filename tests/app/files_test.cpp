@@ -22,29 +22,91 @@ std::string example() {
   return readme.substr(begin, readme.find("```", begin) - begin);
 }
 
-}  // namespace
+/// States within the ranges of the variables: some anywhere, some where an episode begins, which are more familiar.
+std::vector<std::string> statesOf(const Json& about, int count) {
+  Random random(5);
+  std::vector<std::string> states;
+  for (int i = 0; i < count; ++i) {
+    std::ostringstream state;
+    for (const Json& v : about["state"]) {
+      const double near = i % 2 == 0 ? 1.0 : 0.05;
+      state << (state.str().empty() ? "" : ";")
+            << random.uniform(near * v["low"].get<double>(), near * v["high"].get<double>());
+    }
+    states.push_back(state.str());
+  }
+  return states;
+}
 
-TEST(Files, TheReadmesPythonReadsWhatWasSaved) {
+/// A Q-function of `train ARGUMENTS`, read by the README's Python: in so many states, the values of every action and
+/// what these do are those of `query`.
+void expectThatPythonReads(const std::string& arguments) {
   const Folder folder;
-  const std::string q = folder.file("q.safetensors");
-  run("train --minutes 1 --save " + q);
-  std::ofstream(folder.file("example.py")) << example() << R"(
+  const std::string q = folder.file("q.safetensors"), script = folder.file("example.py"), out = folder.file("out");
+  run("train " + arguments + " --save " + q);
+  std::ofstream(script) << example() << R"(
 import sys
 about, tensors = load(sys.argv[1])
-print(json.dumps(list(action_values(about, tensors, [float(x) for x in sys.argv[2].split(",")]))))
+for text in sys.argv[2:]:
+    print(json.dumps({"q": list(action_values(about, tensors, [float(x) for x in text.split(";")])),
+                      "actions": actions(about).tolist()}))
 )";
-  Random random(5);
-  for (int i = 0; i < 10; ++i) {
-    std::ostringstream state;
-    state << random.uniform(-1.6, 1.6) << "," << random.uniform(-17, 17) << "," << random.uniform(-32, 32);
-    const std::string command =
-        "/usr/bin/python3 " + folder.file("example.py") + " " + q + " " + state.str() + " >" + folder.file("out");
-    ASSERT_EQ(std::system(command.c_str()), 0) << "python3-numpy is needed";
-    const auto theirs = Json::parse(contentOf(folder.file("out"))).get<std::vector<double>>();
-    const auto ours = run("query " + q + " --state " + state.str())["q"].get<std::vector<double>>();
-    ASSERT_EQ(theirs.size(), ours.size());
-    for (std::size_t a = 0; a < ours.size(); ++a) EXPECT_NEAR(theirs[a], ours[a], 1e-12) << state.str();
+  const auto states = statesOf(run("inspect " + q)["about"], 8);
+  std::string command = "/usr/bin/python3 " + script + " " + q;
+  for (const std::string& state : states) command += " '" + state + "'";
+  ASSERT_EQ(std::system((command + " >" + out).c_str()), 0) << "python3-numpy is needed";
+  std::istringstream lines(contentOf(out));
+  for (const std::string& state : states) {
+    std::string line;
+    ASSERT_TRUE(std::getline(lines, line));
+    const Json theirs = Json::parse(line), ours = run("query " + q + " --state '" + state + "'");
+    ASSERT_EQ(theirs["q"].size(), ours["q"].size());
+    for (std::size_t a = 0; a < ours["q"].size(); ++a)
+      EXPECT_NEAR(theirs["q"][a].get<double>(), ours["q"][a].get<double>(), 1e-12) << arguments << " at " << state;
+    EXPECT_EQ(theirs["actions"], ours["action_coordinates"]) << arguments;
   }
+}
+
+}  // namespace
+
+TEST(Files, TheReadmesPythonReadsDenseTables) {
+  expectThatPythonReads("--minutes 1");
+  expectThatPythonReads("--minutes 1 --agent sarsa-2q --set negative.scale=0.5 --set positive.pole_angle_to=0.5");
+  expectThatPythonReads("--minutes 0.5 --features radial-basis");
+  expectThatPythonReads("--environment cliff --features table --episodes 30");
+}
+
+TEST(Files, TheReadmesPythonReadsHashedTables) {
+  expectThatPythonReads("--minutes 1 --set features.memory=100000");
+  expectThatPythonReads("--minutes 1 --set features.memory=2000");  // too few: some look-ups fail
+  expectThatPythonReads("--minutes 0.5 --agent sarsa-2q --set positive.memory=3000");
+  expectThatPythonReads("--environment leo --minutes 2");
+}
+
+// Not the numbers of the combinations: what each joint gets.
+TEST(Files, QuerySpeaksInPhysicalUnits) {
+  const Folder folder;
+  const std::string leo = folder.file("leo"), pendulum = folder.file("pendulum"), cliff = folder.file("cliff");
+  run("train --environment leo --minutes 0.2 --save " + leo);
+  const Json json = run("query " + leo + " --state 0,0,0,0,0,0,0,0,0,0");
+  ASSERT_EQ(json["actions"].size(), 343u);
+  EXPECT_EQ(json["action_variables"][1]["variable"], "swing_hip_voltage");
+  EXPECT_EQ(json["action_variables"][1]["unit"], "V");
+  const double most = json["action_coordinates"][342][0];
+  EXPECT_GT(most, 5.0);
+  EXPECT_EQ(json["action_coordinates"][0], Json({-most, -most, -most}));
+  EXPECT_EQ(json["action_coordinates"][1][1], -most) << "the last voltage counts fastest";
+  EXPECT_NE(json["actions"][342].get<std::string>().find(" V"), std::string::npos);
+  const std::string table = surefoot("query " + leo + " --state 0,0,0,0,0,0,0,0,0,0").out;
+  EXPECT_NE(table.find("swing knee voltage [V]"), std::string::npos) << table.substr(0, 300);
+  EXPECT_EQ(table.find(" 342 "), std::string::npos);
+  expectRefusal("query " + leo, 2, {"--state", "swing_knee_rate", "0,0,0,0,0,0,0,0,0,0"});
+
+  run("train --minutes 0.2 --save " + pendulum);
+  EXPECT_EQ(run("query " + pendulum + " --state 0,0,0")["actions"][3], "0.75 N m");
+  EXPECT_NE(surefoot("query " + pendulum + " --state 0,0,0").out.find("torque [N m]"), std::string::npos);
+  run("train --environment cliff --episodes 9 --save " + cliff);
+  EXPECT_EQ(run("query " + cliff + " --state 0,0")["actions"][0].get<std::string>().find(' '), std::string::npos);
 }
 
 TEST(Files, QueryTellsTheParts) {
@@ -106,8 +168,8 @@ TEST(Files, InspectAndResample) {
   EXPECT_NE(surefoot("inspect " + q).out.find("scenario 2"), std::string::npos);
   const Json error = run("resample " + q + " --set features.scale=0.7 --save " + coarse);
   EXPECT_GT(error["rms_error"].get<double>(), 0.0);
-  expectRefusal("train --minutes 0.1 --load " + coarse, 3, {"tile_width", "resample"});
-  EXPECT_EQ(run("train --minutes 0.1 --set features.scale=0.7 --load " + coarse)["began_with"]["file"], coarse);
+  expectRefusal("train --minutes 0.1 --set features.scale=1 --load " + coarse, 3, {"tile_width", "resample"});
+  EXPECT_EQ(run("train --minutes 0.1 --load " + coarse)["configuration"]["parameters"]["features.scale"], 0.7);
   expectRefusal("resample " + q + " --save x", 2, {"--set"});
   expectRefusal("resample " + q + " --set policy.epsilon=0.1 --save x", 2, {"policy.epsilon"});
   expectRefusal("resample " + q + " --set features.scale=0.7", 2, {"--save"});
@@ -124,7 +186,7 @@ TEST(Files, PreLearningOnAWrongModelSavesFalls) {
     for (const Json& life : result["lives"]) sum += life["falls"].get<double>();
     return sum;
   };
-  EXPECT_LT(falls("--load " + q), 0.6 * falls(""));
+  EXPECT_LT(falls("--scenario actual --load " + q), 0.6 * falls(""));
 }
 
 TEST(Files, AHashedTableReportsItsOccupancy) {

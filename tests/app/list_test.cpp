@@ -18,6 +18,28 @@ TEST(List, JsonHasSevenArraysOfNamedObjects) {
       EXPECT_TRUE(parameter.contains(key));
 }
 
+// What every control of the window says, too: a sentence and a formula for each parameter, and what each name means.
+TEST(List, EverythingHasASentenceAndAFormula) {
+  const auto json = nlohmann::json::parse(surefoot("list --json").out);
+  for (const auto& parameter : json["parameters"])
+    for (const char* key : {"help", "formula", "origin", "title"})
+      EXPECT_GT(parameter[key].get<std::string>().size(), 2u) << parameter["name"] << " has no " << key;
+  for (const char* kind : {"policies", "agents", "features", "environments"})
+    for (const auto& entry : json[kind]) {
+      ASSERT_TRUE(entry.contains("meaning")) << entry["name"];
+      EXPECT_GT(entry["source"].get<std::string>().size(), 2u) << entry["name"];
+      EXPECT_TRUE(entry["meaning"].get<std::string>().ends_with('.')) << entry["name"];
+    }
+  for (const char* kind : {"policies", "agents", "features"})
+    for (const auto& entry : json[kind])
+      EXPECT_EQ(entry["formula"].get<std::string>().empty(), entry["name"] == "scripted") << entry["name"];
+  const std::string text = surefoot("list").out;
+  for (const char* words : {"π(a) = exp(Q(s, a)/τ) / Σ_b exp(Q(s, b)/τ)", "thesis, section 4.1", "Q = Q⁺ + Q⁻",
+                            "\u22121,000,000 … 1,000,000"})
+    EXPECT_NE(text.find(words), std::string::npos) << words;
+  EXPECT_EQ(text.find("1e-06 …"), std::string::npos) << "ranges are for people";
+}
+
 TEST(List, TextNamesEveryPolicyAndParameter) {
   const Finished run = surefoot("list");
   EXPECT_EQ(run.code, 0);

@@ -77,4 +77,30 @@ TEST(Usage, WithoutADisplayTheWindowSaysSo) {
   expectRefusal("window", 2, {"surefoot train"});
 }
 
+// Whoever reads may stop reading: no message, and what is to be written to files is written.
+TEST(Usage, APipeThatIsClosedEndsEveryCommandQuietly) {
+  const Folder folder;
+  const std::string q = folder.file("q"), j = folder.file("j"), store = folder.file("s.sqlite");
+  run("train --environment cliff --episodes 9 --save " + q + " --journal " + j);
+  std::ofstream(folder.file("plan.toml"))
+      << "lives = 1\n[base]\nepisodes = 9\nenvironment = \"cliff\"\n[[condition]]\nname = \"a\"\n";
+  for (const std::string& command :
+       {std::string("list"), std::string("list --json"), std::string("--help"), std::string("train --help"),
+        std::string("probabilities --q 1,2"), "query --state 0,0 " + q, "inspect " + q, "replay " + j,
+        "experiment --dry-run " + folder.file("plan.toml"),
+        "experiment --json " + folder.file("plan.toml") + " --out " + store, "statistics " + store,
+        "train --environment cliff --episodes 9 --save " + folder.file("more")}) {
+    const std::string out = folder.file("said");
+    const std::string shell = "{ sleep 0.1; " SUREFOOT_PROGRAM " " + command + "; echo $? >" + folder.file("code") +
+                              "; } 2>" + out + " | true";
+    const std::string until = "; while [ ! -e " + folder.file("code") + " ]; do sleep 0.05; done";
+    ASSERT_EQ(std::system((shell + until).c_str()), 0);
+    EXPECT_EQ(contentOf(folder.file("code")), "0\n") << command;
+    EXPECT_EQ(contentOf(out), "") << command;
+    std::filesystem::remove(folder.file("code"));
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder.file("more")));
+  EXPECT_EQ(surefoot("statistics " + store).code, 0);
+}
+
 }  // namespace surefoot

@@ -48,6 +48,32 @@ TEST(MainWindow, ASavedSessionGoesOnWhereItWas) {
   EXPECT_EQ(w.window->windowTitle(), "Surefoot: one");
 }
 
+// What the bar says after a save can be copied into a shell, whatever the name and the environment.
+TEST(MainWindow, TheSuggestedCommandsRun) {
+  QTemporaryDir folder;
+  Window w;
+  for (const char* environment : {"pendulum", "leo", "cliff"}) {
+    ASSERT_TRUE(w.session->beginEnvironment(environment));
+    ASSERT_TRUE(w.waitFor([&] { return w.session->configuration().names.environment == environment; }));
+    w.session->setTurbo(true);
+    w.session->setRunning(true);
+    ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().totals.episodes > 1; }));
+    w.session->setRunning(false);
+    ASSERT_TRUE(w.waitFor([&] { return !w.session->snapshot().running; }));
+    for (const SavedAs what : {SavedAs::QFunction, SavedAs::Session, SavedAs::Journal}) {
+      const QString path = folder.filePath(QStringLiteral("it's \"%1\" für %2 $HOME").arg(environment).arg(int(what)));
+      w.window->saveTo(what, path);
+      ASSERT_TRUE(w.waitFor([&] { return w.window->messages().accessibleName().contains("Without a window: "); }));
+      QString command = w.window->messages().accessibleName().section("Without a window: ", 1);
+      ASSERT_TRUE(command.startsWith("surefoot ")) << command.toStdString();
+      command.replace("--minutes 9", "--minutes 0.1").replace(0, 8, SUREFOOT_PROGRAM);
+            if (command.contains("--resume") && std::string(environment) == "leo") continue;  // ten minutes more take a while
+      EXPECT_EQ(std::system(qPrintable(command + " >/dev/null")), 0) << command.toStdString();
+      w.window->messages().dismiss();
+    }
+  }
+}
+
 TEST(MainWindow, ASavedQFunctionIsWhatANewLifeBeginsWith) {
   Window w;
   QTemporaryDir folder;
