@@ -30,6 +30,7 @@ ActionRows::ActionRows(Session& session, QWidget* parent) : QWidget(parent), ses
   rebuild();
   sinceUpdate_.start();
   connect(&session_, &Session::frame, this, &ActionRows::nextFrame);
+  connect(&session_, &Session::valuesArrived, this, qOverload<>(&ActionRows::update));  // the threshold, as the maps
   connect(&session_, &Session::configurationChanged, this, &ActionRows::rebuild);
 }
 

@@ -15,14 +15,18 @@ namespace {
 
 constexpr int kPixelsPerInch = 96, kPointsPerInch = 72;
 
-QByteArray asPng(QWidget& view) {
+QImage rendered(QWidget& view) {
   QImage image(view.size() * 2, QImage::Format_RGB32);
   image.setDevicePixelRatio(2);
   image.fill(themeOf(view).panel);
   view.render(&image);
+  return image;
+}
+
+QByteArray asPng(QWidget& view) {
   QByteArray bytes;
   QBuffer buffer(&bytes);
-  image.save(&buffer, "PNG");
+  rendered(view).save(&buffer, "PNG");
   return bytes;
 }
 
@@ -54,7 +58,15 @@ QByteArray asPdf(QWidget& view) {
 
 }  // namespace
 
-Status exportView(QWidget& view, const std::string& path) {
+QImage pictureOf(QWidget& view) {
+  auto* source = dynamic_cast<CsvSource*>(&view);
+  if (source) source->prepareExport(true);
+  const QImage picture = rendered(view);
+  if (source) source->prepareExport(false);
+  return picture;
+}
+
+Status exportView(QWidget& view, const std::string& path, const std::string& csv) {
   const auto write = [&](const QByteArray& bytes) {
     return writeWhole("picture", path, {bytes.constData(), static_cast<std::size_t>(bytes.size())});
   };
@@ -67,10 +79,11 @@ Status exportView(QWidget& view, const std::string& path) {
     return write(picture);
   }
   if (!path.ends_with(".csv")) return Error{path + ": the ending says the format; it takes .png, .svg, .pdf or .csv."};
-  if (!source) return Error{path + ": this view has no table; it can be exported as .png, .svg or .pdf."};
-  const std::string csv = source->asCsv();
-  if (csv.empty()) return Error{path + ": there is nothing to write yet."};
-  return writeWhole("table", path, csv);
+  if (!source && csv.empty())
+    return Error{path + ": this view has no table; it can be exported as .png, .svg or .pdf."};
+  const std::string table = csv.empty() ? source->asCsv() : csv;
+  if (table.empty()) return Error{path + ": there is nothing to write yet."};
+  return writeWhole("table", path, table);
 }
 
 }  // namespace surefoot

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/falls_list.h"
 
+#include <fmt/format.h>
+
 #include <QAbstractTableModel>
 #include <QHeaderView>
 #include <QPainter>
 
 #include "core/text.h"
+#include "ui/keyboard.h"
 #include "ui/session.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
@@ -13,6 +16,16 @@
 namespace surefoot {
 
 namespace {
+
+/// Numbers are read from the right, names from the left; the heads stand over them.
+Qt::Alignment alignmentOf(int column) {
+  return Qt::AlignVCenter | (column == 4 ? Qt::AlignLeft : Qt::AlignRight);
+}
+
+/// What a person did in the episode, so that the fall is not the policy's alone.
+QString handOf(const Fall& fall) {
+  return fall.inputs.start.empty() ? QObject::tr("pushed") : QObject::tr("placed");
+}
 
 class FallsModel final : public QAbstractTableModel {
  public:
@@ -30,12 +43,12 @@ class FallsModel final : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override {
     static const char* const kHeads[] = {QT_TR_NOOP("Fall"), QT_TR_NOOP("Episode"), QT_TR_NOOP("Time min"),
                                          QT_TR_NOOP("Steps"), QT_TR_NOOP("Policy")};
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-    return QObject::tr(kHeads[section]);
+    if (orientation != Qt::Horizontal) return {};
+    if (role == Qt::TextAlignmentRole) return QVariant::fromValue(alignmentOf(section));
+    return role == Qt::DisplayRole ? QObject::tr(kHeads[section]) : QVariant();
   }
   QVariant data(const QModelIndex& index, int role) const override {
-    if (role == Qt::TextAlignmentRole)
-      return QVariant::fromValue(Qt::AlignVCenter | (index.column() == 4 ? Qt::AlignLeft : Qt::AlignRight));
+    if (role == Qt::TextAlignmentRole) return QVariant::fromValue(alignmentOf(index.column()));
     if (role == Qt::ToolTipRole) return QObject::tr("Click to see the last seconds of this fall again");
     if (role != Qt::DisplayRole) return {};
     const Fall& fall = session_.falls()[session_.falls().size() - 1 - static_cast<std::size_t>(index.row())];
@@ -51,7 +64,8 @@ class FallsModel final : public QAbstractTableModel {
         return toText(countText(static_cast<double>(fall.inputs.actions.size())));
       default: {
         const auto entry = findEntry(session_.registry().policies, "policy", fall.policy);
-        return toText(entry ? (*entry)->title : fall.policy);
+        const QString policy = toText(entry ? (*entry)->title : fall.policy);
+        return fall.byHand() ? QObject::tr("%1, %2 by hand").arg(policy, handOf(fall)) : policy;
       }
     }
   }
@@ -74,6 +88,7 @@ FallsList::FallsList(Session& session, QWidget* parent) : QTableView(parent), se
   setShowGrid(false);
   setFrameShape(QFrame::NoFrame);
   setTabKeyNavigation(false);
+  setProperty(kRowsOnly, true);  // ← → belong to the replay
   connect(this, &QTableView::clicked, this, &FallsList::replay);
   connect(this, &QTableView::activated, this, &FallsList::replay);
 }
@@ -81,6 +96,18 @@ FallsList::FallsList(Session& session, QWidget* parent) : QTableView(parent), se
 void FallsList::showEvent(QShowEvent* event) {
   static_cast<FallsModel*>(model())->refresh();
   QTableView::showEvent(event);
+}
+
+std::string FallsList::asCsv() const {
+  if (session_.falls().empty()) return "";
+  std::string csv = "fall,episode,minutes,steps,policy,by_hand\n";
+  const double perStep = session_.task().stepTime.value_or(0.0) / 60.0;
+  for (const Fall& fall : session_.falls())
+    csv += fmt::format("{},{},{},{},{},{}\n", fall.number, fall.episode,
+                       perStep > 0 ? fmt::format("{:.9g}", static_cast<double>(fall.lifeSteps) * perStep) : "",
+                       fall.inputs.actions.size(), fall.policy,
+                       fall.byHand() ? fall.inputs.start.empty() ? "pushed" : "placed" : "");
+  return csv;
 }
 
 void FallsList::replay(const QModelIndex& index) {

@@ -4,16 +4,20 @@
 
 #include <QTableView>
 
+#include "ui/exporting.h"
+
 namespace surefoot {
 
 class Session;
 
-class FallsList final : public QTableView {
+class FallsList final : public QTableView, public CsvSource {
   Q_OBJECT
 
  public:
   explicit FallsList(Session& session, QWidget* parent = nullptr);
   QSize sizeHint() const override { return {440, 190}; }
+  /// A row a fall that is kept.
+  std::string asCsv() const override;
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -9,6 +9,7 @@
 #include "ui/link_button.h"
 #include "ui/panel.h"
 #include "ui/symbol_text.h"
+#include "ui/view_menu.h"
 
 namespace surefoot {
 
@@ -25,6 +26,7 @@ FigurePanel::FigurePanel(Experiment& experiment, std::size_t first, QWidget* par
   column->addWidget(header_);
   column->addWidget(view_, 1);
   view_->setTitleShown(false);
+  new ViewMenu(*view_, [this] { return asCsv(); });
   auto* menu = new QMenu(choose_);
   choose_->setMenu(menu);
   choose_->setPopupMode(QToolButton::InstantPopup);

@@ -55,7 +55,10 @@ bool usesKey(const QWidget& widget, const QKeyEvent& event) {
     return isPress(event) || isOneOf(event.key(), {Qt::Key_Up, Qt::Key_Down});
   const bool ends = isOneOf(event.key(), {Qt::Key_Home, Qt::Key_End});
   if (qobject_cast<const QAbstractSlider*>(&widget)) return isArrow(event) || ends;
-  if (qobject_cast<const QAbstractItemView*>(&widget)) return isArrow(event) || isPress(event) || ends;
+  if (qobject_cast<const QAbstractItemView*>(&widget)) {
+    if (widget.property(kRowsOnly).toBool() && isOneOf(event.key(), {Qt::Key_Left, Qt::Key_Right})) return false;
+    return isArrow(event) || isPress(event) || ends;
+  }
   return false;
 }
 

@@ -25,6 +25,9 @@ class Keyboard final : public QObject {
 /// Whether a widget that has the focus uses this key itself.
 bool usesKey(const QWidget& widget, const QKeyEvent& event);
 
+/// A property of a list whose cells are not walked through: ← and → are not its own.
+inline constexpr char kRowsOnly[] = "rowsOnly";
+
 /// The ring around what has the focus, inside its edge.
 void drawFocusRing(QPainter& painter, const QWidget& widget);
 

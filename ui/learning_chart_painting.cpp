@@ -1,17 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is drawn around the curves: grid, axes, marks of changes and falls, and the list at the right.
-#include <QHelpEvent>
-#include <QToolTip>
+// What is drawn around the curves: grid, axes, marks of falls, the list at the right, and what the cursor reads.
 #include <algorithm>
 #include <cmath>
 
 #include "core/text.h"
+#include "ui/keyboard.h"
 #include "ui/learning_charts.h"
+#include "ui/run_names.h"
 #include "ui/session.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
 
 namespace surefoot {
+
+namespace {
+
+constexpr int kText = 11;           // size of text [px]
+constexpr double kBesideName = 20;  // from the plot to a name, with its marker [px]
+
+double lineHeight(const QFont& font) {
+  return std::ceil(QFontMetricsF(font).height());
+}
+
+/// With as many decimals as a step between two numbers needs.
+QString axisText(double value, double step) {
+  const int decimals = step >= 1 ? 0 : static_cast<int>(std::ceil(-std::log10(step) - 1e-9));
+  return toText(decimals == 0 ? countText(value) : fixedText(value, decimals));
+}
+
+}  // namespace
 
 void LearningChart::drawBackground(QPainter* painter, const QRectF& rect) {
   QChartView::drawBackground(painter, rect);
@@ -20,10 +37,11 @@ void LearningChart::drawBackground(QPainter* painter, const QRectF& rect) {
 
 void LearningChart::drawForeground(QPainter* painter, const QRectF&) {
   const Theme& t = themeOf(*this);
-  if (session_.curves().live().points.empty() && session_.curves().earlier().empty()) {
-    painter->setFont(textFont(11));
+  if (ring_ && !exporting_) drawFocusRing(*painter, *this);
+  if (runs().empty()) {
+    painter->setFont(textFont(kText));
     painter->setPen(t.quiet);
-    painter->drawText(plot_, Qt::AlignCenter,
+    painter->drawText(plot_, Qt::AlignCenter | Qt::TextWordWrap,
                       shows_ == Shows::Falls ? tr("Falls appear here. None so far.")
                                              : tr("The average appears with the first episodes."));
     return;
@@ -31,180 +49,180 @@ void LearningChart::drawForeground(QPainter* painter, const QRectF&) {
   if (shows_ == Shows::AverageReward) drawTests(*painter, t);
   shows_ == Shows::Falls ? drawFallMarks(*painter, t) : drawMarks(*painter, t);
   drawList(*painter, t);
+  if (!exporting_) drawCursor(*painter, t);
 }
 
 void LearningChart::drawAxes(QPainter& p, const Theme& t) const {
-  p.setFont(textFont(11));
-  const double yStep = niceAbove((yMost_ - yLeast_) / 5.0001);
+  p.setFont(textFont(kText));
+  const double h = lineHeight(p.font());
+  const double lines = std::clamp(std::floor(plot_.height() / (1.2 * h)), 1.0, 5.0);
+  const double yStep = niceAbove((yMost_ - yLeast_) / (lines + 1e-4));
   for (double y = std::ceil(yLeast_ / yStep) * yStep; y <= yMost_ + 1e-9; y += yStep) {
-    const double at = std::round(toPixel(0, y).y()) + 0.5;
+    const double at = std::round(toPixel(span_.from(), y).y()) + 0.5;
     p.setPen(QPen(t.hairline, 1));
     p.drawLine(QPointF(plot_.left(), at), QPointF(plot_.right(), at));
     p.setPen(t.quiet);
-    drawSymbol(p, QRectF(0, at - 8, kLeft - 8, 16), Qt::AlignRight,
-               toText(yStep < 1 ? fixedText(y, yStep < 0.1 ? 2 : 1) : countText(y)));
+    drawSymbol(p, QRectF(0, at - h / 2, kLeft - 8, h), Qt::AlignRight, axisText(y, yStep));
   }
-  const double base = std::round(plot_.bottom()) + 0.5;
+  drawTimeAxis(p, t);
+  if (!exporting_) return;
+  p.setPen(t.ink);
+  p.setFont(textFont(13, 500));
+  p.drawText(QPointF(12, 21), accessibleName());
+}
+
+void LearningChart::drawTimeAxis(QPainter& p, const Theme& t) const {
+  const double base = std::round(plot_.bottom()) + 0.5, h = lineHeight(p.font()), span = span_.to() - span_.from();
   p.setPen(QPen(t.outline, 1));
   p.drawLine(QPointF(plot_.left(), base), QPointF(plot_.right(), base));
-  const double xStep = niceAbove(xMost_ / (xMost_ >= 10'000 ? 4.0001 : 8.0001));  // long numbers need room
-  for (double x = 0; x <= xMost_ + 1e-9; x += xStep) {
+  // As many numbers as have room, eight at most.
+  double step = niceAbove(span / 8.0001);
+  const auto widest = [&] { return symbolWidth(p.font(), axisText(span_.to(), step)) + 12; };
+  while (widest() > plot_.width() * step / span && step < span) step = niceAbove(1.001 * step);
+  for (double x = std::ceil(span_.from() / step - 1e-9) * step; x <= span_.to() * (1 + 1e-12) + 1e-12; x += step) {
     const double at = toPixel(x, 0).x();
     p.setPen(QPen(t.outline, 1));
     p.drawLine(QPointF(at, base), QPointF(at, base + 4));
     if (!hasTimeAxis()) continue;
     p.setPen(t.quiet);
-    drawSymbol(p, QRectF(at - 30, base + 5, 60, 16), Qt::AlignHCenter,
-               xStep < 1 ? toText(fixedText(x, 1)) : toText(countText(x)));
+    drawSymbol(p, QRectF(at - 50, base + 5, 100, h), Qt::AlignHCenter, axisText(x, step));
   }
-  if (exporting_) {
-    p.setPen(t.ink);
-    p.setFont(textFont(13, 500));
-    p.drawText(QRectF(12, 6, width() - 24, 20), Qt::AlignLeft | Qt::AlignVCenter,
-               shows_ == Shows::Falls ? tr("Falls, cumulative") : tr("Average reward of the last 80 episodes"));
-    p.setFont(textFont(11));
-    p.setPen(t.quiet);
-  }
-  if (hasTimeAxis())
-    p.drawText(QRectF(plot_.left(), base + 20, plot_.width(), 16), Qt::AlignHCenter | Qt::AlignVCenter,
-               session_.task().stepTime ? tr("simulated time [min]") : tr("episodes"));
-}
-
-QString LearningChart::textOf(const Change& change) const {
-  const QString values = QStringLiteral("%1 → %2");
-  if (change.key == "policy") {
-    const auto title = [&](const std::string& name) {
-      const auto entry = findEntry(session_.registry().policies, "policy", name);
-      return toText(entry ? (*entry)->title : name);
-    };
-    return values.arg(title(change.before), title(change.after));
-  }
-  if (change.key == "push") return tr("pushed");
-  if (change.key == "place") return tr("placed");
-  const auto* entry = session_.configuration().parameters.find(change.key);
-  const QString title = toText(entry ? entry->parameter.title : change.key).toLower();
-  return title + ' ' + values.arg(toText(change.before), toText(change.after)).replace('-', QChar(0x2212));
-}
-
-std::vector<LearningChart::Mark> LearningChart::marks() const {
-  const ValueSnapshot* v = session_.values();
-  const double perStep = session_.task().stepTime.value_or(0.0) / 60.0;
-  std::vector<Mark> list;
-  if (!v || perStep <= 0) return list;
-  // A slider that is drawn makes many changes; those of one parameter that follow closely are one mark.
-  std::vector<Change> groups;
-  const double near = 0.04 * xMost_ / perStep;
-  for (const Change& change : v->changes) {
-    if (!groups.empty() && groups.back().key == change.key &&
-        static_cast<double>(change.step - groups.back().step) < near)
-      groups.back().after = change.after;
-    else
-      groups.push_back(change);
-  }
-  constexpr std::size_t kMost = 12;
-  for (std::size_t i = groups.size() > kMost ? groups.size() - kMost : 0; i < groups.size(); ++i)
-    if (groups[i].before != groups[i].after)
-      list.push_back({static_cast<double>(groups[i].step) * perStep, textOf(groups[i])});
-  if (v->endOfLearning > 0)
-    list.push_back({static_cast<double>(v->endOfLearningSteps) * perStep, tr("end of learning")});
-  return list;
-}
-
-void LearningChart::drawMarks(QPainter& p, const Theme& t) const {
-  const std::vector<Mark> list = marks();
-  QPen pen(t.ink, 1, Qt::CustomDashLine);
-  pen.setDashPattern({2, 3});
-  p.setPen(pen);
-  for (const Mark& mark : list) {
-    const double at = std::round(toPixel(mark.x, 0).x()) + 0.5;
-    if (at <= plot_.right()) p.drawLine(QPointF(at, plot_.top()), QPointF(at, plot_.bottom()));
-  }
-  // Two texts are enough, or they would cover the curves: the newest change, and the end of learning.
-  p.setFont(textFont(11));
-  double y = plot_.bottom() - 17;
-  const std::size_t told = list.size() < 2 || list.back().text != tr("end of learning") ? 1 : 2;
-  for (std::size_t i = list.size(); i-- > list.size() - std::min(told, list.size()); y -= 15) {
-    const double at = toPixel(list[i].x, 0).x(), w = symbolWidth(p.font(), list[i].text) + 4;
-    if (at > plot_.right()) continue;
-    const double left = at + 5 + w < plot_.right() ? at + 4 : std::max(plot_.left(), at - 4 - w);
-    QColor veil = t.panel;
-    veil.setAlphaF(0.88f);
-    p.fillRect(QRectF(left, y, w, 15), veil);
-    p.setPen(t.quiet);
-    drawSymbol(p, QRectF(left, y, w, 15), Qt::AlignLeft, list[i].text);
-  }
-}
-
-// The texts of the others, under the cursor.
-bool LearningChart::viewportEvent(QEvent* event) {
-  if (event->type() != QEvent::ToolTip) return QChartView::viewportEvent(event);
-  constexpr double kNear = 6;  // [px]
-  QStringList texts;
-  for (const Mark& mark : marks())
-    if (std::abs(toPixel(mark.x, 0).x() - static_cast<QHelpEvent*>(event)->pos().x()) < kNear) texts << mark.text;
-  QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(), texts.join('\n'), this);
-  return true;
+  if (!hasTimeAxis()) return;
+  p.setPen(t.quiet);
+  p.drawText(QRectF(plot_.left(), base + 5 + h, plot_.width(), h), Qt::AlignHCenter | Qt::AlignTop,
+             session_.task().stepTime ? tr("simulated time [min]") : tr("episodes"));
 }
 
 void LearningChart::drawTests(QPainter& p, const Theme& t) const {
   const ValueSnapshot* v = session_.values();
-  const double perStep = session_.task().stepTime.value_or(0.0) / 60.0;
-  if (!v || perStep <= 0) return;
-  QColor colour = policyLook(session_.curves().live().policy(), t).colour;
+  if (!v) return;
+  const QColor colour = policyLook(session_.curves().live().policy(), t).colour;
   p.setRenderHint(QPainter::Antialiasing);
   p.setPen(QPen(colour, 1));
   p.setBrush(t.panel);
   for (const GreedyTest& test : v->tests) {
-    const QPointF at = toPixel(static_cast<double>(test.lifeSteps) * perStep, std::clamp(test.reward, yLeast_, yMost_));
-    if (at.x() <= plot_.right()) p.drawEllipse(at, 1.8, 1.8);
+    const double x = timeOf(session_.task(), test.episode, test.lifeSteps);
+    if (x >= span_.from() && x <= span_.to())
+      p.drawEllipse(toPixel(x, std::clamp(test.reward, yLeast_, yMost_)), 1.8, 1.8);
   }
   p.setBrush(Qt::NoBrush);
 }
 
+/// A click replays the nearest that is kept, so a mark answers where one is not farther off than a pixel.
+std::vector<LearningChart::FallMark> LearningChart::fallMarks() const {
+  constexpr double kApart = 2;  // [px]
+  const RunCurve& live = session_.curves().live();
+  std::vector<FallMark> marks;
+  std::int64_t falls = live.fallsBefore;
+  for (const CurvePoint& point : live.points) {
+    const bool fell = point.falls > falls;
+    falls = point.falls;
+    const double x = xOf(point);
+    if (!fell || x < span_.from()) continue;
+    if (x > span_.to()) break;
+    const double at = std::round(toPixel(x, 0).x()) + 0.5;
+    if (marks.empty() || at - marks.back().x >= kApart) marks.push_back({at, false, true});
+  }
+  auto mark = marks.begin();
+  for (const Fall& fall : session_.falls()) {
+    const double at = toPixel(timeOf(session_.task(), fall.episode, fall.lifeSteps), 0).x();
+    while (mark != marks.end() && mark->x < at - kApart) ++mark;
+    for (auto near = mark; near != marks.end() && near->x <= at + kApart; ++near)
+      near->answers = true, near->byHand &= fall.byHand();
+  }
+  for (FallMark& m : marks) m.byHand &= m.answers;
+  return marks;
+}
+
 void LearningChart::drawFallMarks(QPainter& p, const Theme& t) const {
-  const auto& points = session_.curves().live().points;
-  p.setPen(QPen(t.fall, 1));
-  double last = -10;
-  std::int64_t falls = 0;
-  for (const CurvePoint& point : points) {
-    if (xOf(point) > xMost_) break;
-    const double at = std::round(toPixel(xOf(point), 0).x()) + 0.5;
-    if (point.falls > falls && at - last >= 2) {
-      p.drawLine(QPointF(at, plot_.bottom() - 8), QPointF(at, plot_.bottom() - 1));
-      last = at;
-      falls = point.falls;
-    }
+  for (const FallMark& mark : fallMarks()) {
+    QColor colour = t.fall;
+    if (!mark.answers) colour.setAlphaF(0.4f);
+    QPen pen(colour, 1);
+    if (mark.byHand) pen.setDashPattern({1, 2});
+    p.setPen(pen);
+    p.drawLine(QPointF(mark.x, plot_.bottom() - 8), QPointF(mark.x, plot_.bottom() - 1));
   }
 }
 
-void LearningChart::drawList(QPainter& p, const Theme& t) const {
-  struct Item {
-    double value;
-    std::string policy;
-    bool live;
-    int run;
-    bool second = false;
-  };
-  std::vector<Item> items;
-  const RunCurves& curves = session_.curves();
-  for (const RunCurve& c : curves.earlier()) items.push_back({yOf(c.points.back()), c.policy(), false, c.number});
-  if (!curves.live().points.empty())
-    items.push_back({yOf(curves.live().points.back()), curves.live().policy(), true, curves.live().number});
-  if (const RunCurve* second = secondCurve())
-    items.push_back({yOf(second->points.back()), second->policy(), true, 0, true});
-  std::stable_sort(items.begin(), items.end(), [](const Item& a, const Item& b) { return a.value > b.value; });
-  double y = plot_.top() + 2;
-  for (const Item& item : items) {
-    drawMarker(p, {plot_.right() + 12, y}, policyLook(item.policy, t), item.live);
-    const auto entry = findEntry(session_.registry().policies, "policy", item.policy);
-    QString text = shows_ == Shows::Falls ? toText(countText(item.value)) : entry ? toText((*entry)->title) : QString();
-    if (shows_ == Shows::AverageReward)
-      text += item.second ? tr(", 2nd") : item.live ? tr(", live") : tr(", run %1").arg(item.run);
-    p.setFont(textFont(11, item.live ? 500 : 400));
-    p.setPen(item.live ? t.ink : t.quiet);
-    drawSymbol(p, QRectF(plot_.right() + 20, y - 8, kRight - 22, 16), Qt::AlignLeft, text);
-    y += 15;
+QString LearningChart::nameOf(const Run& run) const {
+  const QString name = toText(surefoot::nameOf(*run.curve, session_.registry()));
+  return run.kind == Run::Kind::Second ? tr("2nd: %1").arg(name)
+         : run.kind == Run::Kind::Live ? tr("live: %1").arg(name)
+                                       : tr("run %1: %2").arg(run.curve->number).arg(name);
+}
+
+/// The list needs so much at the right, in both charts the same, or their time axes would not line up.
+double LearningChart::listWidth() const {
+  constexpr double kLeast = 56, kMostShare = 0.38;
+  double widest = kLeast;
+  const QFont font = textFont(kText, 500);
+  for (const Run& run : runs()) widest = std::max(widest, kBesideName + symbolWidth(font, nameOf(run)) + 6);
+  return std::min(widest, std::max(kLeast, kMostShare * width()));
+}
+
+QString LearningChart::valueText(double value) const {
+  return toText(shows_ == Shows::Falls ? countText(value) : fixedText(value, 1));
+}
+
+/// Ordered by what the runs have come to at the end of what is shown.
+std::vector<LearningChart::Item> LearningChart::items() const {
+  std::vector<Item> list;
+  for (const Run& run : runs()) {
+    const CurvePoint* end = stateAt(*run.curve, span_.to());
+    if (end) list.push_back({run, yOf(*end), shows_ == Shows::Falls ? valueText(yOf(*end)) : nameOf(run)});
   }
+  std::stable_sort(list.begin(), list.end(), [](const Item& a, const Item& b) { return a.value > b.value; });
+  return list;
+}
+
+/// Numbers of falls stand at the ends of their curves, as far as they have room; names, whose curves meet, at the top.
+void LearningChart::drawList(QPainter& p, const Theme& t) const {
+  const std::vector<Item> list = items();
+  const double h = lineHeight(textFont(kText, 500)), last = plot_.bottom() - h / 2;
+  double y = plot_.top() + 2;
+  for (std::size_t i = 0; i < list.size(); ++i, y += h) {
+    const auto& [run, value, text] = list[i];
+    const bool earlier = run.kind == Run::Kind::Earlier;
+    if (shows_ == Shows::Falls)
+      y = std::min(std::max(y, toPixel(0, value).y()), last - h * static_cast<double>(list.size() - 1 - i));
+    drawMarker(p, {plot_.right() + kBesideName - 8, y}, policyLook(run.curve->policy(), t), !earlier);
+    p.setFont(textFont(kText, earlier ? 400 : 500));
+    p.setPen(earlier ? t.quiet : t.ink);
+    const QRectF where(plot_.right() + kBesideName, y - h / 2, width() - plot_.right() - kBesideName - 2, h);
+    drawSymbol(p, where, Qt::AlignLeft, QFontMetricsF(p.font()).elidedText(text, Qt::ElideRight, where.width()));
+  }
+}
+
+void LearningChart::drawCursor(QPainter& p, const Theme& t) const {
+  if (pressed_ && dragged_) {
+    QColor veil = t.ink;
+    veil.setAlphaF(0.1f);
+    p.fillRect(QRectF(QPointF(*pressed_, plot_.top()), QPointF(*dragged_, plot_.bottom())).normalized(), veil);
+  }
+  if (!span_.cursor() || *span_.cursor() < span_.from() || *span_.cursor() > span_.to()) return;
+  const double x = std::round(toPixel(*span_.cursor(), 0).x()) + 0.5;
+  p.setPen(QPen(t.outline, 1));
+  p.drawLine(QPointF(x, plot_.top()), QPointF(x, plot_.bottom()));
+  const auto at = read();
+  if (!at) return;
+  const QPointF dot = toPixel(xOf(at->point), yOf(at->point));
+  p.drawLine(QPointF(plot_.left(), dot.y()), QPointF(plot_.right(), dot.y()));
+  p.setBrush(policyLook(at->run.curve->policy(), t).colour);
+  p.setPen(QPen(t.panel, 1.5));
+  p.drawEllipse(dot, 4, 4);
+  p.setBrush(Qt::NoBrush);
+  p.setFont(textFont(kText, 500));
+  const QString text = reading();
+  const double w = symbolWidth(p.font(), text) + 12, h = lineHeight(p.font()) + 4;
+  const bool high = dot.y() < plot_.top() + h + 12;
+  const double left = std::clamp(x + 8 + w < plot_.right() ? x + 8 : x - 8 - w, 2.0, std::max(2.0, width() - w - 2));
+  const QRectF box(left, high ? dot.y() + 8 : dot.y() - h - 8, w, h);
+  p.fillRect(box, t.panel);
+  p.setPen(QPen(t.outline, 1));
+  p.drawRect(box);
+  p.setPen(t.ink);
+  drawSymbol(p, box, Qt::AlignHCenter, text);
 }
 
 }  // namespace surefoot

@@ -7,31 +7,24 @@
 #include <QEvent>
 #include <QGraphicsLayout>
 #include <QLineSeries>
-#include <QMouseEvent>
 #include <QValueAxis>
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <utility>
 
 #include "ui/session.h"
-#include "ui/symbol_text.h"
 #include "ui/theme.h"
 
 namespace surefoot {
 
-double niceAbove(double value) {
-  const double power = std::pow(10.0, std::floor(std::log10(std::max(value, 1e-9))));
-  for (const double m : {1.0, 2.0, 5.0})
-    if (m * power >= value) return m * power;
-  return 10.0 * power;
-}
-
-LearningChart::LearningChart(Session& session, Shows shows, QWidget* parent)
+LearningChart::LearningChart(Session& session, ChartSpan& span, Shows shows, QWidget* parent)
     : QChartView(parent),
       session_(session),
+      span_(span),
       shows_(shows) {
   setFrameShape(QFrame::NoFrame);
-  setFocusPolicy(Qt::NoFocus);
+  setFocusPolicy(Qt::StrongFocus);
+  viewport()->setMouseTracking(true);
   setRenderHint(QPainter::Antialiasing);
   QChart* c = chart();
   c->legend()->hide();
@@ -44,15 +37,19 @@ LearningChart::LearningChart(Session& session, Shows shows, QWidget* parent)
   y->setVisible(false);
   c->addAxis(x, Qt::AlignBottom);
   c->addAxis(y, Qt::AlignLeft);
-  connect(&session_, &Session::valuesArrived, this, &LearningChart::refresh);
-  connect(&session_, &Session::lifeReplaced, this, &LearningChart::refresh);
-  connect(&session_, &Session::configurationChanged, this, &LearningChart::refresh);
+  for (const auto changed : {&Session::valuesArrived, &Session::lifeReplaced, &Session::configurationChanged,
+                             &Session::curvesChanged})
+    connect(&session_, changed, this, &LearningChart::refresh);
+  connect(&span_, &ChartSpan::changed, this, &LearningChart::refresh);
+  connect(&span_, &ChartSpan::cursorChanged, this, [this] {
+    setAccessibleDescription(reading());
+    viewport()->update();
+  });
   refresh();
 }
 
 double LearningChart::xOf(const CurvePoint& point) const {
-  const auto& stepTime = session_.task().stepTime;
-  return stepTime ? static_cast<double>(point.lifeSteps) * *stepTime / 60.0 : static_cast<double>(point.episode);
+  return timeOf(session_.task(), point);
 }
 
 double LearningChart::yOf(const CurvePoint& point) const {
@@ -60,21 +57,26 @@ double LearningChart::yOf(const CurvePoint& point) const {
 }
 
 std::string LearningChart::asCsv() const {
-  const RunCurves& curves = session_.curves();
-  if (curves.live().points.empty() && curves.earlier().empty()) return "";
+  const std::vector<Run> list = runs();
+  if (list.empty()) return "";
   std::string csv = fmt::format("life,policy,{},{}\n", session_.task().stepTime ? "minutes" : "episode",
                                 shows_ == Shows::Falls ? "falls" : "average_reward");
-  const auto add = [&](const auto& life, const RunCurve& curve) {
-    for (const CurvePiece& piece : curve.pieces)
-      for (const CurvePoint& point : piece.points)
-        csv += fmt::format("{},{},{:.9g},{:.9g}\n", life, piece.policy, xOf(point), yOf(point));
-  };
-  add(0, curves.live());
-  if (const RunCurve* second = secondCurve()) add("second", *second);
-  for (std::size_t i = 0; i < curves.earlier().size(); ++i) add(curves.earlier().size() - i, curves.earlier()[i]);
+  std::size_t life = list.size() - (secondCurve() ? 2 : 1);
+  if (session_.curves().live().points.empty()) ++life;  // the newest of those before is 1 all the same
+  for (const Run& run : list) {
+    const std::string name = run.kind == Run::Kind::Live     ? "0"
+                             : run.kind == Run::Kind::Second ? "second"
+                                                             : std::to_string(life--);
+    auto piece = run.curve->pieces.begin();
+    for (const CurvePoint& point : run.curve->points) {
+      while (piece + 1 != run.curve->pieces.end() && (piece + 1)->from < point.lifeSteps) ++piece;
+      csv += fmt::format("{},{},{:.9g},{:.9g}\n", name, piece->policy, xOf(point), yOf(point));
+    }
+  }
   return csv;
 }
 
+/// Of each column of pixels the first, the least, the greatest and the last point; all where they are few.
 void LearningChart::drawPiece(std::size_t index, const std::vector<CurvePoint>& piece, const QPen& pen) {
   while (series_.size() <= index) {
     series_.push_back(new QLineSeries);
@@ -82,62 +84,50 @@ void LearningChart::drawPiece(std::size_t index, const std::vector<CurvePoint>& 
     series_.back()->attachAxis(chart()->axes(Qt::Horizontal).front());
     series_.back()->attachAxis(chart()->axes(Qt::Vertical).front());
   }
-  // At most two points a pixel column: the least and the greatest of each.
-  const auto columns = static_cast<std::size_t>(std::max(50.0, plot_.width()));
-  const auto shown = static_cast<std::size_t>(
-      std::partition_point(piece.begin(), piece.end(), [&](const auto& p) { return xOf(p) <= xMost_; }) -
-      piece.begin());
-  const std::size_t bucket = std::max<std::size_t>(1, shown / columns);
+  const auto before = [this](double x) { return [this, x](const CurvePoint& p) { return xOf(p) < x; }; };
+  auto begin = std::partition_point(piece.begin(), piece.end(), before(span_.from()));
+  auto end = std::partition_point(begin, piece.end(), before(span_.to()));
+  if (begin != piece.begin()) --begin;  // the curve goes on beyond the edges
+  if (end != piece.end()) ++end;
   QList<QPointF> points;
-  for (std::size_t i = 0; i < piece.size(); i += bucket) {
-    if (i > 0 && xOf(piece[i]) > xMost_) break;
-    const auto begin = piece.begin() + static_cast<std::ptrdiff_t>(i);
-    const auto end = piece.begin() + static_cast<std::ptrdiff_t>(std::min(i + bucket, piece.size()));
+  while (begin != end) {
+    const double column = std::floor(toPixel(xOf(*begin), 0).x());
+    auto next = begin + 1;
+    while (next != end && std::floor(toPixel(xOf(*next), 0).x()) == column) ++next;
     const auto [least, greatest] =
-        std::minmax_element(begin, end, [&](const auto& a, const auto& b) { return yOf(a) < yOf(b); });
-    for (const auto& point : {std::min(least, greatest), std::max(least, greatest)})
-      points << QPointF(xOf(*point), yOf(*point));
+        std::minmax_element(begin, next, [&](const auto& a, const auto& b) { return yOf(a) < yOf(b); });
+    auto shown = piece.end();
+    for (const auto& point : {begin, std::min(least, greatest), std::max(least, greatest), next - 1})
+      if (std::exchange(shown, point) != point) points << QPointF(xOf(*point), yOf(*point));
+    begin = next;
   }
   series_[index]->replace(points);
   series_[index]->setPen(pen);
 }
 
 void LearningChart::chooseRanges() {
-  const RunCurves& curves = session_.curves();
-  const auto endOf = [&](const RunCurve& curve) { return curve.points.empty() ? 0.0 : xOf(curve.points.back()); };
-  const bool clock = session_.task().stepTime.has_value();
-  // A long life before must not press the one that runs against the axis: it is cut where it is much longer.
-  const double live = std::max(endOf(curves.live()), clock ? 1.0 : 100.0);
-  double x = live;
-  for (const RunCurve& curve : curves.earlier())
-    x = std::max(x, std::min(endOf(curve), std::max(2 * live, clock ? 10.0 : 1000.0)));
-  const ValueSnapshot* v = session_.values();
-  if (learningOnly_ && v && v->endOfLearning > 0) {
-    CurvePoint end;
-    end.episode = static_cast<std::int64_t>(v->endOfLearning);
-    end.lifeSteps = static_cast<std::int64_t>(v->endOfLearningSteps);
-    x = 1.2 * xOf(end);
+  double least = kInfinity, most = 0.0;
+  for (const Run& run : runs()) {
+    if (const CurvePoint* at = stateAt(*run.curve, span_.to())) most = std::max(most, static_cast<double>(at->falls));
+    const CurvePoint* before = stateAt(*run.curve, span_.from());
+    least = std::min(least, before ? static_cast<double>(before->falls) : 0.0);
   }
-  xMost_ = niceAbove(x / 5.0001) * std::ceil(x / niceAbove(x / 5.0001) - 1e-9);
-
-  double falls = 0.0;
-  const auto count = [&](const RunCurve& curve) {
-    for (const CurvePoint& point : curve.points)
-      if (xOf(point) <= xMost_) falls = std::max(falls, static_cast<double>(point.falls));
-  };
-  count(curves.live());
-  if (const RunCurve* second = secondCurve()) count(*second);
-  for (const RunCurve& curve : curves.earlier()) count(curve);
-  const double step = niceAbove(falls / 5.0001);
-  yLeast_ = shows_ == Shows::Falls ? 0.0 : session_.task().lowestReturn;
-  yMost_ = shows_ == Shows::Falls ? std::max(10.0, step * std::ceil(falls / step)) : session_.task().highestReturn;
-  if (yMost_ <= yLeast_) yMost_ = yLeast_ + 1;
-  chart()->axes(Qt::Horizontal).front()->setRange(0, xMost_);
+  if (shows_ == Shows::Falls) {
+    const bool part = span_.shows() == ChartSpan::Shows::Part && least < most;
+    const double step = niceAbove((most - (part ? least : 0.0)) / 5.0001);
+    yLeast_ = part ? step * std::floor(least / step) : 0.0;
+    yMost_ = std::max(yLeast_ + 10.0, step * std::ceil(most / step));
+  } else {
+    yLeast_ = session_.task().lowestReturn;
+    yMost_ = std::max(session_.task().highestReturn, yLeast_ + 1);
+  }
+  chart()->axes(Qt::Horizontal).front()->setRange(span_.from(), span_.to());
   chart()->axes(Qt::Vertical).front()->setRange(yLeast_, yMost_);
 }
 
 void LearningChart::setSecond(Session* second) {
   second_ = second;
+  span_.setSecond(second);
   refresh();
 }
 
@@ -146,9 +136,18 @@ const RunCurve* LearningChart::secondCurve() const {
   return second_ && !second_->curves().live().points.empty() ? &second_->curves().live() : nullptr;
 }
 
-void LearningChart::setLearningOnly(bool on) {
-  learningOnly_ = on;
-  refresh();
+std::vector<LearningChart::Run> LearningChart::runs() const {
+  std::vector<Run> list;
+  for (const RunCurve& curve : session_.curves().earlier()) list.push_back({&curve, Run::Kind::Earlier});
+  if (const RunCurve* second = secondCurve()) list.push_back({second, Run::Kind::Second});
+  if (const RunCurve& live = session_.curves().live(); !live.points.empty()) list.push_back({&live, Run::Kind::Live});
+  return list;
+}
+
+const CurvePoint* LearningChart::stateAt(const RunCurve& curve, double time) const {
+  const auto after = std::partition_point(curve.points.begin(), curve.points.end(),
+                                          [&](const CurvePoint& p) { return xOf(p) <= time; });
+  return after == curve.points.begin() ? nullptr : &*std::prev(after);
 }
 
 void LearningChart::prepareExport(bool exporting) {
@@ -162,29 +161,35 @@ void LearningChart::refresh() {
   const Theme& t = themeOf(*this);
   setBackgroundBrush(t.panel);
   chooseRanges();
-  const RunCurves& curves = session_.curves();
   constexpr std::size_t kMostPieces = 24;  // of one curve: policies are not changed oftener by hand
   std::size_t used = 0;
-  const auto draw = [&](const RunCurve& curve, bool live) {
-    for (std::size_t i = 0; i < std::min(curve.pieces.size(), kMostPieces); ++i) {
-      QColor colour = policyLook(curve.pieces[i].policy, t).colour;
-      if (!live) colour.setAlphaF(0.55f);
-      QPen pen(colour, live ? 2 : 1.25);
-      if (curve.agent == "sarsa-2q") pen.setDashPattern({5, 2.5});  // the dash says the learning rule
-      drawPiece(used++, curve.pieces[i].points, pen);
+  for (const Run& run : runs()) {
+    const bool earlier = run.kind == Run::Kind::Earlier;
+    for (std::size_t i = 0; i < std::min(run.curve->pieces.size(), kMostPieces); ++i) {
+      QColor colour = policyLook(run.curve->pieces[i].policy, t).colour;
+      if (earlier) colour.setAlphaF(0.55f);
+      QPen pen(colour, earlier ? 1.25 : 2);
+      if (run.curve->agent == "sarsa-2q") pen.setDashPattern({5, 2.5});  // the dash says the learning rule
+      drawPiece(used++, run.curve->pieces[i].points, pen);
     }
-  };
-  for (const RunCurve& curve : curves.earlier()) draw(curve, false);
-  if (const RunCurve* second = secondCurve()) draw(*second, true);
-  draw(curves.live(), true);
+  }
   for (std::size_t i = used; i < series_.size(); ++i) series_[i]->clear();
   viewport()->update();
+}
+
+/// Charts that stand one above the other share one axis; moved, floating or with a tab in front each has its own.
+bool LearningChart::hasTimeAxis() const {
+  if (exporting_ || !below_ || !below_->isVisible() || below_->window() != window()) return true;
+  constexpr int kHeader = 80;  // [px] between the two at most
+  const QRect mine(mapToGlobal(QPoint()), size()), its(below_->mapToGlobal(QPoint()), below_->size());
+  return mine.left() != its.left() || mine.width() != its.width() || its.top() < mine.bottom() ||
+         its.top() > mine.bottom() + kHeader;
 }
 
 void LearningChart::place() {
   const double bottom = hasTimeAxis() ? kBottomWithAxis : kBottom;
   const double top = exporting_ ? kTopWithTitle : kTop;
-  plot_ = QRectF(kLeft, top, std::max(40.0, width() - kLeft - kRight), std::max(30.0, height() - top - bottom));
+  plot_ = QRectF(kLeft, top, std::max(40.0, width() - kLeft - listWidth()), std::max(30.0, height() - top - bottom));
   chart()->setPlotArea(plot_);
 }
 
@@ -200,25 +205,12 @@ void LearningChart::changeEvent(QEvent* event) {
 }
 
 QPointF LearningChart::toPixel(double x, double y) const {
-  return {plot_.left() + x / xMost_ * plot_.width(),
+  return {plot_.left() + (x - span_.from()) / (span_.to() - span_.from()) * plot_.width(),
           plot_.bottom() - (y - yLeast_) / (yMost_ - yLeast_) * plot_.height()};
 }
 
-// A click on the marks of falls replays the one nearest to it that is still kept.
-void LearningChart::mousePressEvent(QMouseEvent* event) {
-  constexpr double kNear = 5;  // [px]
-  if (shows_ != Shows::Falls || std::abs(event->position().y() - (plot_.bottom() - 4)) > 8) return;
-  const auto& stepTime = session_.task().stepTime;
-  double least = kNear;
-  std::optional<std::size_t> nearest;
-  for (std::size_t i = 0; i < session_.falls().size(); ++i) {
-    const Fall& fall = session_.falls()[i];
-    const double x =
-        stepTime ? static_cast<double>(fall.lifeSteps) * *stepTime / 60.0 : static_cast<double>(fall.episode);
-    const double distance = std::abs(toPixel(x, 0).x() - event->position().x());
-    if (distance <= least) least = distance, nearest = i;
-  }
-  if (nearest) session_.replayFall(*nearest);
+double LearningChart::timeAt(double pixel) const {
+  return span_.from() + (pixel - plot_.left()) / plot_.width() * (span_.to() - span_.from());
 }
 
 }  // namespace surefoot

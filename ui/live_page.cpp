@@ -7,19 +7,23 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "core/text.h"
 #include "ui/action_rows.h"
 #include "ui/falls_list.h"
+#include "ui/chart_span.h"
 #include "ui/learning_charts.h"
 #include "ui/link_button.h"
 #include "ui/map_bar.h"
 #include "ui/panel.h"
 #include "ui/parameter_form.h"
 #include "ui/rival.h"
+#include "ui/rule_view.h"
 #include "ui/scrubber.h"
 #include "ui/session.h"
 #include "ui/step_view.h"
 #include "ui/symbol_text.h"
 #include "ui/value_maps.h"
+#include "ui/view_menu.h"
 #include "ui/world_view.h"
 
 namespace surefoot {
@@ -62,15 +66,18 @@ LivePage::LivePage(Session& session, QWidget* parent) : QMainWindow(parent), ses
   rule_->header().setNote(tr("TRL's threshold"));
   list_ = addPanel(tr("List of falls"), "list", new FallsList(session_), Qt::RightDockWidgetArea);
   list_->header().setNote(tr("a click shows one again"));
-  connect(&session_, &Session::frame, this, [this, actions] {
+  const auto note = [this, actions] {
     actions->header().setNote(actionsNote());
     worldHeader_->setNote(worldNote());
-  });
+  };
+  connect(&session_, &Session::frame, this, note);
+  connect(&session_, &Session::stateChanged, this, note);
 }
 
 void LivePage::makeCharts() {
-  auto* average = new LearningChart(session_, LearningChart::Shows::AverageReward);
-  auto* cumulative = new LearningChart(session_, LearningChart::Shows::Falls);
+  auto* span = new ChartSpan(session_, this);
+  auto* average = new LearningChart(session_, *span, LearningChart::Shows::AverageReward);
+  auto* cumulative = new LearningChart(session_, *span, LearningChart::Shows::Falls);
   average->setBelow(cumulative);
   Panel* reward = addPanel(tr("Average reward"), "reward", average, Qt::RightDockWidgetArea);
   const auto noteReward = [this, reward] {
@@ -80,17 +87,38 @@ void LivePage::makeCharts() {
   noteReward();
   connect(&session_, &Session::lifeReplaced, this, noteReward);
   Panel* falls = addPanel(tr("Falls"), "falls", cumulative, Qt::RightDockWidgetArea);
-  falls->header().setNote(tr("cumulative; each mark is one, click it to replay"));
+  const auto noteFalls = [this, span, falls] { falls->header().setNote(fallsNote(*span)); };
+  connect(span, &ChartSpan::changed, this, noteFalls);
+  connect(&session_, &Session::valuesArrived, this, noteFalls);
+  noteFalls();
   auto* range = new LinkButton(tr("Whole life"));
-  range->setToolTip(tr("Show the whole life, or only as far as it learned"));
-  range->setCheckable(true);
+  range->setToolTip(tr("Show the whole life, or only as far as it learned. In the chart the wheel or a drag magnifies a "
+                       "part; a double click or Home shows the whole life."));
   reward->header().addWidget(range);
-  connect(range, &QToolButton::toggled, this, [range, average, cumulative, header = &reward->header()](bool only) {
-    range->setText(only ? tr("While it learned") : tr("Whole life"));
+  const auto say = [range, span, header = &reward->header()] {
+    const ChartSpan::Shows shows = span->shows();
+    range->setText(shows == ChartSpan::Shows::Part       ? tr("A part")
+                   : shows == ChartSpan::Shows::Learning ? tr("While it learned")
+                                                         : tr("Whole life"));
+    range->setAccessibleName(tr("Time shown: %1").arg(range->text()));
     header->layOutExtra();
-    average->setLearningOnly(only);
-    cumulative->setLearningOnly(only);
+  };
+  connect(span, &ChartSpan::changed, this, say);
+  connect(range, &QToolButton::clicked, this, [span] {
+    span->shows() == ChartSpan::Shows::WholeLife ? span->showLearning() : span->showWholeLife();
   });
+}
+
+/// The numbers at the curves are those at the end of what is shown, so that is said where it is not the life's end.
+QString LivePage::fallsNote(const ChartSpan& span) const {
+  const bool all = timeOf(session_.task(), session_.latest()) <= span.to();
+  const QString end = toText(countText(span.to()));
+  const QString counted = all                        ? tr("cumulative")
+                          : session_.task().stepTime ? tr("up to minute %1").arg(end)
+                                                     : tr("up to episode %1").arg(end);
+  const std::int64_t byHand = session_.numbers().fallsByHand;
+  return byHand > 0 ? tr("%1; %2 after a push or placing by hand").arg(counted, toText(countText(static_cast<double>(byHand))))
+                    : tr("%1; click a mark to replay it").arg(counted);
 }
 
 void LivePage::makeMaps() {
@@ -142,6 +170,7 @@ QWidget* LivePage::makeCentre() {
   worldHeader_ = new PanelHeader(tr("World"), true, centre);
   worldHeader_->setOnPaper(true);
   world_ = new WorldView(session_, centre);
+  new ViewMenu(*world_);
   column->addWidget(worldHeader_);
   worlds_ = new QSplitter(Qt::Horizontal);
   worlds_->setHandleWidth(1);
@@ -157,6 +186,7 @@ Panel* LivePage::addPanel(const QString& title, const QString& name, QWidget* co
   auto* panel = new Panel(title, name, content, content != form_, this);
   addDockWidget(area, panel);
   panels_.push_back(panel);
+  if (content != form_) new ViewMenu(*content);
   connect(panel->toggleViewAction(), &QAction::triggered, panel, [panel](bool on) {
     if (on) panel->raise();
   });

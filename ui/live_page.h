@@ -11,6 +11,7 @@ class QSplitter;
 
 namespace surefoot {
 
+class ChartSpan;
 class Panel;
 class Rival;
 class ParameterForm;
@@ -53,6 +54,7 @@ class LivePage final : public QMainWindow {
   void makeMaps();
   void makeCharts();
   QString actionsNote() const;
+  QString fallsNote(const ChartSpan& span) const;
   void toggleFull(QWidget* panel);
   void shareSpace();
   QString worldNote() const;

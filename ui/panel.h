@@ -16,6 +16,7 @@ class PanelHeader final : public QWidget {
   PanelHeader(const QString& title, bool canFill, QWidget* parent = nullptr);
   void setTitle(const QString& title);
   void setNote(const QString& note);
+  const QString& note() const { return note_; }
   void setFull(bool full);
   /// The world lies on paper, all else on the panel's colour.
   void setOnPaper(bool paper) { paper_ = paper; }

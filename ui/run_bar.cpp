@@ -97,14 +97,20 @@ RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
     refresh();
   });
   connect(&session_, &Session::configurationChanged, this, &RunBar::refresh);
-  connect(&session_, &Session::frame, this, [this] {  // numbers that change faster cannot be read
-    constexpr int kUpdateEvery = 100;                 // [ms]
-    if (sinceUpdate_.isValid() && sinceUpdate_.elapsed() < kUpdateEvery) return;
-    sinceUpdate_.start();
-    update();
-  });
+  for (const auto changed : {&Session::valuesArrived, &Session::lifeReplaced, &Session::stateChanged})
+    connect(&session_, changed, this, &RunBar::readNumbers);
   setMarkers();
   refresh();
+  readNumbers();
+}
+
+/// The counters are drawn from what was read here, and told to a screen reader.
+void RunBar::readNumbers() {
+  const Numbers& now = session_.numbers();
+  texts_ = {toText(countText(static_cast<double>(now.falls))), toText(countText(static_cast<double>(now.episodes))),
+            session_.running() ? session_.factorText() : QString()};
+  setAccessibleDescription(tr("%1 falls in %2 episodes").arg(texts_.falls, texts_.episodes));
+  update();
 }
 
 /// The scenarios of the environment, or itself where it has none; then the other environments.
@@ -205,7 +211,7 @@ void RunBar::paintEvent(QPaintEvent*) {
   p.drawText(QRectF(paceLabel_, 8, 40, kButton), Qt::AlignVCenter,
              QStringLiteral("%1×").arg(pace < 9.95 && pace != 1.0 ? QString::number(pace, 'f', 1)
                                                                   : QString::number(pace, 'f', 0)));
-  if (session_.running()) p.drawText(QRectF(factorLabel_, 8, 64, kButton), Qt::AlignVCenter, session_.factorText());
+  p.drawText(QRectF(factorLabel_, 8, 64, kButton), Qt::AlignVCenter, texts_.factor);
 
   // Falls large; from the right: "episodes", its number, "falls", its number.
   double right = width() - 12;
@@ -217,11 +223,10 @@ void RunBar::paintEvent(QPaintEvent*) {
     drawSymbol(p, right - w, baseline, text);
     right -= w + gap;
   };
-  const CurvePoint now = session_.latest();
   put(tr("episodes"), 11, 400, t.quiet, 30, 6);
-  put(toText(countText(static_cast<double>(now.episode))), 13, 500, t.ink, 30, 20);
+  put(texts_.episodes, 13, 500, t.ink, 30, 20);
   put(tr("falls"), 11, 400, t.quiet, 30, 7);
-  put(toText(countText(static_cast<double>(now.falls))), 24, 500, t.fallText, 30, 0);
+  put(texts_.falls, 24, 500, t.fallText, 30, 0);
 }
 
 }  // namespace surefoot

@@ -4,7 +4,6 @@
 
 #include <QAction>
 #include <QComboBox>
-#include <QElapsedTimer>
 #include <QWidget>
 
 namespace surefoot {
@@ -26,6 +25,11 @@ class RunBar final : public QWidget {
   QSize sizeHint() const override { return {1280, 48}; }
   /// One notch up or down the slider.
   void changePace(int notches);
+  /// What the counters say: falls, episodes, and how much faster than real time it runs (empty: not known).
+  struct Texts {
+    QString falls, episodes, factor;
+  };
+  const Texts& texts() const { return texts_; }
 
  Q_SIGNALS:
   /// Another learning rule was chosen; it needs a new table.
@@ -41,6 +45,7 @@ class RunBar final : public QWidget {
  private:
   void layOut();
   void refresh();
+  void readNumbers();
   void fillTasks();
   void fillAgents();
   void setMarkers();
@@ -50,8 +55,8 @@ class RunBar final : public QWidget {
   std::vector<QWidget*> buttons_;
   Slider* pace_;
   QComboBox *task_, *agent_, *policy_;
+  Texts texts_;
   double paceLabel_ = 0, factorLabel_ = 0;  // left ends [px]
-  QElapsedTimer sinceUpdate_;
 };
 
 }  // namespace surefoot

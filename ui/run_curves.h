@@ -15,13 +15,17 @@ namespace surefoot {
 struct CurvePiece {
   std::string policy;
   std::vector<CurvePoint> points;
+  std::int64_t from = 0;  ///< steps of the life at which it begins
 };
 
 struct RunCurve {
   std::string agent;
-  int number = 1;  ///< of the life since the window was opened
+  int number = 1;       ///< of the life since the window was opened
+  int environment = 0;  ///< counts those that the window was in
   std::vector<CurvePoint> points;
-  std::vector<CurvePiece> pieces;  ///< the same points, cut where the policy changed; each begins where the last ended
+  /// The same points, cut where the policy changed: there, between two episodes, the last piece ends and the next begins.
+  std::vector<CurvePiece> pieces;
+  std::int64_t fallsBefore = 0;  ///< those of which the curve does not know when they were
   std::string began{};  ///< how its life began: "pre-learned (scenario 2)"; empty: with an empty table
   /// In force at its end.
   std::string policy() const { return pieces.empty() ? "" : pieces.back().policy; }
@@ -41,6 +45,9 @@ class RunCurves {
   void archive();
   /// In another environment there is nothing to compare with.
   void forget();
+  /// Takes earlier lives out by their numbers, and gives them back; those of another environment do not come back.
+  std::vector<RunCurve> remove(const std::vector<int>& numbers);
+  void putBack(const std::vector<RunCurve>& curves);
 
   const RunCurve& live() const { return live_; }
   const std::vector<RunCurve>& earlier() const { return earlier_; }
@@ -49,6 +56,7 @@ class RunCurves {
   std::string began_;
   RunCurve live_;
   std::vector<RunCurve> earlier_;
+  int environment_ = 0;  // counts them
 };
 
 }  // namespace surefoot

@@ -67,7 +67,7 @@ const ValueSnapshot* Session::values() const {
 }
 
 QString Session::factorText() const {
-  const double factor = stepsPerSecond_ * task().stepTime.value_or(0.0);
+  const double factor = numbers_.stepsPerSecond * task().stepTime.value_or(0.0);
   if (factor <= 0) return {};
   const double unit = factor >= 1000 ? 100 : factor >= 100 ? 10 : 1;
   return QStringLiteral("×") +
@@ -87,10 +87,7 @@ void Session::tick() {
   clock_.restart();
   learner_->takeSnapshot();
   learner_->wantSnapshot();
-  if (learner_->takeValues() && values()) {
-    curves_.update(configuration_.names.agent, values()->policy, values()->curve, values()->changes);
-    Q_EMIT valuesArrived();
-  }
+  if (learner_->takeValues() && values()) takeValues();
   if (lookedAt_ && sinceValues_.elapsed() >= kValuesEvery) {
     sinceValues_.restart();
     learner_->wantValues();
@@ -107,7 +104,6 @@ void Session::tick() {
   }
   speedSeconds_ += seconds;
   measureSpeed();
-  takeFalls();
   if (playback_)
     showPlayback(seconds);
   else
@@ -115,8 +111,28 @@ void Session::tick() {
   Q_EMIT frame();
 }
 
+void Session::takeValues() {
+  const ValueSnapshot& v = *values();
+  curves_.update(configuration_.names.agent, v.policy, v.curve, v.changes);
+  numbers_ = {.episodes = v.totals.episodes,
+              .falls = v.totals.falls,
+              .fallsByHand = v.fallsByHand,
+              .steps = v.steps,
+              .simulatedSeconds = v.simulatedSeconds,
+              .stepsPerSecond = stepsPerSecond_};
+  takeFalls();
+  Q_EMIT valuesArrived();
+}
+
+bool Session::obeyed() const {
+  const Snapshot& s = snapshot();
+  return s.life == lifeSent_ && s.running == running_ && s.turbo == turbo_ && s.pace == pace_;
+}
+
 void Session::measureSpeed() {
   constexpr double kOver = 0.5;  // [s]
+  if (!obeyed()) return restartMeasuring();
+  if (!measuring_) stepsBefore_ = snapshot().steps, speedSeconds_ = 0, measuring_ = true;
   if (speedSeconds_ < kOver) return;
   stepsPerSecond_ = static_cast<double>(snapshot().steps - stepsBefore_) / speedSeconds_;
   stepsBefore_ = snapshot().steps;
@@ -124,8 +140,8 @@ void Session::measureSpeed() {
 }
 
 void Session::restartMeasuring() {
-  stepsPerSecond_ = speedSeconds_ = 0;
-  stepsBefore_ = snapshot().steps;
+  numbers_.stepsPerSecond = stepsPerSecond_ = 0;
+  measuring_ = false;  // until the learner has heard of what changed
 }
 
 CurvePoint Session::latest() const {
@@ -173,7 +189,7 @@ void Session::fillParts(const ActionValueFunction& values) {
 LifeTime Session::lifeTime() const {
   const ValueSnapshot* v = values();
   const std::optional<double> rule = v && v->rule ? std::optional(v->rule->threshold) : std::nullopt;
-  return {snapshot().totals.episodes, snapshot().steps, rule};
+  return {numbers_.episodes, numbers_.steps, rule};
 }
 
 double Session::threshold() const {
@@ -239,6 +255,8 @@ void Session::adopt(std::unique_ptr<Life> life) {
   hovered_.clear();
   pinned_.clear();
   falls_.clear();
+  fallsToCome_.clear();
+  numbers_ = {};
   valuesThen_.clear();
   recording_.clear();
   backToLive();

@@ -21,6 +21,15 @@
 
 namespace surefoot {
 
+/// What is told of a life in several places of the window: all of it of one moment, that of the newest curve.
+struct Numbers {
+  std::int64_t episodes = 0, falls = 0;
+  std::int64_t fallsByHand = 0;  ///< of the falls, those of episodes in which a person placed or pushed the body
+  std::int64_t steps = 0;
+  double simulatedSeconds = 0;  ///< NaN: no clock
+  double stepsPerSecond = 0;    ///< learning steps per second of wall-clock time, as measured; 0: not yet
+};
+
 /// What a life can be saved as: to go on exactly, what it learned, or a small text by which it can be lived again.
 enum class SavedAs { Session, QFunction, Journal };
 
@@ -40,7 +49,7 @@ class Session final : public QObject {
   /// nullptr until the first has come.
   const ValueSnapshot* values() const;
   const Shown& shown() const { return shown_; }
-  /// The falls of this life, the newest last; the last kMostFalls of them.
+  /// The falls of this life, the newest last, up to numbers().falls; of many of them a choice, as thinOut() says.
   const std::deque<Fall>& falls() const { return falls_; }
   /// Shows the last seconds of one of them again.
   void replayFall(std::size_t index);
@@ -58,10 +67,12 @@ class Session final : public QObject {
   bool running() const { return running_; }
   bool turbo() const { return turbo_; }
   double pace() const { return pace_; }
-  /// Falls and episodes as of the newest curve, so that every number on the screen is of the same moment.
+  /// Counters, chart, status line, titles and list of falls all show these; they change with valuesArrived, and with
+  /// stateChanged, which forgets the speed that was.
+  const Numbers& numbers() const { return numbers_; }
+  /// Falls and episodes as of the newest curve.
   CurvePoint latest() const;
-  /// Learning steps per second of wall-clock time, as measured; 0: not yet.
-  double stepsPerSecond() const { return stepsPerSecond_; }
+  double stepsPerSecond() const { return numbers_.stepsPerSecond; }
   /// How many times faster than real time, as text: "×4,300". Empty where it is not known (yet).
   QString factorText() const;
   /// What a parameter is worth under the chosen preset and scenario: what Reset goes back to.
@@ -106,6 +117,8 @@ class Session final : public QObject {
   /// Another learning rule has another table: a new life begins, with every parameter that both know.
   Status setAgent(const std::string& name);
   void setScenario(const std::string& name);
+  /// Takes curves of earlier lives out of the charts, by their numbers; undo brings them back.
+  void removeEarlierRuns(std::vector<int> numbers);
 
   using Then = std::function<void(const Status&)>;
   /// Writes the life to a file; `then` is called when it is written, or could not be.
@@ -131,6 +144,7 @@ class Session final : public QObject {
  Q_SIGNALS:
   void frame();          ///< about 60 times a second
   void valuesArrived();  ///< at most ten times a second
+  void curvesChanged();  ///< earlier ones came or went
   void stateChanged();   ///< running, turbo, pace
   void examinedChanged();
   void fallsArrived();
@@ -145,11 +159,13 @@ class Session final : public QObject {
   void tick();
   void show(double seconds);
   void showPlayback(double seconds);
+  void takeValues();
   void takeFalls();
   bool copyable() const;  ///< what is learned is small enough to be kept with a fall
   void fillParts(const ActionValueFunction& values);
   void measureSpeed();
   void restartMeasuring();
+  bool obeyed() const;  ///< the newest snapshot is of a learner that has heard of pace, turbo, and whether it runs
   struct Beginning {
     Configuration configuration;
     std::unique_ptr<Life> life;
@@ -179,7 +195,9 @@ class Session final : public QObject {
   std::vector<double> hovered_, pinned_;
   RunCurves curves_;
   std::string curvesIn_;  // the environment of all of them
+  Numbers numbers_;
   std::deque<Fall> falls_;
+  std::vector<Fall> fallsToCome_;  // newer than the numbers
   /// Of the newest falls, by their numbers.
   std::deque<std::pair<std::int64_t, std::shared_ptr<const ActionValueFunction>>> valuesThen_;
   Recording recording_;
@@ -187,8 +205,8 @@ class Session final : public QObject {
   QUndoStack undo_;
   Background background_;
   QTimer timer_;
-  QElapsedTimer sinceFalls_, sinceValuesThen_, clock_, sinceValues_, sinceFall_;
-  bool running_ = false, turbo_ = false;
+  QElapsedTimer sinceValuesThen_, clock_, sinceValues_, sinceFall_;
+  bool running_ = false, turbo_ = false, measuring_ = false;
   double pace_ = 1.0;
   double stepsPerSecond_ = 0.0;
   std::int64_t stepsBefore_ = 0, fallsBefore_ = 0;

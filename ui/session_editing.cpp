@@ -40,7 +40,35 @@ class Edit final : public QUndoCommand {
   std::chrono::steady_clock::time_point when_ = std::chrono::steady_clock::now();
 };
 
+/// Curves of earlier lives that were taken out of the charts.
+class RemovedRuns final : public QUndoCommand {
+ public:
+  RemovedRuns(RunCurves& curves, std::vector<int> numbers, std::function<void()> changed)
+      : QUndoCommand(QObject::tr("Remove earlier runs")),
+        curves_(curves),
+        numbers_(std::move(numbers)),
+        changed_(std::move(changed)) {}
+  void undo() override {
+    curves_.putBack(removed_);
+    changed_();
+  }
+  void redo() override {
+    removed_ = curves_.remove(numbers_);
+    changed_();
+  }
+
+ private:
+  RunCurves& curves_;
+  std::vector<int> numbers_;
+  std::function<void()> changed_;
+  std::vector<RunCurve> removed_;
+};
+
 }  // namespace
+
+void Session::removeEarlierRuns(std::vector<int> numbers) {
+  if (!numbers.empty()) undo_.push(new RemovedRuns(curves_, std::move(numbers), [this] { Q_EMIT curvesChanged(); }));
+}
 
 Status Session::setParameter(const std::string& key, double value) {
   const Parameters::Entry* found = configuration_.parameters.find(key);

@@ -2,6 +2,8 @@
 // The part of Session for those who look: at states on a map, at falls, at the last minutes. None of it touches the
 // life.
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "ui/preferences.h"
 #include "ui/session.h"
@@ -10,11 +12,13 @@ namespace surefoot {
 
 void Session::takeFalls() {
   constexpr std::size_t kMostValues = 20;
-  constexpr int kRest = 250;  // [ms] between two looks in turbo, where they come by the hundred
-  if (turbo_ && sinceFalls_.isValid() && sinceFalls_.elapsed() < kRest) return;
-  sinceFalls_.start();
-  auto fresh = learner_->takeFalls();
+  std::vector<Fall> fresh = std::exchange(fallsToCome_, {});
+  for (Fall& fall : learner_->takeFalls()) fresh.push_back(std::move(fall));
   std::erase_if(fresh, [this](const Fall& f) { return f.life != lifeSent_; });
+  // The learner is ahead of what the window shows; a fall is listed when the counter has come to it.
+  const auto ahead = std::find_if(fresh.begin(), fresh.end(), [this](const Fall& f) { return f.number > numbers_.falls; });
+  fallsToCome_.assign(std::move_iterator(ahead), std::move_iterator(fresh.end()));
+  fresh.erase(ahead, fresh.end());
   if (fresh.empty()) return;
   // The values as they were, as nearly as the window has them. In turbo hundreds of falls come in a second.
   constexpr int kEvery = 500;  // [ms]
@@ -24,7 +28,7 @@ void Session::takeFalls() {
   }
   if (valuesThen_.size() > kMostValues) valuesThen_.pop_front();
   for (Fall& fall : fresh) falls_.push_back(std::move(fall));
-  while (falls_.size() > kMostFalls) falls_.pop_front();
+  thinOut(falls_);
   Q_EMIT fallsArrived();
 }
 

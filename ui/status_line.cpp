@@ -15,25 +15,31 @@ namespace surefoot {
 StatusLine::StatusLine(Session& session, QWidget* parent) : QWidget(parent), session_(session) {
   setFixedHeight(24);
   setAccessibleName(tr("State of the life"));
-  connect(&session_, &Session::frame, this, &StatusLine::refresh);
+  connect(&session_, &Session::valuesArrived, this, &StatusLine::refresh);
+  connect(&session_, &Session::stateChanged, this, &StatusLine::refresh);
+  connect(&session_, &Session::lifeReplaced, this, &StatusLine::refresh);
+  refresh();
 }
 
 QStringList StatusLine::segments() const {
-  const Snapshot& s = session_.snapshot();
+  const Numbers& s = session_.numbers();
   QStringList list;
   if (!std::isnan(s.simulatedSeconds))
     list << tr("%1 min simulated")
                 .arg(toText(s.simulatedSeconds < 6e4 ? fixedText(s.simulatedSeconds / 60, 2)
                                                      : countText(s.simulatedSeconds / 60)));
   list << tr("%1 steps").arg(toText(countText(static_cast<double>(s.steps))));
-  const double speed = session_.stepsPerSecond();
+  const double speed = s.stepsPerSecond;
   if (session_.running() && speed > 0)
     list << (speed >= 1e5 ? tr("%1 M steps/s").arg(toText(fixedText(speed / 1e6, 2)))
                           : tr("%1 steps/s").arg(toText(countText(speed))));
   const ValueSnapshot* v = session_.values();
-  if (v && v->rule)
-    list << tr("n* %1 → rule-of-thumb threshold %2")
-                .arg(toText(fixedText(v->rule->transitions, 0)), toText(fixedText(v->rule->threshold, 0)));
+  if (!session_.task().goalReward) {
+    list << tr("rule-of-thumb threshold: not defined without a goal");
+  } else if (v && v->rule) {
+    const RuleText rule = textOf(*v->rule);
+    list << tr("n* %1 → rule-of-thumb threshold %2").arg(toText(rule.transitions), toText(rule.threshold));
+  }
   if (v && !v->memory.empty() && v->memory[0].occupied && v->memory[0].slots > 0)
     list << tr("table %1 % full")
                 .arg(toText(fixedText(
@@ -64,14 +70,11 @@ void StatusLine::say(const QString& left, const QString& right) {
 
 void StatusLine::follow() {
   following_ = true;
-  sinceUpdate_.invalidate();
   refresh();
 }
 
 void StatusLine::refresh() {
-  constexpr int kUpdateEvery = 100;  // [ms]
-  if (!following_ || (sinceUpdate_.isValid() && sinceUpdate_.elapsed() < kUpdateEvery)) return;
-  sinceUpdate_.start();
+  if (!following_) return;
   const QStringList now = segments();
   const QString nowState = state();
   if (now == segments_ && nowState == state_) return;

@@ -2,7 +2,6 @@
 // The line at the foot: simulated time, steps, speed, rule of thumb, seed; at the right the state of learning.
 #pragma once
 
-#include <QElapsedTimer>
 #include <QStringList>
 #include <QWidget>
 
@@ -23,9 +22,10 @@ class StatusLine final : public QWidget {
   /// Shows these instead of the life's state, until follow().
   void say(const QString& left, const QString& right);
   void follow();
+  /// What it says, from left to right.
+  QStringList texts() const { return segments_ + QStringList{state_}; }
 
  private:
-  QElapsedTimer sinceUpdate_;
   bool following_ = true;
   void refresh();
   QStringList segments() const;

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/step_view.h"
 
-#include <QKeyEvent>
 #include <QPainter>
 #include <cmath>
 
 #include "core/text.h"
-#include "ui/keyboard.h"
 #include "ui/map_choice.h"
 #include "ui/session.h"
 #include "ui/symbol_text.h"
@@ -111,69 +109,6 @@ void StepView::paintEvent(QPaintEvent*) {
       p.drawText(where, Qt::TextWordWrap, plain.remove(QChar(0x0307)));
       y += metrics.boundingRect(where, Qt::TextWordWrap, plain).height() + 6;
     }
-  }
-}
-
-RuleView::RuleView(Session& session, QWidget* parent) : QWidget(parent), session_(session) {
-  setFocusPolicy(Qt::StrongFocus);
-  setCursor(Qt::PointingHandCursor);
-  setToolTip(tr("A click, or Enter, sets TRL's threshold to the rule's"));
-  connect(&session_, &Session::valuesArrived, this, [this] {
-    if (isVisible()) update();
-  });
-}
-
-void RuleView::use() {
-  const ValueSnapshot* v = session_.values();
-  if (v && v->rule)
-    static_cast<void>(static_cast<bool>(session_.setParameter("policy.threshold", std::round(v->rule->threshold))));
-}
-
-void RuleView::mousePressEvent(QMouseEvent*) {
-  use();
-}
-
-void RuleView::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) return use();
-  QWidget::keyPressEvent(event);
-}
-
-void RuleView::paintEvent(QPaintEvent*) {
-  const Theme& t = themeOf(*this);
-  QPainter p(this);
-  p.fillRect(rect(), t.panel);
-  const ValueSnapshot* v = session_.values();
-  if (!v || !v->rule) {
-    p.setFont(textFont(11));
-    p.setPen(t.quiet);
-    p.drawText(rect().adjusted(12, 0, -12, 0), Qt::AlignCenter | Qt::TextWordWrap,
-               tr("The rule of thumb appears with the first success; it needs a goal that is rewarded."));
-    return;
-  }
-  const RuleOfThumb& rule = *v->rule;
-  drawFocusRing(p, *this);
-  p.setFont(textFont(24, 500));
-  p.setPen(t.trl);
-  p.drawText(QRectF(12, 4, width() - 24, 34), Qt::AlignVCenter, toText(fixedText(rule.threshold, 1)));
-  const double gamma = session_.configuration().parameters.get("agent.discount");
-  const double goal = session_.task().goalReward.value_or(0.0);
-  QStringList lines = {tr("γ to the power n*, times R: γ %1, n* %2, R %3   (thesis, eq. 4.1, 4.3)")
-                           .arg(toText(fixedText(gamma, 2)), toText(fixedText(rule.transitions, 1)), number(goal)),
-                       tr("n*: mean transitions of the successes while it learns")};
-  if (rule.preLearned)
-    lines << tr("It began with something learned: there are no limits to tell.");
-  else
-    lines << tr("lower limit %1, upper limit %2")
-                 .arg(rule.lower ? number(*rule.lower) : tr("not yet"),
-                      rule.upper ? number(*rule.upper) : tr("not yet"));
-  lines << tr("threshold in force: %1; a click here, or Enter, sets it to the rule's")
-               .arg(toText(countText(session_.threshold())));
-  p.setFont(textFont(11));
-  p.setPen(t.quiet);
-  double y = 42;
-  for (const QString& line : lines) {
-    p.drawText(QRectF(12, y, width() - 24, 32), Qt::TextWordWrap, line);
-    y += QFontMetricsF(p.font()).boundingRect(QRectF(0, 0, width() - 24, 60), Qt::TextWordWrap, line).height() + 5;
   }
 }
 

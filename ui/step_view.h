@@ -34,23 +34,4 @@ class StepView final : public QWidget {
   QElapsedTimer sinceUpdate_;
 };
 
-/// The rule of thumb for TRL's threshold, with its n* and its limits (thesis, section 4.3), from the episodes so far.
-class RuleView final : public QWidget {
-  Q_OBJECT
-
- public:
-  explicit RuleView(Session& session, QWidget* parent = nullptr);
-  QSize sizeHint() const override { return {300, 200}; }
-  QSize minimumSizeHint() const override { return {240, 150}; }
-
- protected:
-  void paintEvent(QPaintEvent*) override;
-  void mousePressEvent(QMouseEvent* event) override;
-  void keyPressEvent(QKeyEvent* event) override;
-
- private:
-  void use();
-  Session& session_;
-};
-
 }  // namespace surefoot

@@ -20,9 +20,32 @@ struct Fall {
   EpisodeInputs inputs;
   /// The environment's parameters as they held.
   std::shared_ptr<const std::vector<std::pair<std::string, double>>> parameters;
+
+  /// In its episode the body was placed or pushed by a person: it says little of the policy.
+  bool byHand() const { return !inputs.start.empty() || !inputs.pushSteps.empty(); }
 };
 
-/// As many as a window keeps; the oldest go first.
-inline constexpr std::size_t kMostFalls = 1000;
+/// As many as a window keeps: the newest, and of those before them a choice that is spread over the life.
+inline constexpr std::size_t kMostFalls = 4000, kNewestFalls = 1000;
+
+/// Makes room where there are more than kMostFalls, in the order of the life: of the older ones those go that stand
+/// nearest to the one before, so that wherever a curve of the life shows a fall there is one to look at again.
+template <class Falls>
+void thinOut(Falls& falls) {
+  if (falls.size() <= kMostFalls) return;
+  for (std::int64_t resolution = 2048; resolution > 0 && falls.size() > kMostFalls * 3 / 4; resolution /= 2) {
+    const std::size_t older = falls.size() - kNewestFalls;
+    std::size_t kept = 1;
+    for (std::size_t i = 1; i < falls.size(); ++i) {
+      const Fall &fall = falls[i], &before = falls[kept - 1];
+      const bool near = (fall.lifeSteps - before.lifeSteps) * resolution < fall.lifeSteps &&
+                        (fall.episode - before.episode) * resolution < fall.episode;
+      if (near && i < older) continue;
+      if (kept != i) falls[kept] = std::move(falls[i]);
+      ++kept;
+    }
+    falls.resize(kept);
+  }
+}
 
 }  // namespace surefoot

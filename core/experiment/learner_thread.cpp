@@ -17,10 +17,22 @@ constexpr auto kLag =
 double stepTimeOf(const Life& life) {
   return life.environment().task().stepTime.value_or(kNoClockStep);
 }
+
+/// What is known of a life that may have been lived elsewhere before: every episode, or where it stands.
+LearningCurve curveOf(const Life& life) {
+  LearningCurve curve;
+  std::int64_t falls = 0;
+  for (const EpisodeRow& row : life.log().rows()) curve.add(row, falls += row.falls);
+  if (life.log().rows().empty() && life.log().last().episode > 0)
+    curve.add(life.log().last(), life.log().totals().falls);
+  return curve;
+}
 }  // namespace
 
 LearnerThread::LearnerThread(std::unique_ptr<Life> life)
     : life_(std::move(life)),
+      curve_(curveOf(*life_)),
+      curvePolicy_(life_->policyName()),
       stepTime_(stepTimeOf(*life_)),
       thread_([this] { run(); }) {}
 
@@ -106,7 +118,6 @@ void LearnerThread::noteFall() {
   }
   const EpisodeRow& row = life_->log().last();
   const std::lock_guard lock(mutex_);
-  if (falls_.size() >= kMostFalls) falls_.erase(falls_.begin(), falls_.begin() + kMostFalls / 4);
   falls_.push_back({.life = lifeNumber_,
                     .number = life_->log().totals().falls,
                     .episode = row.episode,
@@ -114,6 +125,8 @@ void LearnerThread::noteFall() {
                     .policy = life_->policyName(),
                     .inputs = life_->inputs(),
                     .parameters = environment_});
+  if (falls_.back().byHand()) fallsByHand_ += row.falls;
+  thinOut(falls_);
 }
 
 std::vector<Fall> LearnerThread::takeFalls() {
@@ -166,7 +179,9 @@ void LearnerThread::carryOut(Command& command) {
     void operator()(ReplaceLife& c) const {
       t.life_ = std::move(c.life);
       ++t.lifeNumber_;
-      t.curve_ = {};
+      t.curve_ = curveOf(*t.life_);
+      t.curvePolicy_ = t.life_->policyName();
+      t.fallsByHand_ = 0;
       t.fallenPose_.clear();
       t.stateBefore_.clear();
       t.environment_.reset();
@@ -216,6 +231,8 @@ void LearnerThread::fill(Snapshot& s) const {
   s.actionBefore = actionBefore_;
   s.action = life_->inEpisode() ? life_->nextAction() : kNoAction;
   s.running = canStep();
+  s.turbo = turbo_;
+  s.pace = pace_;
   s.finished = life_->finished() && !life_->diverged();
   s.trouble = life_->diverged() ? life_->divergence() : "";
   if (outOfMemory_) s.trouble = "There is not enough memory to show what is learned; take fewer tiles or tilings.";
@@ -241,10 +258,11 @@ void LearnerThread::fill(ValueSnapshot& s) const {
     s.values = values.clone(), s.layouts = life_->agent().layouts();
   s.life = lifeNumber_;
   life_->agent().eligibility(s.eligibility);
-  s.curve = curve_.points();
-  const EpisodeRow& last = life_->log().last();
-  if (last.episode > 0 && (s.curve.empty() || s.curve.back().episode != last.episode))
-    s.curve.push_back({last.episode, last.lifeSteps, life_->log().totals().falls, last.averageReward});
+  s.steps = life_->steps();
+  s.simulatedSeconds = life_->simulatedSeconds();
+  s.totals = life_->log().totals();
+  s.fallsByHand = fallsByHand_;
+  curve_.copyTo(s.curve);
   s.policy = curvePolicy_;
   s.changes = life_->changes();
   s.endOfLearning = life_->log().endOfLearning().episode();

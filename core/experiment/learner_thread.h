@@ -71,7 +71,7 @@ class LearnerThread {
   const Snapshot& snapshot() const { return snapshots_.front(); }
   const ValueSnapshot& values() const { return values_.front(); }
 
-  /// The falls since the last call, the newest last; at most kMostFalls.
+  /// The falls since the last call, the newest last; at most kMostFalls, thinned out as thinOut() says.
   std::vector<Fall> takeFalls();
 
   /// Ends the thread and hands the life over, as it is.
@@ -101,6 +101,7 @@ class LearnerThread {
   std::uint64_t lifeNumber_ = 1;
   LearningCurve curve_;
   std::string curvePolicy_;
+  std::int64_t fallsByHand_ = 0;
   std::vector<double> fallenPose_;
   Hand hand_;
   std::vector<double> stateBefore_;

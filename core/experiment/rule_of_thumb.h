@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include "core/experiment/life.h"
 
@@ -24,7 +25,9 @@ inline double ruleOfThumb(double discount, double transitions, double goalReward
 /// of the threshold, those after it the upper one; after pre-learning they are no limits.
 struct RuleOfThumb {
   double threshold = 0.0, transitions = 0.0;
-  std::optional<double> lower, upper;  ///< as far as there are such episodes, and no pre-learning
+  double discount = 1.0, reward = 0.0, timeReward = 0.0;  ///< γ, R_goal and R_time that gave it
+  bool goal = true;  ///< false: R_goal stands for the highest reward of a transition, n* for those of a net footstep
+  std::optional<double> lower{}, upper{};  ///< as far as there are such episodes, and no pre-learning
   bool preLearned = false;
 };
 
@@ -32,5 +35,18 @@ struct RuleOfThumb {
 /// tested): for one that is walked through, R_goal is the highest reward of a transition so far and n* the transitions
 /// of a net footstep. None without either, without a discount, or before the first success.
 std::optional<RuleOfThumb> ruleOfThumbOf(const Life& life);
+
+/// Why there is no rule, or none yet, as a sentence.
+std::string whyNoRule(const Task& task, const Parameters& parameters);
+
+/// The rule as a person reads it. What the formula says is the threshold beside it: n* and the rewards have as many
+/// decimals as that takes.
+struct RuleText {
+  std::string threshold;    ///< "66.8"
+  std::string transitions;  ///< "54.3"
+  std::string symbols;      ///< "γ^n* · R"
+  std::string formula;      ///< "0.98^54.3 · 200"
+};
+RuleText textOf(const RuleOfThumb& rule);
 
 }  // namespace surefoot

@@ -28,7 +28,8 @@ struct Snapshot {
   std::vector<double> stateBefore;           ///< in which that step was made; empty in turbo
   Action actionBefore = kNoAction;           ///< by which
   Action action = kNoAction;                 ///< that will be carried out in it; kNoAction between two episodes
-  bool running = false;
+  bool running = false, turbo = false;
+  double pace = 1.0;      ///< as it is obeyed now
   bool finished = false;  ///< the limit that was asked for is reached
   std::string trouble;    ///< why it had to stop before, or empty
 };
@@ -36,6 +37,10 @@ struct Snapshot {
 /// What was learned so far: large, sent a few times a second and only while somebody looks.
 struct ValueSnapshot {
   std::uint64_t life = 0;
+  std::int64_t steps = 0;
+  double simulatedSeconds = 0;  ///< NaN: no clock
+  LifeTotals totals;            ///< of the same moment as the curve
+  std::int64_t fallsByHand = 0;  ///< of them, those of episodes in which a person placed or pushed the body
   std::unique_ptr<ActionValueFunction> values;
   Json layouts;  ///< Agent::layouts(): where its features lie
   std::vector<Eligibility> eligibility;

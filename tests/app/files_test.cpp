@@ -200,6 +200,9 @@ TEST(Files, TheRuleOfThumbIsThatOfTheLife) {
   const Json life = run("train --minutes 20")["lives"][0];
   const Json rule = life["rule_of_thumb"];
   EXPECT_NEAR(rule["threshold"].get<double>(), std::pow(0.98, rule["transitions"].get<double>()) * 200, 1e-9);
+  EXPECT_EQ(rule["discount"], 0.98);
+  EXPECT_EQ(rule["reward"], 200.0);
+  EXPECT_EQ(rule["time_reward"], 0.0);
   EXPECT_EQ(rule["lower_limit"], rule["threshold"]);
   EXPECT_GT(rule["upper_limit"].get<double>(), rule["lower_limit"].get<double>()) << "successes grow shorter";
 }

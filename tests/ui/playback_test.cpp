@@ -3,6 +3,7 @@
 #include "ui/playback.h"
 
 #include <QAbstractItemModel>
+#include <QPushButton>
 
 #include "tests/ui/window_setup.h"
 #include "ui/falls_list.h"
@@ -10,6 +11,7 @@
 #include "ui/panel.h"
 #include "ui/learning_charts.h"
 #include "ui/rival.h"
+#include "ui/rule_view.h"
 #include "ui/step_view.h"
 
 namespace surefoot {
@@ -146,7 +148,7 @@ TEST(StepView, ExplainsTheLastStepWithNumbersThatAddUp) {
   EXPECT_EQ(view->sentences().size(), 1) << "in turbo there is no single step";
 }
 
-TEST(RuleView, AClickSetsTheThresholdToTheRules) {
+TEST(RuleView, ItsButtonSetsTheThresholdToTheRules) {
   Fallen w;
   w.session->setRunning(true);
   ASSERT_TRUE(w.waitFor([&] { return w.session->values() && w.session->values()->rule; }, 30'000));
@@ -154,7 +156,7 @@ TEST(RuleView, AClickSetsTheThresholdToTheRules) {
   w.window->livePage().useLayout(LivePage::Layout::Teaching);
   QTest::qWait(250);
   auto* view = w.window->findChild<RuleView*>();
-  QTest::mouseClick(view, Qt::LeftButton);
+  QTest::mouseClick(view->findChild<QPushButton*>(), Qt::LeftButton);
   EXPECT_EQ(w.session->threshold(), std::round(w.session->values()->rule->threshold));
 }
 

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/rule_view.h"
+
+#include <QPainter>
+#include <QPushButton>
+#include <cmath>
+
+#include "core/text.h"
+#include "ui/session.h"
+#include "ui/symbol_text.h"
+#include "ui/theme.h"
+
+namespace surefoot {
+
+namespace {
+constexpr int kPadding = 12, kGap = 5;  // [px]
+constexpr int kNumber = 24, kText = 11;  // sizes of text [px]
+
+QString oneDecimal(double value) {
+  return toText(fixedText(value, 1));
+}
+}  // namespace
+
+RuleView::RuleView(Session& session, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      use_(new QPushButton(this)) {
+  use_->setToolTip(tr("Sets TRL's threshold to the rule's number, rounded; Edit › Undo takes it back"));
+  connect(use_, &QPushButton::clicked, this, &RuleView::use);
+  for (const auto changed : {&Session::valuesArrived, &Session::configurationChanged, &Session::lifeReplaced})
+    connect(&session_, changed, this, &RuleView::refresh);
+  refresh();
+}
+
+const RuleOfThumb* RuleView::rule() const {
+  const ValueSnapshot* v = session_.values();
+  return v && v->rule ? &*v->rule : nullptr;
+}
+
+void RuleView::use() {
+  if (!rule()) return;
+  static_cast<void>(static_cast<bool>(session_.setParameter("policy.threshold", std::round(rule()->threshold))));
+}
+
+void RuleView::refresh() {
+  const RuleOfThumb* r = rule();
+  use_->setVisible(r != nullptr);
+  if (r) {
+    const double rounded = std::round(r->threshold);
+    const QString text = tr("Set the threshold to %1").arg(toText(countText(rounded)));
+    if (text != use_->text()) {
+      use_->setText(text);
+      use_->setAccessibleName(text);
+      resizeEvent(nullptr);
+    }
+    use_->setEnabled(session_.configuration().parameters.get("policy.threshold") != rounded);
+  }
+  setAccessibleDescription(lines().join(' '));
+  update();
+}
+
+QString RuleView::inForce() const {
+  const std::string& policy = session_.configuration().names.policy;
+  const QString threshold = toText(countText(session_.threshold()));
+  if (policy == "trl") return tr("TRL's threshold in force: %1.").arg(threshold);
+  const auto entry = findEntry(session_.registry().policies, "policy", policy);
+  return tr("TRL's threshold is %1; it is not in force while the policy is %2.")
+      .arg(threshold, toText(entry ? (*entry)->title : policy));
+}
+
+QStringList RuleView::lines() const {
+  const RuleOfThumb* r = rule();
+  if (!r) return {toText(whyNoRule(session_.task(), session_.configuration().parameters))};
+  const RuleText text = textOf(*r);
+  const bool timed = r->timeReward != 0;
+  QStringList list = {toText(text.threshold)};
+  list << tr("%1 = %2 = %3").arg(toText(text.symbols), toText(text.formula), toText(text.threshold));
+  if (r->goal)
+    list << tr("R: reward of the goal; n*: mean transitions of the successful episodes while it learned%1 (thesis, "
+               "eq. %2).")
+                .arg(timed ? tr("; R_t: reward of every step") : QString(), timed ? "4.3" : "4.1");
+  else
+    list << tr("There is no goal, so R is the highest reward of a step so far and n* the transitions of a footstep%1: "
+               "expected to serve, not tested (thesis, section 4.5).")
+                .arg(timed ? tr("; R_t: reward of every step") : QString());
+  if (r->preLearned)
+    list << tr("It began with something learned: there are no limits to tell.");
+  else if (r->goal)
+    list << tr("Lower limit %1, upper limit %2.")
+                .arg(r->lower ? oneDecimal(*r->lower) : tr("not yet"), r->upper ? oneDecimal(*r->upper) : tr("not yet"));
+  return list << inForce();
+}
+
+void RuleView::resizeEvent(QResizeEvent*) {
+  const QSize size = use_->sizeHint();
+  use_->setGeometry(std::max(kPadding, width() - kPadding - size.width()), 4, size.width(), size.height());
+}
+
+void RuleView::paintEvent(QPaintEvent*) {
+  const Theme& t = themeOf(*this);
+  QPainter p(this);
+  p.fillRect(rect(), t.panel);
+  const QStringList list = lines();
+  const QFont text = textFont(kText);
+  p.setFont(text);
+  p.setPen(t.quiet);
+  if (list.size() == 1) {
+    p.drawText(rect().adjusted(kPadding, 0, -kPadding, 0), Qt::AlignCenter | Qt::TextWordWrap, list[0]);
+    return;
+  }
+  const QFont large = textFont(kNumber, 500);
+  const double head = std::max<double>(QFontMetricsF(large).height(), use_->height()) + 4;
+  p.setFont(large);
+  p.setPen(t.trl);
+  p.drawText(QRectF(kPadding, 4, width() - 2 * kPadding, head - 4), Qt::AlignVCenter, list[0]);
+  double y = head + kGap;
+  for (qsizetype i = 1; i < list.size(); ++i) {
+    p.setFont(i == 1 ? textFont(kText, 500) : text);
+    p.setPen(i == 1 ? t.ink : t.quiet);
+    const QRectF where(kPadding, y, width() - 2 * kPadding, height());
+    p.drawText(where, Qt::TextWordWrap, list[i]);
+    y += QFontMetricsF(p.font()).boundingRect(where, Qt::TextWordWrap, list[i]).height() + kGap;
+  }
+}
+
+}  // namespace surefoot
