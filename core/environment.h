@@ -66,6 +66,7 @@ struct Task {
   int testEvery = 0;                                ///< episodes between two tests of the greedy policy; 0: none
   std::optional<double> stepTime{};                 ///< [s] simulated per step; none: the task has no clock
   bool handMade = false;                            ///< step() knows kHandMade
+  bool canFall = true;                              ///< an event can be a fall; else only successes are counted
   double lowestReturn = -1.0, highestReturn = 1.0;  ///< reward of an episode, as far as it is bounded: axes start there
 };
 

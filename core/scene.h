@@ -14,14 +14,14 @@ struct Point {
 };
 
 /// What a line is, not which colour it has: the theme decides that. `Body` is solid, too, but turns to the colour of
-/// falling while the window shows a fall.
-enum class Ink { Solid, Body, Outline, Quiet, Hairline, Fall };
-enum class Fill { None, Panel, Wash, Solid, Fall };
+/// falling while the window shows a fall; `Far` is the side of a body that is turned away from the eye.
+enum class Ink { Solid, Body, Far, Outline, Quiet, Hairline, Fall };
+enum class Fill { None, Panel, Wash, Solid, Far, Fall };
 
 struct Polyline {
   std::vector<Point> points;
   Ink ink = Ink::Outline;
-  double width = 1.0;  // [px]: line widths do not grow with the zoom
+  double width = 1.0;  // [px]: line widths do not grow with the zoom; in a small picture they are thinner
   bool dashed = false;
 };
 
@@ -40,10 +40,11 @@ struct Disc {
   double width = 2.0;  // [px], 0: no outline
 };
 
-/// A torque or a force, as an arrow from `from` along x; `length` carries the sign.
+/// A torque or a force, as an arrow from `from` along x; `length` carries the sign. Its head comes behind.
 struct Arrow {
+  static constexpr double kHead = 0.0105;  ///< [m], at most
   Point from;
-  double length = 0.0;  // [px]
+  double length = 0.0;  // [m]
   std::string text;
 };
 
@@ -53,7 +54,8 @@ struct Label {
   double dx = 0.0, dy = 0.0;  // [px], right and down
   int align = 0;              // −1: ends at the point, 0: centred, 1: begins there
   Ink ink = Ink::Quiet;
-  bool halo = false;  // may lie over a body
+  bool halo = false;  // may lie over a body: nothing of it shows between the letters
+  double room = 0.0;  // [m] that it may be wide: smaller text, or none, where that is too little; 0: any
 };
 
 using Shape = std::variant<Polyline, Polygon, Disc, Arrow, Label>;

@@ -7,6 +7,7 @@
 #include <QElapsedTimer>
 #include <QWidget>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/policy.h"
@@ -28,6 +29,8 @@ class ActionRows final : public QWidget, public CsvSource {
   QSize minimumSizeHint() const override { return {480, 200}; }
   /// A row an action: its value, the parts of it, its probability under each policy.
   std::string asCsv() const override;
+  /// Right end of the scale of Q, and left end of its numbers: nothing of the one reaches the other [px].
+  std::pair<double, double> scaleAndNumbers() const;
 
  protected:
   void paintEvent(QPaintEvent*) override;
@@ -42,18 +45,19 @@ class ActionRows final : public QWidget, public CsvSource {
     std::unique_ptr<Policy> policy;
     std::vector<double> pi;
   };
-  /// Where things stand; depends on the size only.
+  /// A level of an action variable.
+  struct Level {
+    std::vector<double> chance;  // under each policy
+    double best = 0.0;           // the highest value of an action that has it
+  };
+  /// Where things stand; depends on the size, on the texts and on how wide they are.
   struct Geometry {
     double top, row, bottom;           // first row, height of a row, below the last
     double label;                      // right end of the actions' values
     double qLeft, qRight, qNumber;     // scale of Q, right end of its number
     double first, pitch, bar, number;  // columns of the policies: left ends, bar length, right end of the number
-  };
-
-  /// A level of an action variable.
-  struct Level {
-    std::vector<double> chance;  // under each policy
-    double best = 0.0;           // the highest value of an action that has it
+    std::vector<std::size_t> columns;  // those that there is room for
+    bool below;                        // "in force" stands below the policy's name
   };
   struct LevelPlace {
     double left, bar, percent, best, middle, row;
@@ -63,14 +67,19 @@ class ActionRows final : public QWidget, public CsvSource {
   void nextFrame();
   void takeValues();
   void sumLevels();
+  bool inForce(std::size_t column) const;
+  static QString valueText(double q);
+  QFont rowFont(double row, int weight) const;
   void drawLevels(QPainter& p, const Theme& t) const;
-  void drawPolicyKey(QPainter& p, const Theme& t) const;
   void drawLevelsOf(QPainter& p, const Theme& t, std::size_t variable, double left, double pitch) const;
-  void drawLevel(QPainter& p, const Theme& t, const Level& level, bool chosen, const LevelPlace& at) const;
+  void drawLevelScale(QPainter& p, const Theme& t, const LevelPlace& at, double bottom) const;
+  void drawLevelBars(QPainter& p, const Theme& t, const Level& level, const LevelPlace& at) const;
+  void drawLevelNumbers(QPainter& p, const Theme& t, const Level& level, bool chosen, const LevelPlace& at) const;
   Geometry geometry() const;
   double xOf(double value, const Geometry& g) const;
   void drawHead(QPainter& p, const Theme& t, const Geometry& g) const;
-  void drawRow(QPainter& p, const Theme& t, const Geometry& g, std::size_t action) const;
+  void drawBars(QPainter& p, const Theme& t, const Geometry& g, std::size_t action) const;
+  void drawNumbers(QPainter& p, const Theme& t, const Geometry& g, std::size_t action) const;
   void drawScales(QPainter& p, const Theme& t, const Geometry& g) const;
   void drawThreshold(QPainter& p, const Theme& t, const Geometry& g) const;
   bool onThreshold(const QPointF& at) const;
@@ -80,6 +89,7 @@ class ActionRows final : public QWidget, public CsvSource {
   std::vector<double> q_, positive_, negative_;  // the parts are empty where the agent keeps one estimate
   std::vector<std::vector<Level>> levels_;       // [action variable][level]; empty: an action is one number
   Action chosen_ = kNoAction;
+  double numberWidth_ = 0;          // the widest number of Q so far, in the usual size of text [px]
   double low_ = -100, high_ = 200;  // scale of Q
   bool dragging_ = false;
   QElapsedTimer sinceUpdate_;

@@ -5,6 +5,7 @@
 
 #include <QAbstractTableModel>
 #include <QHeaderView>
+#include <QKeyEvent>
 #include <QPainter>
 
 #include "core/text.h"
@@ -108,6 +109,12 @@ std::string FallsList::asCsv() const {
                        fall.inputs.actions.size(), fall.policy,
                        fall.byHand() ? fall.inputs.start.empty() ? "pushed" : "placed" : "");
   return csv;
+}
+
+void FallsList::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right)
+    return session_.lookBack(event->key() == Qt::Key_Left ? -1 : 1);
+  QTableView::keyPressEvent(event);
 }
 
 void FallsList::replay(const QModelIndex& index) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The falls of the life, the newest first; a click on one shows its last seconds again, with the values as they were.
+// The falls of the life, the newest first; a click on one shows its last seconds again, with the values as they were;
+// then left and right go through them frame by frame.
 #pragma once
 
 #include <QTableView>
@@ -22,6 +23,7 @@ class FallsList final : public QTableView, public CsvSource {
  protected:
   void paintEvent(QPaintEvent* event) override;
   void showEvent(QShowEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   void replay(const QModelIndex& index);

@@ -49,10 +49,11 @@ int FlatStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const
   switch (metric) {
     case PM_MenuBarPanelWidth:
     case PM_MenuBarVMargin:
-    case PM_DockWidgetFrameWidth:
     case PM_TabBarTabOverlap:
     case PM_TabBarTabShiftVertical:
       return 0;
+    case PM_DockWidgetFrameWidth:  // of one that floats: a line, and room to take hold of
+      return 4;
     case PM_MenuPanelWidth:
       return 1;
     case PM_MenuBarHMargin:
@@ -87,6 +88,7 @@ int FlatStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const
 int FlatStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                          QStyleHintReturn* data) const {
   if (hint == SH_DialogButtonBox_ButtonsHaveIcons || hint == SH_EtchDisabledText) return 0;
+  if (hint == SH_RubberBand_Mask) return 0;  // all of it is drawn
   return QProxyStyle::styleHint(hint, option, widget, data);
 }
 

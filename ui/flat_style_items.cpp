@@ -37,6 +37,16 @@ void drawBottomLine(QPainter& p, const QRect& r, int width, const QColor& colour
   p.fillRect(QRect(r.left(), r.bottom() - width + 1, r.width(), width), colour);
 }
 
+/// Where a panel that is being moved will land.
+void drawLanding(QPainter& p, const QRect& where, const Theme& t) {
+  QColor wash = t.accent;
+  wash.setAlphaF(0.18f);
+  p.fillRect(where, wash);
+  p.setPen(QPen(t.accent, 2));
+  p.setBrush(Qt::NoBrush);
+  p.drawRect(where.adjusted(1, 1, -1, -1));
+}
+
 }  // namespace
 
 void FlatStyle::drawMenuEntry(ControlElement element, const QStyleOptionMenuItem& item, QPainter& painter,
@@ -76,6 +86,14 @@ void FlatStyle::drawTab(ControlElement element, const QStyleOptionTab& tab, QPai
 void FlatStyle::drawControl(ControlElement element, const QStyleOption* option, QPainter* painter,
                             const QWidget* widget) const {
   const Theme& t = themeOf(option->palette);
+  if (element == CE_RubberBand) return drawLanding(*painter, option->rect, t);
+  if (const auto* box = qstyleoption_cast<const QStyleOptionComboBox*>(option); box && element == CE_ComboBoxLabel) {
+    QStyleOptionComboBox words(*box);
+    const int icon = words.currentIcon.isNull() ? 0 : words.iconSize.width() + 4;
+    const int room = subControlRect(CC_ComboBox, &words, SC_ComboBoxEditField, widget).width() - icon;
+    words.currentText = words.fontMetrics.elidedText(words.currentText, Qt::ElideRight, room);
+    return QProxyStyle::drawControl(element, &words, painter, widget);
+  }
   if (element == CE_Splitter) return painter->fillRect(option->rect, t.hairline);
   if (element == CE_MenuBarEmptyArea || element == CE_HeaderEmptyArea || element == CE_HeaderSection)
     painter->fillRect(option->rect, t.panel);

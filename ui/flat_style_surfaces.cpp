@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What things stand on, and the lines between them: menus, tool tips, dialogs, framed areas, cells, docks.
 #include <QDialog>
+#include <QDockWidget>
 #include <QPainter>
 #include <QStyleOption>
 #include <QTableView>
@@ -52,6 +53,8 @@ bool FlatStyle::drawSurface(PrimitiveElement element, QPainter& p, const QStyleO
       drawFramed(p, option.rect, t.panel, t.hairline);
       return true;
     case PE_Widget:
+      if (const auto* dock = qobject_cast<const QDockWidget*>(widget); dock && dock->isFloating())
+        drawFramed(p, option.rect, t.panel, t.quiet);
       if (qobject_cast<const QDialog*>(widget)) drawFramed(p, option.rect, t.panel, t.outline);
       return true;
     case PE_Frame:

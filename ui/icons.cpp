@@ -52,6 +52,9 @@ void drawIcon(QPainter& p, Icon icon, const QRectF& where, const QColor& colour)
       corner(p, {1, -1}, 4, -4), corner(p, {-1, 1}, -4, 4);
       lines(p, {{1, -1, 5, -5}, {-1, 1, -5, 5}});
       break;
+    case Icon::Close:
+      lines(p, {{-4, -4, 4, 4}, {-4, 4, 4, -4}});
+      break;
     case Icon::Chevron:
       lines(p, {{-3.5, -1.8, 0, 1.8}, {0, 1.8, 3.5, -1.8}});
       break;

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "core/text.h"
+#include "ui/action_key.h"
 #include "ui/action_rows.h"
 #include "ui/falls_list.h"
 #include "ui/chart_span.h"
@@ -57,6 +58,7 @@ LivePage::LivePage(Session& session, QWidget* parent) : QMainWindow(parent), ses
 
   Panel* actions =
       addPanel(tr("What the robot would do now"), "actions", new ActionRows(session_), Qt::BottomDockWidgetArea);
+  actions->header().addWidget(new ActionKey(session_));
   makeMaps();
   makeCharts();
 
@@ -86,6 +88,7 @@ void LivePage::makeCharts() {
   };
   noteReward();
   connect(&session_, &Session::lifeReplaced, this, noteReward);
+  connect(&session_, &Session::lifeReplaced, this, &LivePage::followTask);
   Panel* falls = addPanel(tr("Falls"), "falls", cumulative, Qt::RightDockWidgetArea);
   const auto noteFalls = [this, span, falls] { falls->header().setNote(fallsNote(*span)); };
   connect(span, &ChartSpan::changed, this, noteFalls);
@@ -133,14 +136,15 @@ void LivePage::makeMaps() {
   const auto show = [this, maps, bar] { bar->show(maps->choice(), session_.task(), session_.shown().state); };
   connect(maps, &ValueMaps::shown, bar, show);
   connect(&session_, &Session::lifeReplaced, bar, show);
-  if (session_.task().state.size() >= 2) show();
+  if (!session_.task().state.empty()) show();
 }
 
 QString LivePage::actionsNote() const {
   if (session_.pinned()) return tr("in the state fixed on the map; Escape on the map lets go");
   if (!session_.examined().empty()) return tr("in the state under the cursor on the map");
-  return session_.turbo() && session_.running() ? tr("in the state of the real-time world; its next action is marked")
-                                                : tr("in the live state; its next action is marked");
+  if (!session_.task().actionVariables.empty()) return tr("%1 actions: by joint").arg(session_.task().actions.size());
+  if (session_.playback()) return tr("in the replay");
+  return session_.turbo() && session_.running() ? tr("in the real-time world") : tr("in the live state");
 }
 
 void LivePage::resetParameters() {
@@ -149,7 +153,7 @@ void LivePage::resetParameters() {
 
 QString LivePage::worldNote() const {
   if (const Playback* p = session_.playback())
-    return p->rate > 0 ? tr("%1, at half speed; Escape: back to live").arg(p->title)
+    return p->rate > 0 ? tr("%1; Escape: back to live").arg(p->title)
                        : tr("%1; ← → move, Escape: back to live").arg(p->title);
   if (session_.runFinished()) return tr("the life is complete");
   if (!session_.running())
@@ -169,6 +173,7 @@ QWidget* LivePage::makeCentre() {
   column->setSpacing(0);
   worldHeader_ = new PanelHeader(tr("World"), true, centre);
   worldHeader_->setOnPaper(true);
+  worldHeader_->addWidget(new Scrubber(session_));
   world_ = new WorldView(session_, centre);
   new ViewMenu(*world_);
   column->addWidget(worldHeader_);
@@ -177,7 +182,6 @@ QWidget* LivePage::makeCentre() {
   worlds_->setChildrenCollapsible(false);
   worlds_->addWidget(world_);
   column->addWidget(worlds_, 1);
-  column->addWidget(new Scrubber(session_, centre));
   connect(worldHeader_, &PanelHeader::fullSizeAsked, this, [this] { toggleFull(centralWidget()); });
   return centre;
 }
@@ -201,6 +205,8 @@ void LivePage::setComparing(bool comparing) {
     connect(rival_, &Rival::refused, this, &LivePage::refused);
     worlds_->addWidget(rival_);
     worlds_->setSizes({1, 1});
+    world_->setBeside(&rival_->world());
+    rival_->world().setBeside(world_);
   } else {
     delete rival_;
     rival_ = nullptr;

@@ -57,6 +57,7 @@ class LivePage final : public QMainWindow {
   QString fallsNote(const ChartSpan& span) const;
   void toggleFull(QWidget* panel);
   void shareSpace();
+  void followTask();
   QString worldNote() const;
 
   Session& session_;
@@ -67,6 +68,7 @@ class LivePage final : public QMainWindow {
   Rival* rival_ = nullptr;
   std::vector<Panel*> panels_;
   Panel *steps_ = nullptr, *rule_ = nullptr, *list_ = nullptr;  // hidden at first
+  std::vector<Panel*> needless_;  // were shown, but the task has no falls
   QWidget* full_ = nullptr;                                     // the panel that has the whole page
   std::vector<std::pair<Panel*, QSize>> before_;                // what was visible before that
   bool laidOut_ = false;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of the Live page that says where its panels stand.
+#include <QAction>
+
 #include "ui/live_page.h"
 #include "ui/panel.h"
+#include "ui/session.h"
 
 namespace surefoot {
 
@@ -56,6 +59,7 @@ void LivePage::useLayout(Layout layout) {
       break;
   }
   untouched_ = false;
+  followTask();
 }
 
 void LivePage::resetLayout() {
@@ -78,8 +82,25 @@ void LivePage::resetLayout() {
   tabifyDockWidget(panel("falls"), list_);
   for (Panel* extra : {steps_, rule_, list_}) extra->hide();
   for (const char* front : {"actions", "falls"}) panel(front)->raise();
+  needless_.clear();
+  followTask();
   untouched_ = true;
   shareSpace();
+}
+
+/// A task without falls needs no panels for them.
+void LivePage::followTask() {
+  const bool falls = session_.task().canFall;
+  if (full_) return;
+  for (const char* name : {"falls", "list"}) {
+    auto* panel = findChild<Panel*>(QLatin1String(name));
+    panel->toggleViewAction()->setEnabled(falls);
+    if (!falls && !panel->isHidden()) needless_.push_back(panel), panel->hide();
+  }
+  if (!falls) return;
+  for (Panel* panel : needless_) panel->show();
+  if (!needless_.empty()) needless_.front()->raise();
+  needless_.clear();
 }
 
 void LivePage::shareSpace() {
@@ -99,6 +120,7 @@ QByteArray LivePage::layoutState() {
 
 bool LivePage::restoreLayout(const QByteArray& state) {
   laidOut_ = restoreState(state, kLayoutVersion);
+  if (laidOut_) followTask();
   untouched_ = !laidOut_;
   return laidOut_;
 }

@@ -5,6 +5,7 @@
 #include <QMenu>
 #include <QToolButton>
 #include <QWidgetAction>
+#include <cmath>
 
 #include "core/text.h"
 #include "ui/link_button.h"
@@ -22,9 +23,38 @@ MapBar::MapBar(QWidget* parent) : QWidget(parent) {
   axes_ = addButton(tr("Axes"), &MapBar::fillAxes);
   others_ = addButton(tr("Other variables"), &MapBar::fillOthers);
   range_ = addButton(tr("Range of the colours"), &MapBar::fillRange);
+  all_ = addButton(tr("What the map shows"), &MapBar::fillAll);
+  all_->setText(tr("Map"));
+  all_->hide();
 }
 
-QToolButton* MapBar::addButton(const QString& name, void (MapBar::*fill)(QMenu&)) {
+bool MapBar::matters(const QToolButton* button) const {
+  return button == axes_ ? task_.state.size() > 1 : button != others_ || task_.state.size() > 2;
+}
+
+void MapBar::fold(int room) {
+  int needed = -2;
+  for (QToolButton* button : {quantity_, axes_, others_, range_})
+    if (matters(button)) needed += button->sizeHint().width() + 2;
+  const bool folded = needed > room;
+  for (QToolButton* button : {quantity_, axes_, others_, range_}) button->setVisible(!folded && matters(button));
+  all_->setVisible(folded);
+  layout()->invalidate();
+}
+
+void MapBar::fillAll(QMenu& menu) {
+  const std::pair<QToolButton*, Fill> parts[] = {{quantity_, &MapBar::fillQuantities},
+                                                 {axes_, &MapBar::fillAxes},
+                                                 {others_, &MapBar::fillOthers},
+                                                 {range_, &MapBar::fillRange}};
+  for (const auto& [button, fill] : parts) {
+    if (!matters(button)) continue;
+    QMenu* own = menu.addMenu(QStringLiteral("%1: %2").arg(button->toolTip(), plainSymbols(button->text())));
+    (this->*fill)(*own);
+  }
+}
+
+QToolButton* MapBar::addButton(const QString& name, Fill fill) {
   auto* button = new LinkButton(QString(), this);
   button->setAccessibleName(name);
   button->setToolTip(name);
@@ -43,8 +73,6 @@ void MapBar::setText(QToolButton* button, const QString& text) {
   if (button->text() == text) return;
   button->setText(text);
   button->updateGeometry();
-  adjustSize();
-  if (auto* header = qobject_cast<PanelHeader*>(parentWidget())) header->layOutExtra();
 }
 
 void MapBar::show(const MapChoice& choice, const Task& task, std::span<const double> live) {
@@ -54,8 +82,8 @@ void MapBar::show(const MapChoice& choice, const Task& task, std::span<const dou
   setText(quantity_, quantityText(choice, task));
   setText(axes_, axesText(choice, task));
   setText(others_, othersText(choice, task, live));
-  others_->setVisible(task.state.size() > 2);
   setText(range_, choice.locked ? tr("locked") : tr("automatic"));
+  if (auto* header = qobject_cast<PanelHeader*>(parentWidget())) header->layOutExtra();
 }
 
 void MapBar::choose(const MapChoice& choice) {
@@ -139,12 +167,13 @@ void MapBar::addOther(QMenu& menu, std::size_t d) {
   auto* slider = new Slider(&menu);
   slider->setMinimumWidth(180);
   slider->setAccessibleName(tr("Fixed %1").arg(toText(v.title)));
+  const auto whole = [v](double value) { return v.whole ? std::round(value) : value; };
   const double now = choice_.across[d] == Across::Fixed ? choice_.fixed[d] : d < live_.size() ? live_[d] : 0.0;
   slider->setValue(static_cast<int>(Slider::kSteps * (now - v.viewLow) / (v.viewHigh - v.viewLow)));
-  connect(slider, &QSlider::valueChanged, this, [this, d, v](int position) {
+  connect(slider, &QSlider::valueChanged, this, [this, d, v, whole](int position) {
     MapChoice next = choice_;
     next.across[d] = Across::Fixed;
-    next.fixed[d] = v.viewLow + (v.viewHigh - v.viewLow) * position / Slider::kSteps;
+    next.fixed[d] = whole(v.viewLow + (v.viewHigh - v.viewLow) * position / Slider::kSteps);
     choose(next);
   });
   auto* action = new QWidgetAction(&menu);

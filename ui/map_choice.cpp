@@ -63,6 +63,7 @@ ValueMap::Quantity MapChoice::projected(const Task& task, ValueMap::Quantity who
       for (std::size_t k = 0; k < over.size(); ++k) {
         const StateVariable& v = task.state[over[k]];
         state[over[k]] = v.viewLow + (v.viewHigh - v.viewLow) * halton(i + 1, kPrimes[k % std::size(kPrimes)]);
+        if (v.whole) state[over[k]] = std::clamp(std::round(state[over[k]]), v.low, v.high);
       }
       const double value = whole(state);
       if (std::isnan(value)) continue;
@@ -125,6 +126,7 @@ QString quantityText(const MapChoice& choice, const Task& task) {
 }
 
 QString axesText(const MapChoice& choice, const Task& task) {
+  if (choice.x == choice.y) return symbolOf(task.state[static_cast<std::size_t>(choice.x)]);
   return QStringLiteral("%1 × %2").arg(symbolOf(task.state[static_cast<std::size_t>(choice.x)]),
                                        symbolOf(task.state[static_cast<std::size_t>(choice.y)]));
 }

@@ -3,6 +3,7 @@
 
 #include <QAbstractButton>
 #include <QPainter>
+#include <cmath>
 
 #include "ui/icons.h"
 #include "ui/symbol_text.h"
@@ -12,12 +13,12 @@ namespace surefoot {
 
 namespace {
 
-constexpr int kPadding = 12, kHeight = 32, kBaseline = 21, kButton = 24;
+constexpr int kPadding = 12, kHeight = 32, kBaseline = 21, kButton = 24;  // [px], with texts of the usual size
 
-class FullSizeButton final : public QAbstractButton {
+class HeaderButton final : public QAbstractButton {
  public:
-  explicit FullSizeButton(QWidget* parent) : QAbstractButton(parent) {
-    setCheckable(true);
+  HeaderButton(Icon icon, Icon checked, QWidget* parent) : QAbstractButton(parent), icon_(icon), checked_(checked) {
+    setCheckable(icon != checked);
     setFocusPolicy(Qt::TabFocus);
     resize(kButton, kButton);
     setCursor(Qt::PointingHandCursor);
@@ -38,17 +39,35 @@ class FullSizeButton final : public QAbstractButton {
       p.setBrush(Qt::NoBrush);
       p.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
     }
-    drawIcon(p, isChecked() ? Icon::NormalSize : Icon::FullSize, rect(), underMouse() ? t.ink : t.quiet);
+    drawIcon(p, isChecked() ? checked_ : icon_, rect(), underMouse() ? t.ink : t.quiet);
   }
+
+ private:
+  Icon icon_, checked_;
 };
 
 }  // namespace
 
-PanelHeader::PanelHeader(const QString& title, bool canFill, QWidget* parent) : QWidget(parent), title_(title) {
+PanelHeader::PanelHeader(const QString& title, bool canFill, QWidget* parent)
+    : QWidget(parent),
+      title_(title),
+      close_(new HeaderButton(Icon::Close, Icon::Close, this)) {
+  close_->setToolTip(tr("Close %1; the View menu brings it back").arg(title_));
+  close_->setAccessibleName(close_->toolTip());
+  close_->hide();
+  connect(close_, &QAbstractButton::clicked, this, &PanelHeader::closeAsked);
   if (!canFill) return;
-  button_ = new FullSizeButton(this);
+  button_ = new HeaderButton(Icon::FullSize, Icon::NormalSize, this);
   setFull(false);
   connect(button_, &QAbstractButton::clicked, this, &PanelHeader::fullSizeAsked);
+}
+
+int PanelHeader::usualHeight() {
+  return static_cast<int>(std::lround(kHeight * textScale()));
+}
+
+double PanelHeader::titleEnd() const {
+  return kPadding + QFontMetricsF(textFont(13, 500)).horizontalAdvance(title_);
 }
 
 void PanelHeader::setTitle(const QString& title) {
@@ -70,6 +89,14 @@ void PanelHeader::setFull(bool full) {
   button_->setAccessibleName(button_->toolTip());
 }
 
+void PanelHeader::setFloating(bool floating) {
+  floating_ = floating;
+  close_->setVisible(floating);
+  if (button_) button_->setVisible(!floating);
+  resizeEvent(nullptr);
+  update();
+}
+
 void PanelHeader::addWidget(QWidget* widget) {
   extra_ = widget;
   widget->setParent(this);
@@ -78,30 +105,38 @@ void PanelHeader::addWidget(QWidget* widget) {
 
 void PanelHeader::resizeEvent(QResizeEvent*) {
   int right = width() - 6;
-  if (button_) {
-    button_->move(right - kButton, (kHeight - kButton) / 2);
-    right -= kButton + 4;
-  }
-  if (extra_) {
-    extra_->adjustSize();
-    extra_->move(right - extra_->width(), (kHeight - extra_->height()) / 2);
-    const double title = kPadding + QFontMetricsF(textFont(13, 500)).horizontalAdvance(title_);
-    extra_->setVisible(extra_->x() > title + 8);  // a panel that is too narrow shows its title
-  }
+  for (QAbstractButton* button : {close_, button_})
+    if (button && !button->isHidden()) {
+      button->move(right - kButton, (height() - kButton) / 2);
+      right -= kButton + 4;
+    }
+  if (!extra_) return;
+  const int room = right - static_cast<int>(titleEnd()) - 8;
+  if (auto* folding = dynamic_cast<Folding*>(extra_)) folding->fold(room);
+  extra_->adjustSize();
+  extra_->move(right - extra_->width(), (height() - extra_->height()) / 2);
+  extra_->setVisible(extra_->width() <= room);  // a panel that is too narrow shows its title
 }
 
 void PanelHeader::paintEvent(QPaintEvent*) {
   const Theme& t = themeOf(*this);
   QPainter p(this);
-  p.fillRect(rect(), paper_ ? t.paper : t.panel);
+  p.fillRect(rect(), floating_ ? t.fill : paper_ ? t.paper : t.panel);
   p.setPen(t.ink);
   p.setFont(textFont(13, 500));
-  p.drawText(QPointF(kPadding, kBaseline), title_);
-  const double x = kPadding + QFontMetricsF(p.font()).horizontalAdvance(title_) + 8;
-  const double right = extra_ ? extra_->x() - 8 : button_ ? button_->x() - 4 : width() - kPadding;
+  const double baseline = kBaseline * textScale();
+  p.drawText(QPointF(kPadding, baseline), title_);
+  const double x = titleEnd() + 8;
+  const double right = extra_ && !extra_->isHidden() ? extra_->x() - 8
+                       : button_ && !button_->isHidden() ? button_->x() - 4
+                       : floating_ ? close_->x() - 4
+                                   : width() - kPadding;
   p.setFont(textFont(11));
   p.setPen(t.quiet);
-  if (symbolWidth(p.font(), note_) <= right - x) drawSymbol(p, x, kBaseline, note_);
+  constexpr double kLeast = 40;  // a shorter rest says nothing
+  const bool fits = symbolWidth(p.font(), note_) <= right - x;
+  if (!fits && right - x < kLeast * textScale()) return;
+  drawSymbol(p, x, baseline, fits ? note_ : QFontMetricsF(p.font()).elidedText(note_, Qt::ElideRight, right - x));
 }
 
 Panel::Panel(const QString& title, const QString& name, QWidget* content, bool canFill, QWidget* parent)
@@ -109,8 +144,11 @@ Panel::Panel(const QString& title, const QString& name, QWidget* content, bool c
       header_(new PanelHeader(title, canFill, this)) {
   setObjectName(name);
   setTitleBarWidget(header_);
+  setAttribute(Qt::WA_StyledBackground);  // with a frame while it floats
   setWidget(content);
   content->setAccessibleName(title);
+  connect(header_, &PanelHeader::closeAsked, this, &QWidget::close);
+  connect(this, &QDockWidget::topLevelChanged, header_, &PanelHeader::setFloating);
 }
 
 }  // namespace surefoot

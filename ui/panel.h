@@ -8,6 +8,14 @@ class QAbstractButton;
 
 namespace surefoot {
 
+/// A widget in a header that can make itself smaller.
+class Folding {
+ public:
+  virtual ~Folding() = default;
+  /// At most so wide [px], if it can.
+  virtual void fold(int room) = 0;
+};
+
 /// The 32 px above a panel's content. Drawn, so that every panel's baseline is the same.
 class PanelHeader final : public QWidget {
   Q_OBJECT
@@ -18,27 +26,33 @@ class PanelHeader final : public QWidget {
   void setNote(const QString& note);
   const QString& note() const { return note_; }
   void setFull(bool full);
+  /// A panel that floats is a window of its own: its header is the title bar, with a button to close it.
+  void setFloating(bool floating);
   /// The world lies on paper, all else on the panel's colour.
   void setOnPaper(bool paper) { paper_ = paper; }
   /// Puts a small widget at the right end, before the button.
   void addWidget(QWidget* widget);
   /// Places that widget again, when its width has changed.
   void layOutExtra() { resizeEvent(nullptr); }
-  QSize sizeHint() const override { return {100, 32}; }
-  QSize minimumSizeHint() const override { return {60, 32}; }
+  QSize sizeHint() const override { return {100, usualHeight()}; }
+  QSize minimumSizeHint() const override { return {60, usualHeight()}; }
 
  Q_SIGNALS:
   void fullSizeAsked();
+  void closeAsked();
 
  protected:
   void paintEvent(QPaintEvent*) override;
   void resizeEvent(QResizeEvent*) override;
 
  private:
+  static int usualHeight();
+  double titleEnd() const;
+
   QString title_, note_;
-  QAbstractButton* button_ = nullptr;
+  QAbstractButton *button_ = nullptr, *close_ = nullptr;
   QWidget* extra_ = nullptr;
-  bool paper_ = false;
+  bool paper_ = false, floating_ = false;
 };
 
 class Panel final : public QDockWidget {

@@ -5,6 +5,7 @@
 
 #include <set>
 
+#include "ui/icons.h"
 #include "ui/parameter_row.h"
 #include "ui/session.h"
 #include "ui/symbol_text.h"
@@ -41,6 +42,13 @@ class SectionHead final : public QWidget {
     p.setFont(textFont(11));
     p.setPen(caution_ ? t.caution : t.quiet);
     p.drawText(QRectF(0, height() - 22, width(), 18), Qt::AlignRight | Qt::AlignVCenter, tag_);
+    if (tag_.isEmpty()) return;
+    const double k = textScale(), size = 14 * k, left = width() - symbolWidth(p.font(), tag_) - size - 4 * k;
+    p.save();
+    p.translate(left + size / 2, height() - 13);
+    p.scale(0.75 * k, 0.75 * k);
+    drawIcon(p, caution_ ? Icon::Restart : Icon::Step, QRectF(-8, -8, 16, 16), p.pen().color());
+    p.restore();
   }
 
  private:

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/parameters.h"
+#include "core/text.h"
 
 namespace surefoot {
 
@@ -28,7 +29,9 @@ Playback playbackOf(const Fall& fall, const Registry& registry, const std::strin
 
   Playback playback;
   playback.values = std::move(values);
-  playback.title = QObject::tr("fall %1, episode %2").arg(fall.number).arg(fall.episode);
+  playback.title = QObject::tr("fall %1, episode %2, at half speed")
+                       .arg(QString::fromStdString(countText(static_cast<double>(fall.number))),
+                            QString::fromStdString(countText(static_cast<double>(fall.episode))));
   const std::size_t n = world->task().actions.size();
   Ending ending = Ending::None;
   const bool whole = repeat(fall.inputs, *world, ending, [&](Action next) {
@@ -53,7 +56,7 @@ Playback playbackOf(const Fall& fall, const Registry& registry, const std::strin
   const auto last = static_cast<std::size_t>(kSeconds / step);
   if (playback.frames.size() > last)
     playback.frames.erase(playback.frames.begin(), playback.frames.end() - static_cast<std::ptrdiff_t>(last));
-  playback.rate = kSlow / step;
+  playback.rate = playback.usualRate = kSlow / step;
   return playback;
 }
 

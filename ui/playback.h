@@ -25,6 +25,7 @@ struct Playback {
   std::vector<Shown> frames;
   double position = 0.0;  ///< of the frame that is shown
   double rate = 0.0;      ///< frames a second; 0: it stands
+  double usualRate = 60;  ///< … while it plays
   QString title;
   std::shared_ptr<const ActionValueFunction> values;  ///< as they were then; nullptr: as they are now
 

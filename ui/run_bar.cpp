@@ -6,6 +6,7 @@
 #include <QEvent>
 #include <QPainter>
 #include <QSignalBlocker>
+#include <algorithm>
 #include <cmath>
 
 #include "core/text.h"
@@ -22,8 +23,8 @@ namespace surefoot {
 namespace {
 
 constexpr double kSlowest = 0.1, kFastest = 8.0;  // times real time
-constexpr int kButton = 32;
 constexpr int kIsEnvironment = Qt::UserRole + 1;  // of a task
+constexpr int kIsHead = -1;                       // data of a head between tasks
 
 double paceAt(int position) {
   const double pace = kSlowest * std::pow(kFastest / kSlowest, static_cast<double>(position) / Slider::kSteps);
@@ -109,27 +110,42 @@ void RunBar::readNumbers() {
   const Numbers& now = session_.numbers();
   texts_ = {toText(countText(static_cast<double>(now.falls))), toText(countText(static_cast<double>(now.episodes))),
             session_.running() ? session_.factorText() : QString()};
-  setAccessibleDescription(tr("%1 falls in %2 episodes").arg(texts_.falls, texts_.episodes));
+  setAccessibleDescription(session_.task().canFall
+                               ? tr("%1 falls in %2 episodes").arg(texts_.falls, texts_.episodes)
+                               : tr("%1 episodes").arg(texts_.episodes));
+  if (counterWidth() != counterWidth_) layOut();
   update();
 }
 
-/// The scenarios of the environment, or itself where it has none; then the other environments.
+/// The scenarios of the environment, where it has any, and the other environments; each under a head of its own.
 void RunBar::fillTasks() {
   const QSignalBlocker blocker(task_);
   task_->clear();
+  const auto addHead = [&](const QString& text) {
+    task_->addItem(text);
+    const int i = task_->count() - 1;
+    task_->setItemData(i, kIsHead, Qt::UserRole);
+    task_->setItemData(i, 0, Qt::UserRole - 1);  // its flags: nothing to choose
+    task_->setItemData(i, textFont(11, 500), Qt::FontRole);
+  };
   const auto add = [&](const auto& entry, const std::string& name, bool isEnvironment) {
     task_->addItem(toText(entry.title), toText(name));
     task_->setItemData(task_->count() - 1, toText(entry.help), Qt::ToolTipRole);
     task_->setItemData(task_->count() - 1, isEnvironment, kIsEnvironment);
   };
   const std::string& here = session_.configuration().names.environment;
-  for (const auto& entry : session_.registry().scenarios)
-    if (entry.environment == here) add(entry, entry.name, false);
-  if (const auto entry = findEntry(session_.registry().environments, "environment", here); entry && task_->count() == 0)
-    add(**entry, "", false);
-  task_->insertSeparator(task_->count());
+  const auto& scenarios = session_.registry().scenarios;
+  const auto isHere = [&](const auto& scenario) { return scenario.environment == here; };
+  const bool any = std::any_of(scenarios.begin(), scenarios.end(), isHere);
+  if (any) addHead(tr("Scenario of the model"));
+  for (const auto& entry : scenarios)
+    if (isHere(entry)) add(entry, entry.name, false);
+  addHead(tr("Task"));
   for (const auto& entry : session_.registry().environments)
-    if (entry.name != here) add(entry, entry.name, true);
+    if (entry.name != here)
+      add(entry, entry.name, true);
+    else if (!any)
+      add(entry, "", false);
   task_->view()->setMinimumWidth(task_->view()->sizeHintForColumn(0) + 24);
 }
 
@@ -177,56 +193,7 @@ void RunBar::refresh() {
     const QSignalBlocker blocker(pace_);
     if (paceAt(pace_->value()) != session_.pace()) pace_->setValue(positionOf(session_.pace()));
   }
-  update();
-}
-
-void RunBar::layOut() {
-  int x = 8;
-  for (int i = 0; i < 3; ++i, x += 40) buttons_[static_cast<std::size_t>(i)]->move(x, 8);
-  x += 64 - 1;
-  pace_->setGeometry(x, 12, 106, 24);
-  paceLabel_ = x + 112;
-  buttons_[3]->move(static_cast<int>(paceLabel_) + 24 + 20, 8);
-  factorLabel_ = buttons_[3]->x() + 88;
-  x = static_cast<int>(factorLabel_) + 68;
-  for (QComboBox* combo : {task_, agent_, policy_}) {
-    const int w = combo == task_ ? 148 : combo == policy_ ? 116 : 132;
-    combo->setGeometry(x, 8, w, kButton);
-    x += w + 8;
-  }
-}
-
-void RunBar::paintEvent(QPaintEvent*) {
-  const Theme& t = themeOf(*this);
-  QPainter p(this);
-  p.fillRect(rect(), t.panel);
-  p.fillRect(QRect(0, height() - 1, width(), 1), t.hairline);
-  for (const int x : {buttons_[2]->geometry().right() + 16, static_cast<int>(factorLabel_) + 57})
-    p.fillRect(QRect(x, 12, 1, 24), t.hairline);
-  p.setFont(textFont(13));
-  p.setPen(t.quiet);
-  p.drawText(QRectF(pace_->x() - 44, 8, 40, kButton), Qt::AlignVCenter | Qt::AlignRight, tr("Pace"));
-  p.setPen(t.ink);
-  const double pace = session_.pace();
-  p.drawText(QRectF(paceLabel_, 8, 40, kButton), Qt::AlignVCenter,
-             QStringLiteral("%1×").arg(pace < 9.95 && pace != 1.0 ? QString::number(pace, 'f', 1)
-                                                                  : QString::number(pace, 'f', 0)));
-  p.drawText(QRectF(factorLabel_, 8, 64, kButton), Qt::AlignVCenter, texts_.factor);
-
-  // Falls large; from the right: "episodes", its number, "falls", its number.
-  double right = width() - 12;
-  const auto put = [&](const QString& text, int pixels, int weight, const QColor& colour, double baseline, double gap) {
-    p.setFont(textFont(pixels, weight));
-    p.setPen(colour);
-    const double w = symbolWidth(p.font(), text);
-    if (right - w < policy_->geometry().right() + 12) return;
-    drawSymbol(p, right - w, baseline, text);
-    right -= w + gap;
-  };
-  put(tr("episodes"), 11, 400, t.quiet, 30, 6);
-  put(texts_.episodes, 13, 500, t.ink, 30, 20);
-  put(tr("falls"), 11, 400, t.quiet, 30, 7);
-  put(texts_.falls, 24, 500, t.fallText, 30, 0);
+  layOut();
 }
 
 }  // namespace surefoot

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The toolbar: run, step, restart; pace and turbo; task, learning rule and policy; falls and episodes.
+// The toolbar: run, step, restart; pace and turbo; task, learning rule and policy; falls and episodes. Where it is
+// narrow the boxes become shorter, then the pace, the episodes and the factor go; the number of falls stays.
 #pragma once
 
 #include <QAction>
 #include <QComboBox>
 #include <QWidget>
+#include <vector>
 
 namespace surefoot {
 
@@ -42,8 +44,21 @@ class RunBar final : public QWidget {
   void resizeEvent(QResizeEvent*) override { layOut(); }
   void changeEvent(QEvent* event) override;
 
+  /// Of the counter at the right, from the right: what is written and how large.
+  struct Word {
+    QString text;
+    int pixels, weight;
+    bool falls;
+    double gap;  // to the left of it [px]
+  };
+
  private:
+  /// What there is no room for, the first of them first.
+  enum Fold { kNothing, kBoxes, kPaceWord, kEpisodes, kPace, kFactor, kShortBoxes, kFolds };
   void layOut();
+  int place(int fold, int spare);
+  std::vector<Word> counter() const;
+  int counterWidth() const;
   void refresh();
   void readNumbers();
   void fillTasks();
@@ -56,7 +71,8 @@ class RunBar final : public QWidget {
   Slider* pace_;
   QComboBox *task_, *agent_, *policy_;
   Texts texts_;
-  double paceLabel_ = 0, factorLabel_ = 0;  // left ends [px]
+  double paceLabel_ = 0, factorLabel_ = 0;  // left ends [px]; 0: not shown
+  int fold_ = kNothing, counterWidth_ = 0;
 };
 
 }  // namespace surefoot

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/scene_painter.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "ui/symbol_text.h"
 
 namespace surefoot {
@@ -11,6 +14,8 @@ QColor ScenePainter::colour(Ink ink) const {
       return t_.ink;
     case Ink::Body:
       return flash_ ? t_.fall : t_.ink;
+    case Ink::Far:
+      return t_.greedy;
     case Ink::Outline:
       return t_.outline;
     case Ink::Quiet:
@@ -35,6 +40,8 @@ QBrush ScenePainter::brush(Fill fill) const {
       return t_.fill;
     case Fill::Solid:
       return t_.ink;
+    case Fill::Far:
+      return t_.greedy;
     case Fill::Fall:
       break;
   }
@@ -42,7 +49,7 @@ QBrush ScenePainter::brush(Fill fill) const {
 }
 
 QPen ScenePainter::outline(Ink ink, double width) const {
-  return width > 0 ? QPen(colour(ink), width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin) : QPen(Qt::NoPen);
+  return width > 0 ? QPen(colour(ink), width * strokes_, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin) : QPen(Qt::NoPen);
 }
 
 QPolygonF ScenePainter::pixels(const std::vector<Point>& points) const {
@@ -52,7 +59,8 @@ QPolygonF ScenePainter::pixels(const std::vector<Point>& points) const {
 }
 
 void ScenePainter::operator()(const Polyline& line) const {
-  QPen pen(colour(line.ink), line.width, line.dashed ? Qt::CustomDashLine : Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+  QPen pen(colour(line.ink), line.width * strokes_, line.dashed ? Qt::CustomDashLine : Qt::SolidLine, Qt::RoundCap,
+           Qt::RoundJoin);
   if (line.dashed) pen.setDashPattern({4, 4});
   p_.setPen(pen);
   p_.drawPolyline(pixels(line.points));
@@ -70,37 +78,67 @@ void ScenePainter::operator()(const Disc& disc) const {
   p_.drawEllipse(toPixel_(disc.centre), disc.radius * scale_, disc.radius * scale_);
 }
 
+QRectF ScenePainter::within(QRectF text) const {
+  if (bounds_.isNull()) return text;
+  if (text.right() > bounds_.right()) text.moveRight(bounds_.right());
+  if (text.left() < bounds_.left()) text.moveLeft(bounds_.left());
+  if (text.top() < bounds_.top()) text.moveTop(bounds_.top());
+  return text;
+}
+
 void ScenePainter::operator()(const Arrow& arrow) const {
   const QPointF from = toPixel_(arrow.from);
-  const double side = arrow.length > 0 ? 1 : -1;
-  const QPointF to = from + QPointF(arrow.length + 12 * side, 0);
-  p_.setPen(QPen(t_.ink, 3, Qt::SolidLine, Qt::FlatCap));
-  p_.drawLine(from, to - QPointF(8 * side, 0));
+  const double side = arrow.length > 0 ? 1 : -1, head = std::clamp(Arrow::kHead * scale_, 8.0 * strokes_, 12.0 * strokes_);
+  const QPointF to = from + QPointF(arrow.length * scale_ + head * side, 0);
+  p_.setPen(QPen(t_.ink, 0.25 * head, Qt::SolidLine, Qt::FlatCap));
+  p_.drawLine(from, to - QPointF(0.7 * head * side, 0));
   p_.setPen(Qt::NoPen);
   p_.setBrush(t_.ink);
-  p_.drawPolygon(QPolygonF({to, to + QPointF(-12 * side, -5.5), to + QPointF(-12 * side, 5.5)}));
+  p_.drawPolygon(QPolygonF({to, to + QPointF(-head * side, -0.46 * head), to + QPointF(-head * side, 0.46 * head)}));
   p_.setFont(textFont(11));
   p_.setPen(t_.ink);
-  drawSymbol(p_, QRectF((from.x() + to.x()) / 2 - 50, from.y() - 24, 100, 16), Qt::AlignHCenter,
-             QString::fromStdString(arrow.text));
+  const QString text = QString::fromStdString(arrow.text);
+  const double width = symbolWidth(p_.font(), text), height = QFontMetricsF(p_.font()).height();
+  const QRectF where((from.x() + to.x() - width) / 2, from.y() - 0.6 * head - 4 - height, width, height);
+  drawSymbol(p_, within(where), Qt::AlignHCenter, text);
+}
+
+QFont ScenePainter::fontOf(const Label& label) {
+  return textFont(label.ink == Ink::Solid ? 13 : 11);
 }
 
 void ScenePainter::operator()(const Label& label) const {
-  const QPointF at = toPixel_(label.at) + QPointF(label.dx, label.dy);
-  p_.setFont(textFont(label.ink == Ink::Solid ? 13 : 11));
-  const QRectF where = label.align == 0  ? QRectF(at.x() - 80, at.y() - 8, 160, 16)
-                       : label.align > 0 ? QRectF(at.x(), at.y() - 8, 160, 16)
-                                         : QRectF(at.x() - 160, at.y() - 8, 160, 16);
-  const auto align = label.align == 0 ? Qt::AlignHCenter : label.align > 0 ? Qt::AlignLeft : Qt::AlignRight;
+  constexpr int kSmallest = 7;  // [px]
+  QFont font = fontOf(label);
   const QString text = QString::fromStdString(label.text);
+  double width = symbolWidth(font, text);
+  if (const double room = label.room * scale_; room > 0 && width > room) {
+    font.setPixelSize(static_cast<int>(font.pixelSize() * room / width));
+    if (font.pixelSize() < kSmallest) return;
+    width = symbolWidth(font, text);
+  }
+  p_.setFont(font);
+  const double k = textScale(), height = QFontMetricsF(font).height();
+  const QPointF at = toPixel_(label.at) + k * QPointF(label.dx, label.dy);
+  const double left = label.align == 0 ? at.x() - width / 2 : label.align > 0 ? at.x() : at.x() - width;
+  const QRectF where = within({left, at.y() - height / 2, width, height});
   if (label.halo) {
-    p_.setPen(t_.paper);
-    for (const QPointF& d : {QPointF(-2, 0), QPointF(2, 0), QPointF(0, -2), QPointF(0, 2), QPointF(-1.4, -1.4),
-                             QPointF(1.4, -1.4), QPointF(-1.4, 1.4), QPointF(1.4, 1.4)})
-      drawSymbol(p_, where.translated(d), align, text);
+    p_.setPen(Qt::NoPen);
+    p_.setBrush(t_.paper);
+    p_.drawRoundedRect(where.adjusted(-3, 0, 3, 0), 4, 4);
   }
   p_.setPen(label.ink == Ink::Fall ? t_.fallText : colour(label.ink));
-  drawSymbol(p_, where, align, text);
+  drawSymbol(p_, where, Qt::AlignHCenter, text);
+}
+
+void paintScene(const Scene& scene, const ScenePainter& painter) {
+  const auto over = [](const Shape& shape) {
+    const auto* label = std::get_if<Label>(&shape);
+    return label && label->halo;
+  };
+  for (const bool last : {false, true})
+    for (const Shape& shape : scene.shapes)
+      if (over(shape) == last) std::visit(painter, shape);
 }
 
 }  // namespace surefoot

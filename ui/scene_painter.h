@@ -21,23 +21,35 @@ class ScenePainter {
         toPixel_(std::move(toPixel)),
         scale_(pixelsPerMetre) {}
 
+  /// No text leaves this part of the widget; by default it may.
+  void setBounds(const QRectF& bounds) { bounds_ = bounds; }
+  /// Lines are so many times as thick as the scene says.
+  void setStrokes(double factor) { strokes_ = factor; }
+
   void operator()(const Polyline& line) const;
   void operator()(const Polygon& polygon) const;
   void operator()(const Disc& disc) const;
   void operator()(const Arrow& arrow) const;
   void operator()(const Label& label) const;
 
+  static QFont fontOf(const Label& label);
+
  private:
   QColor colour(Ink ink) const;
   QBrush brush(Fill fill) const;
   QPen outline(Ink ink, double width) const;
   QPolygonF pixels(const std::vector<Point>& points) const;
+  QRectF within(QRectF text) const;
 
   QPainter& p_;
   const Theme& t_;
   bool flash_;
   std::function<QPointF(Point)> toPixel_;
-  double scale_;
+  double scale_, strokes_ = 1.0;
+  QRectF bounds_;
 };
+
+/// All of a scene; words that may lie over a body come last, so that no line goes through them.
+void paintScene(const Scene& scene, const ScenePainter& painter);
 
 }  // namespace surefoot

@@ -3,36 +3,60 @@
 
 #include <QHBoxLayout>
 #include <QSignalBlocker>
+#include <algorithm>
 
 #include "ui/link_button.h"
 #include "ui/session.h"
 #include "ui/slider.h"
+#include "ui/symbol_text.h"
 
 namespace surefoot {
 
-Scrubber::Scrubber(Session& session, QWidget* parent) : QWidget(parent), session_(session), slider_(new Slider(this)) {
+Scrubber::Scrubber(Session& session, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      play_(new LinkButton(tr("Play"), this)),
+      live_(new LinkButton(tr("Back to live"), this)),
+      slider_(new Slider(this)) {
   auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(12, 2, 12, 4);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(4);
   slider_->setAccessibleName(tr("Moment"));
-  auto* live = new LinkButton(tr("Back to live"), this);
+  slider_->setMinimumWidth(24);
+  row->addWidget(play_);
   row->addWidget(slider_, 1);
-  row->addWidget(live);
-  connect(live, &QToolButton::clicked, &session_, &Session::backToLive);
+  row->addWidget(live_);
+  connect(play_, &QToolButton::clicked, this, [this] {
+    if (const Playback* p = session_.playback()) session_.play(p->rate == 0);
+  });
+  connect(live_, &QToolButton::clicked, &session_, &Session::backToLive);
   connect(slider_, &QSlider::valueChanged, this, [this](int value) {
     const Playback* p = session_.playback();
     if (p) session_.seek(value * (static_cast<double>(p->frames.size()) - 1.0) / Slider::kSteps);
   });
-  connect(&session_, &Session::playbackChanged, this, &Scrubber::refresh);
+  connect(&session_, &Session::playbackChanged, this, &Scrubber::place);
   connect(&session_, &Session::frame, this, [this] {
-    if (isVisible()) refresh();
+    if (session_.playback()) refresh();
   });
-  hide();
+  place();
+}
+
+void Scrubber::fold(int room) {
+  const int usual = static_cast<int>(290 * textScale());
+  setFixedWidth(session_.playback() ? std::clamp(usual, 0, std::max(0, room)) : 0);
+}
+
+void Scrubber::place() {
+  for (QWidget* part : std::initializer_list<QWidget*>{play_, slider_, live_}) part->setVisible(session_.playback());
+  if (auto* header = qobject_cast<PanelHeader*>(parentWidget())) header->layOutExtra(), header->update();
+  refresh();
 }
 
 void Scrubber::refresh() {
   const Playback* p = session_.playback();
-  setVisible(p != nullptr);
   if (!p || p->frames.size() < 2) return;
+  const QString does = p->rate > 0 ? tr("Stop") : tr("Play");
+  if (play_->text() != does) play_->setText(does), play_->setAccessibleName(does);
   const QSignalBlocker blocker(slider_);
   slider_->setValue(static_cast<int>(Slider::kSteps * p->position / (static_cast<double>(p->frames.size()) - 1.0)));
 }

@@ -58,6 +58,8 @@ class Session final : public QObject {
   /// Something that was seen before is shown; the learner goes on meanwhile.
   const Playback* playback() const { return playback_ ? &*playback_ : nullptr; }
   void seek(double position);
+  /// Lets it run, from the beginning if it stands at its end, or stops it.
+  void play(bool on);
   void backToLive();
   /// The values that maps show: the newest, or those of the playback. nullptr: none yet.
   const ActionValueFunction* valuesShown() const;

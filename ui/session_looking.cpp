@@ -74,6 +74,13 @@ void Session::seek(double position) {
   Q_EMIT playbackChanged();
 }
 
+void Session::play(bool on) {
+  if (!playback_) return;
+  if (on && playback_->atEnd()) playback_->position = 0;
+  playback_->rate = on ? playback_->usualRate : 0;
+  Q_EMIT playbackChanged();
+}
+
 void Session::backToLive() {
   if (!playback_) return;
   playback_.reset();

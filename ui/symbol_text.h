@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Text with dotted letters (α̇, β̇). Combining dots stand in the wrong place in most fonts, so the dot is drawn.
+// Text with dotted letters (α̇, β̇) and subscripts ("U_h"). Combining dots stand in the wrong place in most fonts, so
+// the dot is drawn.
 #pragma once
 
 #include <QPainter>
@@ -10,7 +11,7 @@
 
 namespace surefoot {
 
-/// Width of the text, a U+0307 counting nothing [px].
+/// Width of the text, a U+0307 counting nothing, a letter or digit behind a "_" as a subscript [px].
 double symbolWidth(const QFont& font, const QString& text);
 
 /// Draws with the painter's pen and font; x, y are the left end of the baseline.
@@ -21,6 +22,14 @@ void drawSymbol(QPainter& painter, const QRectF& where, Qt::Alignment alignment,
 
 /// A policy's marker in a circle of about 4 px around the point; filled: in force.
 void drawMarker(QPainter& painter, QPointF centre, const PolicyLook& look, bool filled);
+
+/// How many times larger than usual texts are.
+inline double textScale() {
+  return textFont(100).pixelSize() / 100.0;
+}
+
+/// For a menu or a box, which draw text themselves: a dotted letter without its dot, a subscript beside its letter.
+QString plainSymbols(QString text);
 
 inline QString toText(const std::string& text) {
   return QString::fromStdString(text);

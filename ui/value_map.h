@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One heat map of a quantity over two state variables, in whole cells, with its colour bar.
+// One heat map of a quantity over two state variables (or one: a strip), in whole cells, with its colour bar. A
+// variable of whole numbers has a cell a value.
 #pragma once
 
 #include <QImage>
@@ -29,9 +30,10 @@ struct MapScale {
   double valueAt(double position) const;
 };
 
-/// Which slice of the state space: two axes, the other variables fixed.
+/// Which slice of the state space: two axes, the other variables fixed. One axis twice: there is no other.
 struct MapSlice {
   int xAxis = 0, yAxis = 1;
+  bool strip() const { return xAxis == yAxis; }
   std::vector<double> at;  ///< a whole state; its entries of the two axes do not matter
 };
 
@@ -49,22 +51,29 @@ class ValueMap {
   using Quantity = std::function<double(std::span<const double> state)>;
 
   /// Evaluates the quantity at the centre of each of cells × cells; of fewer, larger ones where that would hold the
-  /// window up (hundreds of actions, many projected variables).
+  /// window up (hundreds of actions, many projected variables); of one a value along a variable of whole numbers.
   void evaluate(const Task& task, const MapSlice& slice, int cells, const Quantity& quantity);
   /// Least and greatest value; nothing if every cell was never visited.
   std::optional<std::pair<double, double>> range() const;
   /// Turns values into colours.
   void colour(const MapScale& scale, bool dark);
 
-  /// Draws the map into a square; hatching, frame and marks.
+  /// The part of a square that the map of a slice takes: cells of whole numbers are square, a strip is low.
+  static QRectF area(const Task& task, const MapSlice& slice, const QRectF& square);
+  /// Draws the map into its area; hatching, frame and marks.
   void draw(QPainter& painter, const QRectF& square, const Theme& theme, const Task& task, const MapMarks& marks) const;
   QPointF toPixel(const Task& task, std::span<const double> state, const QRectF& square) const;
   /// The state at the centre of the cell there; nothing outside.
   std::optional<std::vector<double>> stateAt(const Task& task, QPointF at, const QRectF& square) const;
   /// Columns "x, y, value" of all cells, named after the axes.
   std::string asCsv(const Task& task, const std::string& quantity) const;
+  /// An arrow in every cell whose value (of another map of the same slice) is the number of a direction; right and down
+  /// are positive. Nothing where cells are too small.
+  void drawArrows(QPainter& painter, const QRectF& square, const Theme& theme, const ValueMap& numbers,
+                  std::span<const QPointF> directions) const;
   bool empty() const { return values_.empty(); }
-  int cells() const { return cells_; }
+  int columns() const { return columns_; }
+  int rows() const { return rows_; }
 
   /// What stands for "never visited".
   static void drawHatching(QPainter& painter, const QRectF& where, const Theme& theme);
@@ -75,11 +84,17 @@ class ValueMap {
  private:
   /// False: it would take too long.
   bool evaluateAll(const Task& task, const Quantity& quantity);
-  double at(int column, int row) const { return values_[static_cast<std::size_t>(row * cells_ + column)]; }
+  double at(int column, int row) const { return values_[static_cast<std::size_t>(row * columns_ + column)]; }
+  double xAt(const Task& task, double column) const;
+  double yAt(const Task& task, double row) const;
   void drawContour(QPainter& painter, const QRectF& square, double level) const;
+  void drawBorder(QPainter& painter, const QRectF& square, double level) const;
+  void drawMarks(QPainter& painter, const QRectF& square, const Theme& theme, const Task& task,
+                 const MapMarks& marks) const;
 
   std::vector<double> values_;  // [row][column], the uppermost row first
-  int cells_ = 0;
+  int columns_ = 0, rows_ = 0;
+  bool whole_ = false;  // both axes have a cell a value
   int coarseness_ = 1;
   QImage image_;
   MapSlice slice_;

@@ -4,7 +4,9 @@
 // cell, Enter fixes it, Escape lets go; the cell is spoken as the widget's description.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QWidget>
+#include <limits>
 
 #include "ui/exporting.h"
 #include "ui/map_choice.h"
@@ -26,6 +28,8 @@ class ValueMaps final : public QWidget, public CsvSource {
   void setChoice(const MapChoice& choice);
   /// What is under the cursor, or fixed, in words; empty: nothing.
   QString spoken() const;
+  /// What is outlined: tiles that an update there would reach; empty: the features have none.
+  QString reached() const;
   std::string asCsv() const override;
 
  Q_SIGNALS:
@@ -45,27 +49,35 @@ class ValueMaps final : public QWidget, public CsvSource {
   bool event(QEvent* event) override;
 
  private:
-  static constexpr int kCell = 3, kSmallCell = 2;  // [px]
+  static constexpr int kCell = 3, kSmallCell = 2;    // [px]
+  static constexpr double kFamiliar = 0.25;          // share of the active tiles below which a state was never visited
+  static constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
   /// Where the maps and their bars lie; Q, Q⁺ and Q⁻ share one bar.
   struct Geometry {
-    QRectF big, bigBar, upper, upperBar, lower, lowerBar;
+    QRectF square, big, bigBar, upper, upperBar, lower, lowerBar;  // `square`: the room of the big one
+    double smallTitle;                                             // left end of the small maps' titles
   };
   bool split() const;
   bool valued() const;  ///< the large map is in units of reward
   ValueMap::Quantity quantity(Layer layer) const;
   ValueMap::Quantity partOf(Layer layer) const;
+  ValueMap::Quantity greedyAction() const;
   ValueMap::Quantity visits() const;
   ValueMap::Quantity eligibility() const;
   MapScale scaleOf(const ValueMap& map) const;
   void computeSmall(int cells, bool dark);
   void recompute();
+  void followLive();
+  std::vector<QPointF> directions() const;
   void speak();
   void moveCursor(int columns, int rows);
   std::optional<std::vector<double>> stateAt(const QPointF& at) const;
 
   Geometry geometry() const;
   QString title() const;
-  void drawAxes(QPainter& painter, const QRectF& square, const Theme& theme) const;
+  void drawAxes(QPainter& painter, const Geometry& geometry, const Theme& theme) const;
+  void drawTitles(QPainter& painter, const Geometry& geometry, const Theme& theme) const;
+  void drawNumbers(QPainter& painter, const QRectF& map, const Theme& theme, bool horizontal) const;
   void drawBigBar(QPainter& painter, const Geometry& geometry, const Theme& theme) const;
   void drawSmallMaps(QPainter& painter, const Geometry& geometry, const Theme& theme) const;
   void drawKey(QPainter& painter, const Geometry& geometry, const Theme& theme) const;
@@ -75,7 +87,9 @@ class ValueMaps final : public QWidget, public CsvSource {
 
   Session& session_;
   MapChoice choice_;
-  ValueMap big_, upper_, lower_;
+  ValueMap big_, upper_, lower_, greedy_;
+  std::vector<double> drawn_;  // the live state, as it was drawn last
+  QElapsedTimer sinceDrawn_;
   MapScale bigScale_, visitScale_{MapScale::Kind::Viridis, 1, 10}, eligibilityScale_{MapScale::Kind::Positive, 0, 1};
   MapSlice slice_;
   bool any_ = false;

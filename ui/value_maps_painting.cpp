@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/features/tile_layout.h"
 #include "core/text.h"
 #include "ui/learning_charts.h"
 #include "ui/session.h"
@@ -14,22 +13,51 @@
 namespace surefoot {
 
 namespace {
-constexpr double kLeft = 47, kTop = 24, kUnder = 48;  // gutters [px]
+
+constexpr double kLeft = 47, kTop = 24, kUnder = 48;  // gutters [px], with texts of the usual size
+
+/// Numbers at an axis, as many as can be read: from the first, so far apart.
+struct Ticks {
+  double first, step;
+  int decimals;
+};
+
+Ticks ticksOf(const StateVariable& v, double length, double room) {
+  const double range = v.viewHigh - v.viewLow;
+  double step = niceAbove(range * std::min(1.0, room / std::max(length, 1.0)));
+  if (v.whole) step = std::max(1.0, step);
+  return {std::ceil(v.viewLow / step) * step, step, step < 0.1 ? 2 : step < 1 ? 1 : 0};
+}
+
+/// The same text, shorter by whole parts, so that it fits.
+QString fitted(const QFont& font, const StateVariable& v, double room) {
+  for (const QString& text : {axisTitleOf(v), toText(v.title), symbolOf(v)})
+    if (symbolWidth(font, text) <= room) return text;
+  return {};
+}
+
 }  // namespace
 
 ValueMaps::Geometry ValueMaps::geometry() const {
   const bool oneBar = split() && valued();
-  const double room = std::min((width() - (oneBar ? 103.0 : 145.0)) / 1.5, height() - kTop - kUnder);
-  const double m = std::floor(std::max(room, 60.0) / kCell) * kCell;
-  const double s = std::floor((m - 28) / 2 / kSmallCell) * kSmallCell;
+  const double k = textScale(), left = k * kLeft, top = k * kTop, numbers = k * 37;  // numbers of a bar
+  const double beside = left + (oneBar ? 16 : 18 + numbers) + 18 + numbers;
+  const double room = std::min((width() - beside + k * 14) / 1.5, height() - k * (kTop + kUnder));
+  const double m = std::floor(std::max(room, 48.0) / kCell) * kCell;
+  const double gap = k * 28;  // between the small maps: the lower one's title
+  const double s = std::max(std::floor((m - gap) / 2 / kSmallCell) * kSmallCell, 16.0);
   Geometry g;
-  g.big = QRectF(kLeft, kTop, m, m);
-  const double x = g.big.right() + (oneBar ? 16 : 60);
-  g.upper = QRectF(x, kTop, s, s);
-  g.lower = QRectF(x, kTop + m - s, s, s);
-  g.bigBar = QRectF(oneBar ? x + s + 8 : g.big.right() + 8, kTop, 10, m);
-  g.upperBar = QRectF(x + s + 8, kTop, 10, s);
-  g.lowerBar = QRectF(x + s + 8, kTop + m - s, 10, s);
+  const MapSlice slice{choice_.x, choice_.y, {}};
+  const auto area = [&](const QRectF& square) { return ValueMap::area(session_.task(), slice, square); };
+  g.square = QRectF(left, top, m, m);
+  g.big = area(g.square);
+  const double x = g.square.right() + (oneBar ? 16 : 18 + numbers);
+  g.upper = area({x, top, s, s});
+  g.lower = area({x, top + m - s, s, s});
+  g.bigBar = QRectF(oneBar ? x + s + 8 : g.square.right() + 8, top, 10, m);
+  g.upperBar = QRectF(x + s + 8, top, 10, s);
+  g.lowerBar = QRectF(x + s + 8, top + m - s, 10, s);
+  g.smallTitle = x;
   return g;
 }
 
@@ -54,16 +82,9 @@ void ValueMaps::paintEvent(QPaintEvent*) {
   const Theme& t = themeOf(*this);
   QPainter p(this);
   p.fillRect(rect(), t.panel);
-  if (session_.task().state.size() < 2) {
-    p.setFont(textFont(11));
-    p.setPen(t.quiet);
-    p.drawText(rect(), Qt::AlignCenter, tr("A map needs two state variables; this environment has one."));
-    return;
-  }
+  if (session_.task().state.empty()) return;
   const Geometry g = geometry();
-  p.setFont(textFont(13, 500));
-  p.setPen(t.ink);
-  p.drawText(QPointF(g.big.left(), kTop - 8), title());
+  const double k = textScale();
   if (hasFocus()) {
     p.setPen(QPen(t.accent, 2));
     p.drawRect(g.big.adjusted(-2, -2, 2, 2));
@@ -71,23 +92,61 @@ void ValueMaps::paintEvent(QPaintEvent*) {
   if (!any_) {
     p.setFont(textFont(11));
     p.setPen(t.quiet);
-    p.drawText(g.big, Qt::AlignCenter | Qt::TextWordWrap, tr("The map appears with the first steps."));
+    p.drawText(g.square, Qt::AlignCenter | Qt::TextWordWrap, tr("The map appears with the first steps."));
     return;
   }
-  MapMarks m = marks(6);
-  if (valued() && session_.configuration().names.policy == "trl") {
-    m.contour = session_.threshold();
-    p.setFont(textFont(11));
-    p.setPen(t.quiet);
-    const QString text = tr("contour: threshold %1").arg(toText(countText(*m.contour)));
-    drawSymbol(p, QRectF(g.big.left(), kTop - 20, g.big.width(), 16), Qt::AlignRight, text);
-  }
+  const double cell = session_.task().state[static_cast<std::size_t>(choice_.x)].whole
+                          ? 0.36 * g.big.width() / std::max(1, big_.columns())
+                          : 100.0;
+  MapMarks m = marks(std::clamp(cell, 3.0, 6 * k));
+  if (valued() && session_.configuration().names.policy == "trl") m.contour = session_.threshold();
+  drawTitles(p, g, t);
+  const auto ways = directions();
   big_.draw(p, g.big, t, session_.task(), m);
+  if (!ways.empty() && (valued() || choice_.quantity == MapQuantity::GreedyAction))
+    big_.drawArrows(p, g.big, t, greedy_, ways);
   drawBigBar(p, g, t);
   drawSmallMaps(p, g, t);
   drawFootprints(p, g, t);
-  drawAxes(p, g.big, t);
-  spoken().isEmpty() ? drawKey(p, g, t) : drawReading(p, g, t);
+  drawAxes(p, g, t);
+  drawKey(p, g, t);
+  drawReading(p, g, t);
+}
+
+/// What each map shows; beside the large one's title the contour, if there is room.
+void ValueMaps::drawTitles(QPainter& p, const Geometry& g, const Theme& t) const {
+  const bool parts = split() && valued();
+  const auto write = [&](double x, double y, const QString& name, const QString& note, double right) {
+    p.setFont(textFont(13, 500));
+    p.setPen(t.ink);
+    drawSymbol(p, x, y, name);
+    const double end = x + symbolWidth(p.font(), name) + 6;
+    p.setFont(textFont(11));
+    p.setPen(t.quiet);
+    if (end + symbolWidth(p.font(), note) <= right) drawSymbol(p, end, y, note);
+  };
+  const double up = 8 * textScale();
+  write(g.square.left(), g.square.top() - up, title(), {}, 0);
+  if (valued() && session_.configuration().names.policy == "trl") {
+    p.setFont(textFont(11));
+    p.setPen(t.quiet);
+    const double from = g.square.left() + symbolWidth(textFont(13, 500), title()) + 8;
+    for (const QString& text : {tr("contour: threshold %1"), tr("threshold %1"), QStringLiteral("%1")}) {
+      const QString words = text.arg(toText(countText(session_.threshold())));
+      const double x = g.square.right() - symbolWidth(p.font(), words);
+      if (x < from) continue;
+      drawSymbol(p, x, g.square.top() - up, words);
+      break;
+    }
+  }
+  const bool goal = session_.task().goalReward.has_value();
+  const auto& terms = session_.task().rewardTerms;
+  const bool falls = std::find(terms.begin(), terms.end(), "fall") != terms.end();
+  const bool fall = goal && falls && session_.task().timeReward == 0.0;
+  write(g.smallTitle, g.upper.top() - up, parts ? QStringLiteral("Q⁺") : tr("Visits"),
+        parts ? goal ? tr("goal") : tr("gains") : QString(), width());
+  write(g.smallTitle, g.lower.top() - up, parts ? QStringLiteral("Q⁻") : tr("Eligibility"),
+        parts ? fall ? tr("fall") : tr("losses") : QString(), width());
 }
 
 void ValueMaps::drawBigBar(QPainter& p, const Geometry& g, const Theme& t) const {
@@ -115,14 +174,11 @@ void ValueMaps::drawBigBar(QPainter& p, const Geometry& g, const Theme& t) const
 }
 
 void ValueMaps::drawSmallMaps(QPainter& p, const Geometry& g, const Theme& t) const {
-  const bool parts = split() && valued();
-  p.setFont(textFont(13, 500));
-  p.setPen(t.ink);
-  p.drawText(QPointF(g.upper.left(), kTop - 8), parts ? QStringLiteral("Q⁺") : tr("Visits"));
-  p.drawText(QPointF(g.lower.left(), g.lower.top() - 8), parts ? QStringLiteral("Q⁻") : tr("Eligibility"));
-  upper_.draw(p, g.upper, t, session_.task(), marks(4));
-  lower_.draw(p, g.lower, t, session_.task(), marks(4));
-  if (parts) return;
+  const double ring = std::clamp(0.5 * g.upper.width() / std::max(1, upper_.columns()), 2.5, 4 * textScale());
+  const double radius = session_.task().state[static_cast<std::size_t>(choice_.x)].whole ? ring : 4 * textScale();
+  upper_.draw(p, g.upper, t, session_.task(), marks(radius));
+  lower_.draw(p, g.lower, t, session_.task(), marks(radius));
+  if (split() && valued()) return;
   const double middle = std::pow(10.0, std::floor(std::log10(visitScale_.high) / 2));
   const double visitNumbers[] = {1, middle, visitScale_.high};
   ValueMap::drawBar(p, g.upperBar, visitScale_, t, visitNumbers);
@@ -131,85 +187,57 @@ void ValueMaps::drawSmallMaps(QPainter& p, const Geometry& g, const Theme& t) co
 }
 
 void ValueMaps::drawKey(QPainter& p, const Geometry& g, const Theme& t) const {
-  const QRectF key(g.lower.left(), g.lower.bottom() + 25, 16, 10);
+  const double k = textScale();
+  const QRectF key(g.smallTitle, g.square.bottom() + 25 * k, 16 * k, 10 * k);
   ValueMap::drawHatching(p, key, t);
   p.setPen(QPen(t.outline, 1));
   p.drawRect(key);
   p.setFont(textFont(11));
   p.setPen(t.quiet);
-  p.drawText(QPointF(key.right() + 6, key.bottom() - 0.5), tr("never visited"));
+  drawSymbol(p, QRectF(key.right() + 6 * k, key.top() - 5 * k, 200, 20 * k), Qt::AlignLeft, tr("never visited"));
 }
 
-// The tiles that an update in the state under the cursor would reach: all of Q⁺'s (or Q's) and all of Q⁻'s.
-void ValueMaps::drawFootprints(QPainter& p, const Geometry& g, const Theme& t) const {
-  const std::vector<double>& state = session_.examined();
-  const ValueSnapshot* v = session_.values();
-  if (state.size() != session_.task().state.size() || !v || !v->layouts.is_object()) return;
-  p.save();
-  p.setRenderHint(QPainter::Antialiasing, false);
-  p.setBrush(Qt::NoBrush);
-  const bool parts = v->layouts.size() > 1;
-  for (const auto& [name, layout] : v->layouts.items()) {
-    const auto tiles = TileLayout::fromJson(layout);
-    if (!tiles) continue;
-    std::vector<QRectF> squares = {g.big};
-    if (parts && split() && valued()) squares = {name == "positive" ? g.upper : g.lower};
-    QColor colour = t.ink;
-    colour.setAlphaF(std::clamp(3.0f / static_cast<float>(tiles->tilings()), 0.12f, 0.8f));
-    p.setPen(QPen(colour, 1));
-    for (const QRectF& square : squares) {
-      p.setClipRect(square);
-      for (int i = 0; i < tiles->tilings(); ++i) {
-        std::vector<double> low = state, high = state;
-        for (const int axis : {choice_.x, choice_.y}) {
-          const auto d = static_cast<std::size_t>(axis);
-          std::tie(low[d], high[d]) = tiles->tileAt(d, i, state[d]);
-        }
-        p.drawRect(QRectF(big_.toPixel(session_.task(), low, square), big_.toPixel(session_.task(), high, square)));
-      }
+void ValueMaps::drawNumbers(QPainter& p, const QRectF& m, const Theme& t, bool horizontal) const {
+  const StateVariable& v = session_.task().state[static_cast<std::size_t>(horizontal ? choice_.x : choice_.y)];
+  p.setFont(textFont(11));
+  const double k = textScale(), height = QFontMetricsF(p.font()).height();
+  const double length = horizontal ? m.width() : m.height();
+  const double least = horizontal ? symbolWidth(p.font(), QStringLiteral("−0.0")) + 10 * k : 1.5 * height;
+  const Ticks ticks = ticksOf(v, length, v.whole && horizontal ? 1.6 * height : least);
+  for (double value = ticks.first; value <= v.viewHigh + 1e-9; value += ticks.step) {
+    const double share = (value - v.viewLow) / (v.viewHigh - v.viewLow);
+    const QString text = toText(fixedText(value, ticks.decimals));
+    p.setPen(QPen(t.outline, 1));
+    if (horizontal) {
+      const double at = m.left() + share * m.width();
+      p.drawLine(QPointF(at, m.bottom()), QPointF(at, m.bottom() + 4));
+      p.setPen(t.quiet);
+      drawSymbol(p, QRectF(at - 30, m.bottom() + 4, 60, 16 * k), Qt::AlignHCenter, text);
+    } else {
+      const double at = m.bottom() - share * m.height();
+      p.drawLine(QPointF(m.left() - 4, at), QPointF(m.left(), at));
+      p.setPen(t.quiet);
+      drawSymbol(p, QRectF(m.left() - 7 - 60, at - height / 2, 60, height), Qt::AlignRight, text);
     }
   }
-  p.restore();
 }
 
-void ValueMaps::drawReading(QPainter& p, const Geometry& g, const Theme& t) const {
-  const QString text = spoken();
-  if (text.isEmpty()) return;
-  p.setFont(textFont(11));
-  const double w = std::min(symbolWidth(p.font(), text) + 12, width() - 8.0);
-  const QRectF where(std::clamp(g.big.left(), 4.0, width() - w - 4), height() - 19, w, 17);
-  p.fillRect(where, t.fill);
-  p.setPen(t.ink);
-  drawSymbol(p, where.adjusted(6, 0, -6, 0), Qt::AlignLeft, text);
-}
-
-void ValueMaps::drawAxes(QPainter& p, const QRectF& m, const Theme& t) const {
+void ValueMaps::drawAxes(QPainter& p, const Geometry& g, const Theme& t) const {
   const Task& task = session_.task();
-  const StateVariable &x = task.state[static_cast<std::size_t>(choice_.x)],
-                      &y = task.state[static_cast<std::size_t>(choice_.y)];
-  p.setFont(textFont(11));
-  const double xStep = niceAbove((x.viewHigh - x.viewLow) / 4), yStep = niceAbove((y.viewHigh - y.viewLow) / 6);
-  const auto text = [](double v, double step) { return toText(fixedText(v, step < 0.1 ? 2 : step < 1 ? 1 : 0)); };
-  for (double v = std::ceil(x.viewLow / xStep) * xStep; v <= x.viewHigh; v += xStep) {
-    const double at = m.left() + (v - x.viewLow) / (x.viewHigh - x.viewLow) * m.width();
-    p.setPen(QPen(t.outline, 1));
-    p.drawLine(QPointF(at, m.bottom()), QPointF(at, m.bottom() + 4));
-    p.setPen(t.quiet);
-    drawSymbol(p, QRectF(at - 30, m.bottom() + 4, 60, 16), Qt::AlignHCenter, text(v, xStep));
-  }
-  for (double v = std::ceil(y.viewLow / yStep) * yStep; v <= y.viewHigh; v += yStep) {
-    const double at = m.bottom() - (v - y.viewLow) / (y.viewHigh - y.viewLow) * m.height();
-    p.setPen(QPen(t.outline, 1));
-    p.drawLine(QPointF(m.left() - 4, at), QPointF(m.left(), at));
-    p.setPen(t.quiet);
-    drawSymbol(p, QRectF(m.left() - 47, at - 8, 40, 16), Qt::AlignRight, text(v, yStep));
-  }
-  if (spoken().isEmpty())
-    drawSymbol(p, QRectF(m.left(), m.bottom() + 22, m.width(), 16), Qt::AlignHCenter, axisTitleOf(x));
+  const double k = textScale();
+  const auto& state = task.state;
+  const StateVariable &x = state[static_cast<std::size_t>(choice_.x)], &y = state[static_cast<std::size_t>(choice_.y)];
+  drawNumbers(p, g.big, t, true);
+  p.setPen(t.quiet);
+  drawSymbol(p, QRectF(g.big.left(), g.big.bottom() + 22 * k, g.big.width(), 16 * k), Qt::AlignHCenter,
+             fitted(p.font(), x, g.smallTitle - g.big.left()));
+  if (slice_.strip()) return;
+  drawNumbers(p, g.big, t, false);
   p.save();
-  p.translate(m.left() - 40, m.center().y());
+  p.translate(g.big.left() - 40 * k, g.big.center().y());
   p.rotate(-90);
-  drawSymbol(p, QRectF(-100, -8, 200, 16), Qt::AlignHCenter, axisTitleOf(y));
+  p.setPen(t.quiet);
+  drawSymbol(p, QRectF(-150, -8, 300, 16), Qt::AlignHCenter, fitted(p.font(), y, g.square.height() + 20));
   p.restore();
 }
 

@@ -3,10 +3,12 @@
 // tip, and the read-outs below.
 #pragma once
 
+#include <QPointer>
 #include <QWidget>
 #include <deque>
 #include <optional>
 
+#include "core/environment.h"
 #include "core/scene.h"
 
 class QPainter;
@@ -26,6 +28,9 @@ class WorldView final : public QWidget {
   /// Somebody holds the body with the mouse.
   bool held() const { return hand_.has_value(); }
   void fit();  ///< the zoom that shows everything
+  /// Another world that is shown beside this one, in the same size (nullptr: none).
+  void setBeside(WorldView* other);
+  double pixelsPerMetre() const;  ///< of what is drawn
 
  protected:
   void paintEvent(QPaintEvent*) override;
@@ -38,18 +43,27 @@ class WorldView final : public QWidget {
  private:
   void nextFrame();
   QPointF toPixel(Point p) const;
-  double pixelsPerMetre() const;
+  void measure();
   double floorLevel() const;
+  double strokes() const;
+
   Point toMetres(QPointF at) const;
   bool overBody(QPointF at) const;
   void drawGhost(QPainter& painter, const Theme& theme) const;
   void drawSpring(QPainter& painter, const Theme& theme) const;
   void drawFloor(QPainter& painter, const Theme& theme) const;
   void drawTrail(QPainter& painter, const Theme& theme) const;
+  void drawPicture(QPainter& painter, const Theme& theme) const;
   void drawReadOuts(QPainter& painter, const Theme& theme) const;
 
   Session& session_;
+  QPointer<WorldView> beside_;
   Scene scene_;
+  std::vector<ReadOut> readOuts_;
+  int ownColumns_ = 1, columns_ = 1;  // of the read-outs: that there is room for, that there are
+  double readOutsHeight_ = 0;    // [px]
+  double band_ = 0;              // height of all below the floor, where nobody has moved the picture [px]
+  double fit_ = 0;               // [px/m]
   bool ring_ = false;
   double camera_ = 0;  // what stands in the middle [m]
   std::deque<Point> trail_;

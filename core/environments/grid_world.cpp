@@ -49,9 +49,10 @@ void GridWorld::draw(std::span<const double> pose, Scene& scene) const {
                                  .fill = Fill::Fall,
                                  .ink = Ink::Fall,
                                  .width = 0});
-  scene.shapes.push_back(Label{{(kLeft + kRight) / 2, (kBottom + kTop) / 2}, "fall", 0, 0, 0, Ink::Fall});
-  scene.shapes.push_back(Label{{0.5, 0.5}, "start", 0, 0, 0, Ink::Quiet});
-  scene.shapes.push_back(Label{{kGrid.columns - 0.5, kGrid.rows - 0.5}, "goal", 0, 0, 0, Ink::Quiet});
+  const Point middle{(kLeft + kRight) / 2, (kBottom + kTop) / 2};
+  scene.shapes.push_back(Label{middle, "fall", 0, 0, 0, Ink::Fall, false, kRight - kLeft});
+  scene.shapes.push_back(Label{{0.5, 0.5}, "start", 0, 0, 0, Ink::Quiet, false, 0.9});
+  scene.shapes.push_back(Label{{kGrid.columns - 0.5, kGrid.rows - 0.5}, "goal", 0, 0, 0, Ink::Quiet, false, 0.9});
   kGrid.drawWalker(scene, pose);
 }
 

@@ -45,6 +45,7 @@ MountainCar::MountainCar() {
   task_.actionNames = {"reverse", "none", "forward"};
   task_.actionTitle = "throttle";
   task_.rewardTerms = {"time"};
+  task_.canFall = false;
   task_.lowestReturn = -500;
   task_.highestReturn = 0;
 }

@@ -27,13 +27,15 @@ void TileSettings::declare(Fields& f) {
                       .group = Group::Representation,
                       .help = "Displaced grids that lie over each other; a power of two is best.",
                       .origin = "thesis, section 3.1.3"});
+  constexpr std::size_t kFew = 5;  // more variables than that: the form has one row for all of them, their scale
+  const bool many = variables_.size() > kFew;
   for (std::size_t d = 0; d < variables_.size(); ++d) {
     const StateVariable& v = variables_[d];
-    f.real(
-        resolution[d],
-        resolutionParameter(
-            v, fmt::format("Tiles per {} of the {}: few generalise far, many tell states apart.", v.spanText, v.title),
-            "thesis, section 3.1.3"));
+    Parameter tiles = resolutionParameter(
+        v, fmt::format("Tiles per {} of the {}: few generalise far, many tell states apart.", v.spanText, v.title),
+        "thesis, section 3.1.3");
+    if (many) tiles.order = 3;
+    f.real(resolution[d], tiles);
   }
   for (std::size_t j = 0; j < actionVariables_.size(); ++j) {
     const ActionVariable& v = actionVariables_[j];
@@ -50,10 +52,12 @@ void TileSettings::declare(Fields& f) {
             .group = Group::Representation,
             .help = fmt::format("Tiles per {} of the {}: few let near actions share more.", v.unit, v.title),
             .origin = "wcaarls/grl, addons/leosim",
-            .order = 2});
+            .order = many ? 3 : 2});
   }
-  f.real(scale, factorParameter("scale", "Scale", "Multiplies every resolution: the fraction of Q_opt in chapter 6.",
-                                "thesis, section 6.3"));
+  Parameter factor = factorParameter(
+      "scale", "Scale", "Multiplies every resolution: the fraction of Q_opt in chapter 6.", "thesis, section 6.3");
+  if (many) factor.order = 1;
+  f.real(scale, factor);
   f.integer(memory, {.key = "memory",
                      .title = "Hashed tiles",
                      .low = 0,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the compass walker looks: the leg nearest to the eye in ink, the other quiet, whichever stands.
+#include <algorithm>
 #include <cmath>
 
 #include "core/text.h"
@@ -8,6 +9,8 @@
 namespace surefoot {
 
 namespace {
+
+constexpr double kPerTorque = 0.12;  // length of an arrow [m per N m]
 
 /// From the hip down the leg; the foot forward is positive.
 Point along(Point hip, double length, double angle) {
@@ -29,17 +32,17 @@ void Compass::draw(std::span<const double> pose, Scene& scene) const {
   const auto leg = [&](int number) {
     const bool stands = number == stanceLeg;
     const Point foot = along(hip, toFoot, stands ? stance : swing);
-    const Ink ink = number == 0 ? Ink::Body : Ink::Outline;
+    const Ink ink = number == 0 ? Ink::Body : Ink::Far;
     scene.shapes.push_back(Polyline{{hip, foot}, ink, number == 0 ? 7.0 : 6.0});
-    scene.shapes.push_back(Disc{foot, settings_.footRadius, Fill::Panel, number == 0 ? Ink::Solid : Ink::Outline, 2});
+    scene.shapes.push_back(Disc{foot, settings_.footRadius, Fill::Panel, number == 0 ? Ink::Solid : Ink::Far, 2});
     if (stands)  // where it meets the floor
       scene.shapes.push_back(Polyline{{{foot.x - 0.03, 0.0}, {foot.x + 0.03, 0.0}}, Ink::Solid, 4});
   };
   leg(1);
   leg(0);
   scene.shapes.push_back(Disc{hip, 0.035, Fill::Panel, Ink::Solid, 2});
-  if (torque != 0.0)
-    scene.shapes.push_back(Arrow{{x, hip.y + 0.06}, torque > 0 ? 34.0 : -34.0, fixedText(torque, 2) + " N m"});
+  const double most = 0.5 * settings_.legLength, length = std::clamp(kPerTorque * torque, -most, most);
+  if (torque != 0.0) scene.shapes.push_back(Arrow{{x, hip.y + 0.06}, length, fixedText(torque, 2) + " N m"});
 }
 
 std::vector<ReadOut> Compass::readOuts(std::span<const double> pose) const {

@@ -34,17 +34,23 @@ Polyline arc(Point centre, double radius, double begin, double end, Ink ink, dou
   return line;
 }
 
+/// The outline of the torso in its own frame [m].
+constexpr Vec kTrunk[] = {{-0.050, -0.1257}, {0.051, -0.1257}, {0.054, 0.059},
+                          {0.036, 0.1143},   {-0.0345, 0.1143}, {-0.0567, 0.059}};
+
 struct Leg {
   Point hip, knee, ankle, heel, toe;
+  double footAngle;
 };
 
 Leg legOf(const Anatomy& a, std::span<const double> pose, int leg) {
   const auto angle = [&](int body) { return pose[2 + static_cast<std::size_t>(body + leg)]; };
-  Leg l;
+  Leg l{};
   l.hip = {pose[0], pose[1]};
   l.knee = from(l.hip, minus(a.knee.inParent, a.hip.inChild), angle(kLeftThigh));
   l.ankle = from(l.knee, minus(a.ankle.inParent, a.knee.inChild), angle(kLeftShank));
   l.heel = from(l.ankle, minus(a.heel.centre, a.ankle.inChild), angle(kLeftFoot));
+  l.footAngle = angle(kLeftFoot);
   l.toe = from(l.ankle, minus(a.toe.centre, a.ankle.inChild), angle(kLeftFoot));
   l.heel.y -= a.heel.radius, l.toe.y -= a.toe.radius;
   return l;
@@ -66,29 +72,35 @@ Polygon link(Point a, Point b, double radiusA, double radiusB, Ink ink) {
   return shape;
 }
 
-void drawLeg(const Leg& l, bool near, bool onFloor, Scene& scene) {
-  const Ink ink = near ? Ink::Body : Ink::Outline;
-  const Point top{l.ankle.x + 0.25 * (l.heel.x - l.ankle.x), l.ankle.y + 0.35 * (l.heel.y - l.ankle.y)};
-  scene.shapes.push_back(Polygon{
-      .points =
-          {l.heel, l.toe, {l.toe.x + 0.1 * (l.ankle.x - l.toe.x), l.toe.y + 0.3 * (l.ankle.y - l.toe.y)}, l.ankle, top},
-      .fill = near ? Fill::Solid : Fill::Panel,
-      .ink = ink,
-      .width = 2});
-  scene.shapes.push_back(link(l.hip, l.knee, 0.014, 0.011, ink));
-  scene.shapes.push_back(link(l.knee, l.ankle, 0.010, 0.008, ink));
-  scene.shapes.push_back(Disc{l.knee, 0.0075, Fill::Panel, ink, 2});
-  scene.shapes.push_back(Disc{l.ankle, 0.005, Fill::Panel, ink, 2});
-  if (!onFloor) return;
+/// Heel, sole, toe and instep, in the frame of the foot, from the ankle [m].
+constexpr Vec kFoot[] = {{-0.033, -0.0486}, {0.053, -0.0486}, {0.053, -0.038},
+                         {0.0165, -0.012},  {-0.0125, -0.012}, {-0.036, -0.038}};
+
+void drawLeg(const Leg& l, bool near, Scene& scene) {
+  const Ink ink = near ? Ink::Body : Ink::Far;
+  Polygon foot{.points = {}, .fill = near ? Fill::Solid : Fill::Panel, .ink = ink, .width = 2};
+  for (const Vec& v : kFoot) foot.points.push_back(from(l.ankle, v, l.footAngle));
+  scene.shapes.push_back(std::move(foot));
+  scene.shapes.push_back(link(l.hip, l.knee, 0.022, 0.018, ink));
+  scene.shapes.push_back(link(l.knee, l.ankle, 0.018, 0.0145, ink));
+  scene.shapes.push_back(Disc{l.knee, 0.010, Fill::Panel, ink, 2});
+  scene.shapes.push_back(Disc{l.ankle, 0.0075, Fill::Panel, ink, 2});
+}
+
+/// Below the floor: where heel and toe touch it, and which leg stands.
+void drawStance(const Leg& l, bool stands, bool near, Scene& scene) {
   for (const Point& p : {l.heel, l.toe})
     if (p.y < 0.004)
       scene.shapes.push_back(Polygon{
-          .points = {{p.x, -0.002}, {p.x - 0.005, -0.011}, {p.x + 0.005, -0.011}}, .fill = Fill::Solid, .width = 0});
+          .points = {{p.x, -0.003}, {p.x - 0.008, -0.015}, {p.x + 0.008, -0.015}}, .fill = Fill::Solid, .width = 0});
+  if (stands)
+    scene.shapes.push_back(
+        Label{{(l.heel.x + l.toe.x) / 2, 0}, near ? "stance, near leg" : "stance, far leg", 0, 38, 0, Ink::Quiet});
 }
 
 /// Scale of the torso's lean, and where it counts as a fall.
 void drawProtractor(Point hip, double mostLean, Scene& scene) {
-  constexpr double kRadius = 0.285;
+  constexpr double kRadius = 0.262;
   for (const double side : {-1.0, 1.0}) {
     const double fall = side * mostLean;
     Polygon wedge{.points = {hip}, .fill = Fill::Fall, .ink = Ink::Fall, .width = 0};
@@ -109,26 +121,45 @@ void drawProtractor(Point hip, double mostLean, Scene& scene) {
   }
 }
 
-/// A voltage as an arc round its joint: the longer, the higher, counter-clockwise where it is positive.
-void drawVoltage(Point joint, double volts, double most, double side, bool near, Scene& scene) {
-  const Ink ink = near ? Ink::Solid : Ink::Outline;
-  const double begin = -side * std::numbers::pi / 2, turn = 1.4 * volts / most;
-  constexpr double kRadius = 0.034;
-  scene.shapes.push_back(Label{{joint.x + side * 1.35 * kRadius, joint.y},
-                               fixedText(volts, 1) + " V",
-                               4 * side,
+/// A voltage as an arc round its joint, the longer, the higher, counter-clockwise where it is positive; its number at
+/// `side` of the joint, `above` it [m].
+struct VoltageArc {
+  double volts, most, radius, side, above;
+  bool near;
+};
+
+void drawVoltage(Point joint, const VoltageArc& v, Scene& scene) {
+  const Ink ink = v.near ? Ink::Solid : Ink::Far;
+  const double middle = -v.side * std::numbers::pi / 2, turn = 2.3 * v.volts / v.most;
+  if (std::abs(turn) >= 0.05) {
+    const double begin = middle - turn / 2, end = middle + turn / 2;
+    scene.shapes.push_back(arc(joint, v.radius, begin, end, ink, 3));
+    const double head = 0.013, tip = end + std::copysign(1.3 * head / v.radius, turn);
+    scene.shapes.push_back(Polygon{.points = {polar(joint, v.radius, tip), polar(joint, v.radius - head / 2, end),
+                                              polar(joint, v.radius + head / 2, end)},
+                                   .fill = v.near ? Fill::Solid : Fill::Far,
+                                   .ink = ink,
+                                   .width = 1});
+  }
+  scene.shapes.push_back(Label{{joint.x + v.side * (v.radius + 0.018), joint.y + v.above},
+                               fixedText(v.volts, 1) + " V",
                                0,
-                               static_cast<int>(side),
-                               near ? Ink::Solid : Ink::Quiet,
+                               0,
+                               static_cast<int>(v.side),
+                               v.near ? Ink::Body : Ink::Quiet,
                                true});
-  if (std::abs(turn) < 0.05) return;
-  scene.shapes.push_back(arc(joint, kRadius, begin - turn / 2, begin + turn / 2, ink, 2.5));
-  const double end = begin + turn / 2, tip = end + (turn > 0 ? 0.22 : -0.22);
-  scene.shapes.push_back(Polygon{
-      .points = {polar(joint, kRadius, tip), polar(joint, 0.8 * kRadius, end), polar(joint, 1.2 * kRadius, end)},
-      .fill = near ? Fill::Solid : Fill::Panel,
-      .ink = ink,
-      .width = 1});
+}
+
+/// The centre of mass: a disc in quarters.
+void drawCentre(Point centre, Scene& scene) {
+  constexpr double kRadius = 0.0115;
+  scene.shapes.push_back(Disc{centre, kRadius, Fill::Panel, Ink::Solid, 1.5});
+  for (const double begin : {0.0, std::numbers::pi}) {
+    Polygon quarter{.points = {centre}, .fill = Fill::Solid, .ink = Ink::Solid, .width = 0};
+    for (const Point& p : arc(centre, kRadius, begin, begin + std::numbers::pi / 2, Ink::Solid, 1).points)
+      quarter.points.push_back(p);
+    scene.shapes.push_back(std::move(quarter));
+  }
 }
 
 }  // namespace
@@ -136,35 +167,38 @@ void drawVoltage(Point joint, double volts, double most, double side, bool near,
 void Leo::draw(std::span<const double> pose, Scene& scene) const {
   const Point hip{pose[0], pose[1]};
   const double torso = pose[2 + kTorso];
-  const int stance = pose[12] > 0.5 ? 1 : 0;
+  const bool nearStands = pose[12] < 0.5;
   scene.clear();
   scene.focus = {hip.x, 0};
-  scene.height = 0.60;
+  scene.height = 0.535;
   scene.width = 0.75;
   scene.tip = hip;
   drawProtractor(hip, settings_.mostTorso, scene);
   const Leg near = legOf(settings_.anatomy, pose, 0), far = legOf(settings_.anatomy, pose, 1);
-  drawLeg(far, false, pose[14] > 0.5, scene);
+  drawLeg(far, false, scene);
 
   const auto onTorso = [&](Vec v) { return from(hip, minus(v, settings_.anatomy.hip.inParent), torso); };
-  scene.shapes.push_back(Polygon{.points = {onTorso({-0.032, -0.122}), onTorso({0.034, -0.122}), onTorso({0.048, 0.1}),
-                                            onTorso({0.012, 0.125}), onTorso({-0.03, 0.112})}});
+  Polygon trunk{.points = {}};
+  for (const Vec& v : kTrunk) trunk.points.push_back(onTorso(v));
+  scene.shapes.push_back(std::move(trunk));
   const Vec shoulder{-0.00543, 0.091275};
-  constexpr double kArm = 0.12, kArmAngle = 15.0 * std::numbers::pi / 180.0;  // welded on
+  constexpr double kArm = 0.15, kArmAngle = 15.0 * std::numbers::pi / 180.0;  // welded on
   const Point upper = onTorso(shoulder);
   const Point hand = onTorso({shoulder.x + kArm * std::sin(kArmAngle), shoulder.y - kArm * std::cos(kArmAngle)});
-  scene.shapes.push_back(link(upper, hand, 0.012, 0.008, Ink::Solid));
-  scene.shapes.push_back(Disc{upper, 0.007, Fill::Panel, Ink::Solid, 2});
-  const Point centre = onTorso({settings_.anatomy.torso.centre.x, settings_.anatomy.torso.centre.y});
-  scene.shapes.push_back(Disc{centre, 0.008, Fill::Panel, Ink::Solid, 1.5});
-  scene.shapes.push_back(Disc{centre, 0.003, Fill::Solid, Ink::Solid, 0});
-  drawLeg(near, true, pose[13] > 0.5, scene);
-  scene.shapes.push_back(Disc{hip, 0.0105, Fill::Panel, Ink::Solid, 2});
+  drawCentre(onTorso({settings_.anatomy.torso.centre.x, settings_.anatomy.torso.centre.y}), scene);
+  scene.shapes.push_back(link(upper, hand, 0.0125, 0.0105, Ink::Solid));
+  scene.shapes.push_back(Disc{upper, 0.008, Fill::Panel, Ink::Solid, 2});
+  drawLeg(near, true, scene);
+  scene.shapes.push_back(Disc{hip, 0.013, Fill::Panel, Ink::Solid, 2});
+  if (pose[13] > 0.5) drawStance(near, nearStands, true, scene);
+  if (pose[14] > 0.5) drawStance(far, !nearStands, false, scene);
 
-  const Leg& swinging = stance == 0 ? far : near;
-  drawVoltage(hip, pose[9], settings_.voltage, -1, stance == 0, scene);
-  drawVoltage(hip, pose[10], settings_.voltage, 1, stance == 1, scene);
-  drawVoltage(swinging.knee, pose[11], settings_.voltage, 1, stance == 1, scene);
+  // Numbers stand where no leg comes: those of the hips behind and before, that of the knee away from the other leg.
+  const Leg &standing = nearStands ? near : far, &swinging = nearStands ? far : near;
+  const double away = swinging.knee.x < standing.knee.x ? -1 : 1, most = settings_.voltage;
+  drawVoltage(hip, {pose[9], most, 0.053, -1, 0.022, nearStands}, scene);
+  drawVoltage(hip, {pose[10], most, 0.066, 1, 0.022, !nearStands}, scene);
+  drawVoltage(swinging.knee, {pose[11], most, 0.041, away, 0, !nearStands}, scene);
 }
 
 std::vector<ReadOut> Leo::readOuts(std::span<const double> pose) const {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the pendulum looks: cart, wheel, pole and protractor as flat shapes in metres.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -11,6 +12,8 @@ namespace surefoot {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
+constexpr double kPerTorque = 0.042;  // length of an arrow [m per N m]
+constexpr double kArrowAt = 2.02;     // where it begins, in wheel radii from the middle
 
 /// The point at a distance from the hinge, `angle` from upright, clockwise.
 Point polar(Point hinge, double radius, double angle) {
@@ -26,6 +29,11 @@ Polyline arc(Point hinge, double radius, double from, double to, Ink ink) {
 
 Polygon box(Point lowerLeft, Point upperRight) {
   return {.points = {lowerLeft, {upperRight.x, lowerLeft.y}, upperRight, {lowerLeft.x, upperRight.y}}};
+}
+
+/// The arrow of the strongest action [m].
+double longestArrow(const PendulumSettings& s, const Task& task) {
+  return std::min(kPerTorque * s.torqueScale * task.actions.back(), 2 * s.poleLength);
 }
 
 /// "0.2π", "0.45π".
@@ -91,7 +99,8 @@ void Pendulum::draw(std::span<const double> pose, Scene& scene) const {
   scene.clear();
   scene.focus = {x, 0};
   scene.height = hinge.y + 1.24 * settings_.poleLength;
-  scene.width = 3.6 * settings_.poleLength;
+  const double longest = longestArrow(settings_, task_);
+  scene.width = std::max(3.6 * settings_.poleLength, 2 * (kArrowAt * r + longest + Arrow::kHead));
   scene.tip = polar(hinge, settings_.poleLength, angle);
 
   drawProtractor(settings_, hinge, scene);
@@ -105,8 +114,8 @@ void Pendulum::draw(std::span<const double> pose, Scene& scene) const {
   scene.shapes.push_back(Disc{hinge, 0.105 * r, Fill::Panel, Ink::Solid, 2});
 
   if (torque != 0.0) {
-    const double side = torque > 0 ? 1.0 : -1.0;
-    scene.shapes.push_back(Arrow{{x + side * 2.02 * r, r}, 48.0 * torque, fixedText(torque, 2) + " N m"});
+    const double side = torque > 0 ? 1.0 : -1.0, share = torque / (settings_.torqueScale * task_.actions.back());
+    scene.shapes.push_back(Arrow{{x + side * kArrowAt * r, r}, share * longest, fixedText(torque, 2) + " N m"});
   }
 }
 

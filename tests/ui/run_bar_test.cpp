@@ -65,7 +65,7 @@ TEST(RunBar, TheToolbarFollowsTheTask) {
   Window w;
   auto* task = w.named<QComboBox>("Task");
   auto* agent = w.named<QComboBox>("Learning rule");
-  EXPECT_EQ(task->currentText(), "Actual system");
+  EXPECT_EQ(task->currentText(), "Pendulum, actual system");
   EXPECT_EQ(agent->findData("scripted"), -1) << "the pendulum has no hand-made controller";
   ASSERT_TRUE(w.session->setParameter("environment.damping", 0.05));
   EXPECT_EQ(task->currentIndex(), -1) << "a model that was changed is no scenario";

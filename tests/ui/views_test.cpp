@@ -85,8 +85,8 @@ TEST(ActionRows, ShowCombinationsByTheirVariables) {
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 344);
   const QImage picture = rows->grab().toImage();
   int bars = 0;
-  for (int y = 0; y < picture.height(); ++y) bars += picture.pixelColor(80, y) == lightTheme().trl;
-  EXPECT_GT(bars, 20) << "a bar a level, of the policy in force";
+  for (int y = 0; y < picture.height(); ++y) bars += picture.pixelColor(68, y) == lightTheme().trl;
+  EXPECT_GT(bars, 7 * 6) << "a bar a level, of the policy in force";
 
   auto* maps = w.window->findChild<ValueMaps*>();
   EXPECT_FALSE(maps->choice().locked) << "the reward of 25 s is no scale for values";

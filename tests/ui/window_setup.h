@@ -49,4 +49,16 @@ struct Window {
   std::unique_ptr<MainWindow> window;
 };
 
+/// A window in another environment, which learns flat out.
+struct Elsewhere : Window {
+  explicit Elsewhere(const std::string& environment, const std::string& policy = "epsilon-greedy") : Window(policy) {
+    EXPECT_TRUE(session->beginEnvironment(environment));
+    EXPECT_TRUE(waitFor([&] { return session->snapshot().life == 2 && session->values(); }, 30'000));
+    session->setTurbo(true);
+    session->setRunning(true);
+    EXPECT_TRUE(waitFor([&] { return session->snapshot().totals.episodes > 3; }, 30'000));
+    QTest::qWait(300);
+  }
+};
+
 }  // namespace surefoot

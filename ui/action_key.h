@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the colours of "What the robot would do now" mean, in the head of that panel: Q⁻, Q⁺ and Q where the agent keeps
+// two parts; the policies, where an action is a combination (else their names head columns).
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "ui/theme.h"
+
+namespace surefoot {
+
+class Session;
+
+class ActionKey final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ActionKey(Session& session, QWidget* parent = nullptr);
+  QSize sizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+
+ private:
+  struct Item {
+    QString text;
+    std::string policy;  // empty: a part of Q
+    bool strong = false;
+    bool operator==(const Item&) const = default;
+  };
+  void refresh();
+  double widthOf(const Item& item) const;
+  void drawSample(QPainter& painter, QPointF at, const Item& item, const Theme& theme) const;
+
+  Session& session_;
+  std::vector<Item> items_;
+};
+
+}  // namespace surefoot
