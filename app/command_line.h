@@ -102,6 +102,7 @@ struct ReproduceRequest {
 struct ExportRequest {
   std::string store;
   std::optional<std::string> csv;
+  bool forSpreadsheets = false;
 };
 
 /// `surefoot merge`
@@ -113,7 +114,7 @@ struct MergeRequest {
 /// `surefoot statistics`
 struct StatisticsRequest {
   std::string store;
-  bool json = false;
+  bool json = false, csv = false, latex = false;
 };
 
 /// --help or --version: the text to print.

@@ -56,12 +56,16 @@ LaboratoryLine::LaboratoryLine(CLI::App& app)
 
   export_->add_option("STORE", exportOptions_.store, "a store of results")->type_name("");
   addOption(*export_, "--csv", exportOptions_.csv, "the folder to write to; its files must not exist yet", "FOLDER");
+  export_->add_flag("--for-spreadsheets", exportOptions_.forSpreadsheets, "with a byte order mark, as Excel wants it");
 
   merge_->add_option("PARTS", mergeOptions_.parts, "the stores of all shards")->type_name("");
   addOption(*merge_, "--out", mergeOptions_.out, "the store to write, which must not exist yet", "FILE");
 
   statistics_->add_option("STORE", statisticsOptions_.store, "a store of results")->type_name("");
-  statistics_->add_flag("--json", statisticsOptions_.json, "as JSON");
+  CLI::Option* json = statistics_->add_flag("--json", statisticsOptions_.json, "as JSON");
+  CLI::Option* csv = statistics_->add_flag("--csv", statisticsOptions_.csv, "as CSV, a row a condition");
+  statistics_->add_flag("--latex", statisticsOptions_.latex, "as a table for LaTeX")->excludes(json)->excludes(csv);
+  csv->excludes(json);
 }
 
 namespace {

@@ -33,9 +33,12 @@ std::string_view shortened(std::string_view text) {
 }
 
 std::string csvCell(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+  bool formula = !text.empty() && std::string_view("=+-@\t\r\n").find(text[0]) != std::string_view::npos;
+  for (const char* wide : {"＝", "＋", "－", "＠"}) formula = formula || text.starts_with(wide);
+  const std::string safe = (formula ? "'" : "") + std::string(text);
+  if (safe.find_first_of(",\"\r\n") == std::string::npos) return safe;
   std::string cell = "\"";
-  for (const char c : text) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
+  for (const char c : safe) cell += c == '"' ? std::string("\"\"") : std::string(1, c);
   return cell + "\"";
 }
 

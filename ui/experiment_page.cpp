@@ -222,17 +222,19 @@ QString ExperimentPage::summary() const {
   const bool running = experiment_.state() == Experiment::State::Running;
   const Finding* best = nullptr;
   for (const Finding& f : experiment_.view()->findings.conditions)
-    if (f.comparison && f.comparison->significant() &&
+    if (f.comparison && f.comparison->significant() && std::isfinite(f.comparison->change.value) &&
         (!best || f.comparison->change.value < best->comparison->change.value))
       best = &f;
   if (!best || best->comparison->change.value >= 0)
     return running ? tr("So far no condition falls significantly less than its reference (p < .01).")
                    : tr("No condition falls significantly less than its reference (p < .01).");
   const Interval& i = best->comparison->change;
-  QString text =
-      tr("<b>%1 falls %2 % less than %3</b> (95 % interval %4 to %5 %).")
-          .arg(toText(best->name).toHtmlEscaped(), toText(fixedText(-i.value, 0)),
-               toText(best->reference).toHtmlEscaped(), toText(fixedText(-i.high, 0)), toText(fixedText(-i.low, 0)));
+  QString text = tr("<b>%1 falls %2 % less than %3</b>")
+                     .arg(toText(best->name).toHtmlEscaped(), toText(fixedText(-i.value, 0)),
+                          toText(best->reference).toHtmlEscaped());
+  text += i.known()
+              ? tr(" (95 % interval %1 to %2 %).").arg(toText(fixedText(-i.high, 0)), toText(fixedText(-i.low, 0)))
+              : tr(".");
   if (best->betweenQFunctions)
     text +=
         tr(" Q-functions carry %1 % of the variance.").arg(toText(fixedText(100 * best->betweenQFunctions->share, 0)));

@@ -37,6 +37,7 @@ class ExperimentPage final : public QWidget {
   void copyCsv();
   void copyLatex();
   void exportCsv();
+  void exportForSpreadsheets();
   void exportCharts();
   void openWithDialog();
   void savePlanAs();
@@ -55,6 +56,7 @@ class ExperimentPage final : public QWidget {
   void choose(int index);
   QString summary() const;
   void writeCharts(const QString& folder);
+  void exportTables(bool forSpreadsheets);
 
   Session& session_;
   Experiment experiment_;

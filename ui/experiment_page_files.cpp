@@ -45,11 +45,20 @@ void ExperimentPage::copyLatex() {
 }
 
 void ExperimentPage::exportCsv() {
+  exportTables(false);
+}
+
+void ExperimentPage::exportForSpreadsheets() {
+  exportTables(true);
+}
+
+void ExperimentPage::exportTables(bool forSpreadsheets) {
   if (experiment_.storePath().empty() || experiment_.state() == Experiment::State::Running)
     return Q_EMIT refused(tr("Results can be exported when the experiment is complete or paused."));
-  askForFolder(this, tr("Folder for the tables"), [this](const QString& folder) {
+  askForFolder(this, tr("Folder for the tables"), [this, forSpreadsheets](const QString& folder) {
     const auto store = Store::open(experiment_.storePath());
-    const Status written = store ? surefoot::exportCsv(*store, folder.toStdString(), "folder") : store.error();
+    const Status written =
+        store ? surefoot::exportCsv(*store, folder.toStdString(), "folder", forSpreadsheets) : store.error();
     if (!written)
       Q_EMIT refused(toText(written.error().message));
     else

@@ -189,9 +189,10 @@ void FigureView::paintCurves(QPainter& p, const Theme& t, const QRectF& plot) co
     QPolygonF band;
     for (std::size_t k = 0; k < s.x.size(); ++k) {
       line.lineTo(at(s.x[k], s.y[k].value, plot));
-      band << at(s.x[k], s.y[k].high, plot);
+      if (s.y[k].known()) band << at(s.x[k], s.y[k].high, plot);
     }
-    for (std::size_t k = s.x.size(); k-- > 0;) band << at(s.x[k], s.y[k].low, plot);
+    for (std::size_t k = s.x.size(); k-- > 0;)
+      if (s.y[k].known()) band << at(s.x[k], s.y[k].low, plot);
     QColor wash = pen.color();
     wash.setAlphaF(0.10f);
     p.setPen(Qt::NoPen);
@@ -203,7 +204,7 @@ void FigureView::paintCurves(QPainter& p, const Theme& t, const QRectF& plot) co
     if (!points) continue;
     for (std::size_t k = 0; k < s.x.size(); ++k) {
       p.setPen(QPen(pen.color(), 1.2));
-      p.drawLine(at(s.x[k], s.y[k].low, plot), at(s.x[k], s.y[k].high, plot));
+      if (s.y[k].known()) p.drawLine(at(s.x[k], s.y[k].low, plot), at(s.x[k], s.y[k].high, plot));
       p.setBrush(pen.color());
       p.drawEllipse(at(s.x[k], s.y[k].value, plot), 3, 3);
       p.setBrush(Qt::NoBrush);
@@ -256,7 +257,9 @@ void FigureView::paintBars(QPainter& p, const Theme& t) const {
     p.setBrush(fill);
     p.drawRect(QRectF(QPointF(xOf(std::min(0.0, v.value)), y + std::min(5.0, row / 5)),
                       QPointF(xOf(std::max(0.0, v.value)), y + row - std::min(5.0, row / 5))));
-    for (const QPen& pen : {QPen(t.panel, 3.4), QPen(t.ink, 1.2)}) {  // a casing, so that it is seen on the bar, too
+    // A casing, so that the interval is seen on the bar, too.
+    for (const QPen& pen : {QPen(t.panel, 3.4), QPen(t.ink, 1.2)}) {
+      if (!v.known()) break;
       p.setPen(pen);
       p.drawLine(QPointF(xOf(v.low), middle), QPointF(xOf(v.high), middle));
       for (const double end : {v.low, v.high}) p.drawLine(QPointF(xOf(end), middle - 3), QPointF(xOf(end), middle + 3));
@@ -270,7 +273,8 @@ void FigureView::paintBars(QPainter& p, const Theme& t) const {
     }
     QString text = toText(std::abs(v.value) < 10 ? fixedText(v.value, 2) : fixedText(v.value, 1));
     if (!s.marked.empty() && s.marked[0]) text += QStringLiteral("  X");
-    const double after = std::max(xOf(v.high), s.thesis ? xOf(*s.thesis) + 5 : 0.0);
+    const double end = v.known() ? v.high : std::max(0.0, v.value);
+    const double after = std::max(xOf(end), s.thesis ? xOf(*s.thesis) + 5 : 0.0);
     p.setPen(t.ink);
     drawSymbol(p, QRectF(after + 8, y, 90, row), Qt::AlignLeft, text);
   }

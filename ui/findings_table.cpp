@@ -20,16 +20,32 @@ QString signedText(double value) {
 }
 
 QString pText(double p) {
+  if (std::isnan(p)) return QStringLiteral("–");
   if (p < 1e-10) return QStringLiteral("< 1e−10");
   if (p >= 0.001) return toText(fixedText(p, 3));
   return QString::number(p, 'e', 1).replace('-', QChar(0x2212));
 }
 
+/// "−45.0"; of no value "–".
+QString changeText(const Interval& i) {
+  return std::isfinite(i.value) ? signedText(i.value) : QStringLiteral("–");
+}
+
+/// "−55.1 … −32.0"; in place of per cent that are of nothing the difference, "+2.4 falls (+1.0 … +3.8)".
+QString intervalText(const Comparison& c) {
+  const auto range = [](const Interval& i) {
+    return i.known() ? QStringLiteral("%1 … %2").arg(signedText(i.low), signedText(i.high)) : QStringLiteral("–");
+  };
+  if (std::isfinite(c.change.value)) return range(c.change);
+  const QString falls = FindingsTable::tr("%1 falls").arg(changeText(c.difference));
+  return c.difference.known() ? QStringLiteral("%1 (%2)").arg(falls, range(c.difference)) : falls;
+}
+
 QString plusMinus(const Interval& i, int decimals) {
   if (!std::isfinite(i.value)) return QStringLiteral("–");
   const QString value = toText(fixedText(i.value, decimals));
-  return std::isfinite(i.low) ? QStringLiteral("%1 ± %2").arg(value, toText(fixedText((i.high - i.low) / 2, decimals)))
-                              : value;
+  return i.known() ? QStringLiteral("%1 ± %2").arg(value, toText(fixedText((i.high - i.low) / 2, decimals)))
+                   : value;
 }
 
 void setUp(QTableWidget& table, const QStringList& heads) {
@@ -106,8 +122,8 @@ void FindingsTable::refresh() {
     put(*this, row, 2, f.lives > 0 ? plusMinus(f.falls, 1) : QString(), strong);
     if (!warnings.isEmpty()) item(row, 2)->setToolTip(warnings.join('\n'));
     const auto& c = f.comparison;
-    put(*this, row, 3, c ? signedText(c->change.value) : QStringLiteral("–"), strong);
-    put(*this, row, 4, c ? tr("%1 … %2").arg(signedText(c->change.low), signedText(c->change.high)) : QString());
+    put(*this, row, 3, c ? changeText(c->change) : QStringLiteral("–"), strong);
+    put(*this, row, 4, c ? intervalText(*c) : QString());
     put(*this, row, 5, c ? pText(c->p()) : QString());
     put(*this, row, 6, c ? pText(c->holm) : QString());
     put(*this, row, 7, strong ? QStringLiteral("✕") : QString(), true);

@@ -199,6 +199,8 @@ void MainWindow::makeMenus() {
   item(tr("&Copy the table as CSV"), tr("To the clipboard"), &ExperimentPage::copyCsv);
   item(tr("Copy the table as &LaTeX"), tr("To the clipboard"), &ExperimentPage::copyLatex);
   item(tr("E&xport all lives as CSV …"), tr("Conditions, lives and episodes"), &ExperimentPage::exportCsv);
+  item(tr("Export all lives for a &spreadsheet …"), tr("The same, as Excel reads it"),
+       &ExperimentPage::exportForSpreadsheets);
   item(tr("Export all c&harts …"), tr("PNG, PDF and CSV"), &ExperimentPage::exportCharts);
 
   QMenu* help = menuBar()->addMenu(tr("&Help"));

@@ -109,40 +109,51 @@ std::vector<double> Judge::values(const Evidence& e) const {
 }
 
 double Judge::p(const Evidence& a, const Evidence& b) {
-  const auto va = values(a), vb = values(b);
-  const auto test = oneWayAnova({va, vb});
-  return test ? test->p : 1.0;
+  const auto test = anovaOfTwo(values(a), values(b));
+  return test ? test->p : std::nan("");
 }
 
 Interval Judge::change(const Evidence& reference, const Evidence& e) {
-  return statistic({&reference, &e}, [](const std::vector<double>& m) { return changeInPerCent(m[0], m[1]); });
+  return changeOf(estimateOf(reference, measure_), estimateOf(e, measure_), sameUnits(reference, e));
 }
 
-namespace {
-/// The values of several conditions, and whether they began with the same Q-functions, none of which is without a
-/// value.
-std::pair<std::vector<Groups>, bool> together(const std::vector<const Evidence*>& conditions,
-                                              const std::string& measure) {
-  std::pair<std::vector<Groups>, bool> all{{}, true};
-  for (const Evidence* e : conditions) {
-    all.first.push_back(groupsOf(*e, measure));
-    all.second = all.second && shareQFunctions(*conditions[0], *e) &&
-                 all.first.back().size() == byQFunction(e->record, valuesOf(*e, measure)).size();
+std::vector<double> Judge::drawn(const Group& group, const std::function<double(const std::vector<double>&)>& f) {
+  std::vector<MeanEstimate> means;
+  std::vector<std::size_t> together;
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    means.push_back(estimateOf(*group[i], measure_));
+    std::size_t first = 0;
+    while (first < i && !sameUnits(*group[first], *group[i])) ++first;
+    together.push_back(first);
   }
-  return all;
-}
-}  // namespace
-
-Interval Judge::statistic(const Group& group, const std::function<double(const std::vector<double>&)>& f) {
-  const auto [groups, shared] = together(group, measure_);
-  return bootstrap(groups, shared, f, random_);
+  return drawMeans(means, together, f, random_);
 }
 
 double Judge::share(const Group& group, const std::function<bool(const std::vector<double>&)>& holds) {
-  const auto [groups, shared] = together(group, measure_);
-  const auto results = resample(
-      groups, shared, [&](const auto& means) { return holds(means) ? 1.0 : 0.0; }, random_);
-  return surefoot::meanOf(results);
+  const auto results = drawn(group, [&](const auto& means) { return holds(means) ? 1.0 : 0.0; });
+  if (!results.empty()) return surefoot::meanOf(results);
+  static_cast<void>(tooFew());
+  return std::nan("");
+}
+
+void Judge::report(const Interval& i) {
+  const auto known = [](double v) { return std::isfinite(v) ? std::optional(v) : std::nullopt; };
+  j_.ours = known(i.value), j_.low = known(i.low), j_.high = known(i.high);
+}
+
+Verdict Judge::tooFew(const std::string& condition) {
+  note(condition.empty() ? "too few lives to tell" : fmt::format("{}: too few lives to tell", condition));
+  return Verdict::Undecided;
+}
+
+bool Judge::mayExceed(const Interval& change, bool down, bool up) {
+  const double widest = number("widest", 25);
+  return !change.known() || (down && change.low < -widest) || (up && change.high > widest);
+}
+
+bool Judge::leavesOpen(const Interval& change, double sign, double size) {
+  const double end = sign < 0 ? change.low : change.high;
+  return mayExceed(change, sign < 0, sign > 0) || (change.value * sign > 0 && end * sign >= size);
 }
 
 const char* nameOf(Verdict verdict) {

@@ -2,42 +2,45 @@
 // A claim of the thesis, and whether our lives bear it out. Kinds, and when each agrees:
 //
 //   value         the 95 % interval of a mean overlaps the thesis's number ± tolerance (a share of it, 10 %) or ±
-//   within reduction     of the mean against the reference, in per cent: the thesis's sign, p < .01 by the analysis of
-//   variance,
-//                 and an interval that overlaps the number ± 10 points (or is at least `at_least` in size)
+//                 within; undecided where the interval is wider than ± 2.5 times that
+//   reduction     of the mean against the reference, in per cent: the thesis's sign, p < .01 by the analysis of
+//                 variance, and an interval that overlaps the number ± 10 points (or is at least `at_least` in size)
 //   significant   the sign and p < .01, for every condition
-//   no-difference p ≥ .01 for every condition; undecided where the interval is wider than ± 25 % of the reference
-//   order         the means rise in the order of `conditions` in at least 95 % of the resamples; differs below 5 %
+//   no-difference p ≥ .01 for every condition; undecided where the interval leaves ± `widest` (25 % of the reference)
+//   order         the means rise in the order of `conditions` in at least 95 % of the means drawn; differs below 5 %
 //   lowest        the first of `conditions` has the lowest mean of all, likewise
+//   spread        the means of `conditions` lie closer together than those of `others`, likewise
 //   pairs         the mean of every first is below that of its second: `pairs` = [[first, second], …]
 //   within-lives  of two measures of one life, `measure` is on the mean below `other`, for every condition
 //   not-longer    the interval of the difference from the reference is not wholly above 0; undecided if it reaches 25 %
-//   not-worse     no condition is significantly below the first (p < .01)
-//   ratio         the interval of mean(first)/mean(second) overlaps low … high
-//   extreme       the largest reduction of all conditions lies between low and high per cent
+//   not-worse     no condition is significantly below the first (p < .01); undecided if one may be by `widest`
+//   ratio         mean(first)/mean(second) lies in low … high, its interval is no wider; differs if that lies outside
+//   extreme       the largest reduction of all conditions in per cent, likewise
 //   below         the interval of the mean lies below `high`, for every condition
 //   trend         values of lives against what `along` varied: the rank correlation has the sign of `sign`, p < .01
 //   settled       the largest 250-episode change behind the end of learning lies between low and high
 //   pool          lives of one Q-function are no more alike than all (F test, p ≥ .01)
-//   compromise    no condition is significantly below the first in both `measure` and `other`
+//   compromise    no condition is significantly below the first in both `measure` and `other`; undecided if one may be
 //   effect-order  `conditions` in pairs: the first of a pair gains less on its reference than the second on its own, in
 //                 standard deviations
 //   best          of each of `groups` (lists of conditions) the one with the lowest mean: its value of the parameter
-//                 `along` is the same in all (the intervals overlap), or that of the first is `relation` = lower or
-//                 not-lower than those of the others
-//   bands-overlap the 95 % bands of the learning curve and of the reference's overlap at 95 % of all moments
+//                 `along` is the same in all (the intervals overlap, none of them takes in all values), or that of the
+//                 first is `relation` = lower or not-lower than those of the others
+//   bands-overlap the 95 % bands of the learning curve and of the reference's overlap at 95 % of all moments; undecided
+//                 where they are wider than half of what the curve reaches
 //   dips          the average reward falls below that of the `first` episodes (10)
+//
+// Lives that cannot carry a judgement leave it undecided: one life always, and a reduction or significance with p ≥ .01
+// whose interval leaves it open (beyond `widest`, or on the thesis's side up to its number, or 10 %).
 //
 // Exact, from the configurations of conditions and not from their lives; `rows`, all of which must hold:
 //
 //   same-values   taught by one stream of `steps` transitions (10⁵), two conditions' values differ by less than
-//   `within`
-//                 (1e-9); it has no rows
+//                 `within` (1e-9); it has no rows
 //   rule          the rule of thumb (eq. 4.3): {discount, transitions, goal, time, expected, digits}
 //   parameters    key·times/over, the last of condition `of`: {condition, key, times, over, of, expected, digits}
 //   drawn         a point of the figure `draws` (a kind of live figure, with its `q` or `state`): {condition, x,
 //                 expected, within} or {condition, x, low, high}
-//   spread        the means of `conditions` lie closer together than those of `others`
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -18,14 +18,10 @@ std::string countText(const std::vector<double>& values) {
   return finite == 0 ? "–" : fmt::format("{} of {}", std::count(values.begin(), values.end(), 1.0), finite);
 }
 
-std::string cellOf(const Evidence& e, const std::string& measure, std::uint64_t seed) {
+std::string cellOf(const Evidence& e, const std::string& measure) {
   if (measure == "walks") return countText(valuesOf(e, measure));
-  const Interval mean = meanOf(e, measure, seed);
+  const Interval mean = meanOf(e, measure);
   return plusMinusText(mean, decimalsOf(mean.value));
-}
-
-std::string changeText(const Interval& i) {
-  return fmt::format("{:+.0f} ({:+.0f} … {:+.0f})", i.value, i.low, i.high);
 }
 
 std::string pText(const Comparison& c) {
@@ -41,10 +37,10 @@ ConditionsTable conditionsTable(const Findings& findings, const std::vector<Evid
   for (std::size_t i = 0; i < findings.conditions.size(); ++i) {
     const Finding& f = findings.conditions[i];
     const auto& c = f.comparison;
-    table.rows.push_back({f.name, std::to_string(f.lives), cellOf(evidence[i], "falls", findings.plan.seed),
-                          c ? changeText(c->change) : "", c ? pText(*c) : ""});
+    table.rows.push_back({f.name, std::to_string(f.lives), cellOf(evidence[i], "falls"),
+                          c ? changeText(*c, 0) : "", c ? pText(*c) : ""});
     for (const std::string& measure : measures)
-      table.rows.back().push_back(cellOf(evidence[i], measure, findings.plan.seed));
+      table.rows.back().push_back(cellOf(evidence[i], measure));
   }
   return table;
 }

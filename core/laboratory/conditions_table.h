@@ -12,8 +12,7 @@ struct ConditionsTable {
   std::vector<std::vector<std::string>> rows;  ///< [condition][head]
 };
 
-/// `measures`: of measureNames(). Intervals are over lives, and where these began with the Q-functions of a pool over
-/// Q-functions, then lives.
+/// `measures`: of measureNames(). Where lives began with the Q-functions of a pool, intervals are over these.
 ConditionsTable conditionsTable(const Findings& findings, const std::vector<Evidence>& evidence,
                                 const std::vector<std::string>& measures);
 

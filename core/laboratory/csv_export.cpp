@@ -18,10 +18,11 @@ namespace {
 /// All files of an export; they get their names together at the end.
 class Export {
  public:
-  Export(const Store& store, std::string folder, std::string option)
+  Export(const Store& store, std::string folder, std::string option, bool forSpreadsheets)
       : store_(store),
         folder_(std::move(folder)),
-        option_(std::move(option)) {}
+        option_(std::move(option)),
+        mark_(forSpreadsheets ? "\xEF\xBB\xBF" : "") {}
 
   Status run() {
     std::error_code error;
@@ -37,7 +38,7 @@ class Export {
   Result<WholeFile*> begin(const std::string& name, const std::string& header) {
     auto file = WholeFile::createNew(option_, (std::filesystem::path(folder_) / name).string());
     if (!file) return file.error();
-    if (const Status s = file->append(header); !s) return s.error();
+    if (const Status s = file->append(mark_ + header); !s) return s.error();
     files_.push_back(std::move(*file));
     return &files_.back();
   }
@@ -120,7 +121,7 @@ class Export {
   }
 
   const Store& store_;
-  std::string folder_, option_;
+  std::string folder_, option_, mark_;
   std::vector<StoredCondition> conditions_;
   std::vector<StoredLife> lives_;
   std::list<WholeFile> files_;
@@ -128,8 +129,8 @@ class Export {
 
 }  // namespace
 
-Status exportCsv(const Store& store, const std::string& folder, const std::string& option) {
-  return Export(store, folder, option).run();
+Status exportCsv(const Store& store, const std::string& folder, const std::string& option, bool forSpreadsheets) {
+  return Export(store, folder, option, forSpreadsheets).run();
 }
 
 }  // namespace surefoot

@@ -70,6 +70,7 @@ Result<std::vector<Evidence>> readEvidence(const Store& store) {
     e.averages = meanAverageRewards(e.record);
     e.end = endOfLearning(e.averages, e.record.condition.goalReward);
     e.lives = measure(e.record, e.end);
+    e.untilOtherEnds = resampledUntilEnd(e.record, e.end);
     e.configuration = nlohmann::json::parse(e.record.condition.configuration, nullptr, false);
     if (e.configuration.contains("pre_learning")) e.pool = e.configuration["pre_learning"].dump();
     all.push_back(std::move(e));
@@ -119,23 +120,24 @@ bool shareQFunctions(const Evidence& a, const Evidence& b) {
   return a.hasPool() && a.pool == b.pool && numbers(a) == numbers(b);
 }
 
-Interval meanOf(const Groups& groups, std::uint64_t seed) {
-  if (groups.empty()) {
-    const double nothing = std::numeric_limits<double>::quiet_NaN();
-    return {nothing, nothing, nothing};
-  }
-  if (groups.size() == 1 || std::ranges::all_of(groups, [](const auto& group) { return group.size() == 1; })) {
-    std::vector<double> values;
-    for (const auto& group : groups) values.insert(values.end(), group.begin(), group.end());
-    return meanInterval(values).value_or(Interval{values[0], values[0], values[0]});
-  }
-  Random random(seed);
-  return bootstrap(
-      {groups}, false, [](const std::vector<double>& means) { return means[0]; }, random);
+bool sameUnits(const Evidence& a, const Evidence& b) {
+  const Units ofA = unitsOf(a.record), ofB = unitsOf(b.record);
+  if (ofA.areQFunctions && shareQFunctions(a, b)) return true;
+  if (!a.record.paired || !b.record.paired || ofA.of != ofB.of) return false;
+  return std::ranges::equal(a.record.lives, b.record.lives, {}, &StoredLife::life, &StoredLife::life);
 }
 
-Interval meanOf(const Evidence& evidence, std::string_view measure, std::uint64_t seed) {
-  return meanOf(groupsOf(evidence, measure), seed);
+MeanEstimate estimateOf(const Evidence& evidence, std::string_view measure) {
+  const auto values = valuesOf(evidence, measure);
+  const Units units = unitsOf(evidence.record);
+  MeanEstimate estimate = estimateOf(values, units);
+  const auto found = evidence.untilOtherEnds.find(measure);
+  if (found != evidence.untilOtherEnds.end()) return estimateOf(estimate.value, found->second, units.count);
+  return estimate;
+}
+
+Interval meanOf(const Evidence& evidence, std::string_view measure) {
+  return intervalOf(estimateOf(evidence, measure));
 }
 
 }  // namespace surefoot

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-#include "core/laboratory/measures.h"
+#include "core/laboratory/uncertain_end.h"
 
 namespace surefoot {
 
@@ -16,6 +16,8 @@ struct Evidence {
   std::vector<LifeMeasures> lives;
   std::string pool;              ///< which Q-functions its lives began with; empty: none
   nlohmann::json configuration;  ///< as the store has it
+  /// resampledUntilEnd: where another end would have been found with other lives.
+  std::map<std::string, std::vector<double>, std::less<>> untilOtherEnds{};
 
   const std::string& name() const { return record.condition.name; }
   bool hasPool() const { return !pool.empty(); }
@@ -33,12 +35,16 @@ std::string measureTitle(std::string_view measure);
 /// One value a life; NaN where a life has none. Empty for a name that is not there.
 std::vector<double> valuesOf(const Evidence& evidence, std::string_view measure);
 
-/// Values of lives as the bootstrap wants them, without those that are NaN.
+/// Values of lives by the Q-functions that these began with, without those that are NaN.
 Groups groupsOf(const Evidence& evidence, std::string_view measure);
-/// Both began with the same Q-functions, so that these are drawn together.
+/// Both began with the same Q-functions.
 bool shareQFunctions(const Evidence& a, const Evidence& b);
-/// Mean of one value a life with its 95 % interval: by Student's t where lives are independent, else the bootstrap's.
-Interval meanOf(const Groups& groups, std::uint64_t seed);
-Interval meanOf(const Evidence& evidence, std::string_view measure, std::uint64_t seed);
+/// The units of both are the same ones: lives with the same seeds, or the same Q-functions.
+bool sameUnits(const Evidence& a, const Evidence& b);
+
+/// Mean of one value a life, with all that makes it uncertain.
+MeanEstimate estimateOf(const Evidence& evidence, std::string_view measure);
+/// The same with its 95 % interval.
+Interval meanOf(const Evidence& evidence, std::string_view measure);
 
 }  // namespace surefoot

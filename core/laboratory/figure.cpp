@@ -60,18 +60,22 @@ void addCurves(Figure& figure, const std::string& kind, const Chosen& chosen) {
   }
 }
 
+/// An empty cell: there is none.
+std::string number(double value) {
+  return std::isfinite(value) ? fmt::format("{:.9g}", value) : "";
+}
+
 bool differs(const Evidence& e, const std::vector<Evidence>& all, const std::string& measure) {
   for (const Evidence& reference : all) {
     if (reference.name() != e.record.condition.reference || &reference == &e) continue;
     const auto a = valuesOf(reference, measure), b = valuesOf(e, measure);
-    const auto test = oneWayAnova({a, b});
+    const auto test = anovaOfTwo(a, b);
     return test && test->p < 0.01;
   }
   return false;
 }
 
-void addBars(Figure& figure, const FigureSpec& spec, const Chosen& chosen, const std::vector<Evidence>& all,
-             std::uint64_t seed) {
+void addBars(Figure& figure, const FigureSpec& spec, const Chosen& chosen, const std::vector<Evidence>& all) {
   figure.bars = true;
   figure.yTitle = measureTitle(spec.measure);
   for (std::size_t i = 0; i < chosen.size(); ++i) {
@@ -80,7 +84,7 @@ void addBars(Figure& figure, const FigureSpec& spec, const Chosen& chosen, const
     figure.series.push_back({e.name(),
                              policyOf(e),
                              {static_cast<double>(i)},
-                             {meanOf(e, spec.measure, seed)},
+                             {meanOf(e, spec.measure)},
                              {differs(e, all, spec.measure)},
                              {}});
   }
@@ -95,8 +99,7 @@ std::string titleOf(const Registry& registry, const Evidence& e, const std::stri
   return p.title + (p.symbol.empty() ? "" : " " + p.symbol) + (p.unit.empty() ? "" : " [" + p.unit + "]");
 }
 
-Status addAgainst(const Registry& registry, Figure& figure, const FigureSpec& spec, const Chosen& chosen,
-                  std::uint64_t seed) {
+Status addAgainst(const Registry& registry, Figure& figure, const FigureSpec& spec, const Chosen& chosen) {
   figure.xTitle = titleOf(registry, *chosen[0], spec.along);
   figure.yTitle = measureTitle(spec.measure);
   FigureSeries series{
@@ -108,7 +111,7 @@ Status addAgainst(const Registry& registry, Figure& figure, const FigureSpec& sp
       return Error{fmt::format("figure {}: along: \"{}\" is no number of {}.", spec.name, spec.along, e->name())};
     inOrder[x] = e;
   }
-  for (const auto& [x, e] : inOrder) series.x.push_back(x), series.y.push_back(meanOf(*e, spec.measure, seed));
+  for (const auto& [x, e] : inOrder) series.x.push_back(x), series.y.push_back(meanOf(*e, spec.measure));
   figure.series.push_back(std::move(series));
   return Done{};
 }
@@ -116,7 +119,7 @@ Status addAgainst(const Registry& registry, Figure& figure, const FigureSpec& sp
 }  // namespace
 
 Result<Figure> makeFigure(const Registry& registry, const FigureSpec& spec, const std::vector<Evidence>& evidence,
-                          std::uint64_t seed) {
+                          std::uint64_t) {
   Chosen chosen;
   for (const Evidence& e : evidence) {
     const bool wanted =
@@ -136,10 +139,10 @@ Result<Figure> makeFigure(const Registry& registry, const FigureSpec& spec, cons
   if (std::find(curves.begin(), curves.end(), spec.kind) != curves.end())
     addCurves(figure, spec.kind, chosen);
   else if (spec.kind == "bars")
-    addBars(figure, spec, chosen, evidence, seed);
+    addBars(figure, spec, chosen, evidence);
   else if (spec.kind != "against")
     return Error{fmt::format("figure {}: there is no kind \"{}\".", spec.name, spec.kind)};
-  else if (const Status s = addAgainst(registry, figure, spec, chosen, seed); !s)
+  else if (const Status s = addAgainst(registry, figure, spec, chosen); !s)
     return s.error();
   return figure;
 }
@@ -152,7 +155,8 @@ std::string figureAsCsv(const Figure& figure) {
   for (const FigureSeries& s : figure.series) {
     const std::string name = csvCell(s.name);
     for (std::size_t i = 0; i < s.x.size(); ++i) {
-      fmt::format_to(to, "{},{:.9g},{:.9g},{:.9g},{:.9g}", name, s.x[i], s.y[i].value, s.y[i].low, s.y[i].high);
+      fmt::format_to(to, "{},{:.9g},{},{},{}", name, s.x[i], number(s.y[i].value), number(s.y[i].low),
+                     number(s.y[i].high));
       if (figure.bars) fmt::format_to(to, ",{}", s.thesis ? fmt::format("{:.9g}", *s.thesis) : "");
       out.push_back('\n');
     }

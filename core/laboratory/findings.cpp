@@ -8,23 +8,10 @@
 #include <map>
 
 #include "core/experiment/rule_of_thumb.h"
-#include "core/random.h"
 
 namespace surefoot {
 
 namespace {
-
-const double kNothing = std::numeric_limits<double>::quiet_NaN();
-
-/// Mean and interval of the finite values of all lives.
-template <class Field>
-Interval over(const std::vector<LifeMeasures>& lives, Field field) {
-  std::vector<double> values;
-  for (const LifeMeasures& l : lives)
-    if (const double v = field(l); std::isfinite(v)) values.push_back(v);
-  if (values.empty()) return {kNothing, kNothing, kNothing};
-  return meanInterval(values).value_or(Interval{values[0], kNothing, kNothing});
-}
 
 /// γ and the rewards of the rule of thumb, as the condition's configuration has them.
 std::optional<Interval> thresholdOf(const Evidence& m, const Interval& transitions) {
@@ -46,15 +33,15 @@ Finding describe(const Evidence& m) {
   f.diverged = m.record.diverged;
   f.end = m.end;
   if (m.end) f.largestChangeAfter = largestChangeAfter(m.averages, *m.end);
-  f.falls = over(m.lives, [](const auto& l) { return l.falls; });
-  f.minutes = over(m.lives, [](const auto& l) { return l.minutes; });
-  f.allFalls = over(m.lives, [](const auto& l) { return l.allFalls; });
-  f.endPerformance = over(m.lives, [](const auto& l) { return l.endPerformance; });
-  f.averageReward = over(m.lives, [](const auto& l) { return l.averageReward; });
-  f.successDuring = over(m.lives, [](const auto& l) { return l.during.success; });
-  f.successAfter = over(m.lives, [](const auto& l) { return l.after.success; });
-  f.failureDuring = over(m.lives, [](const auto& l) { return l.during.failure; });
-  f.failureAfter = over(m.lives, [](const auto& l) { return l.after.failure; });
+  f.falls = meanOf(m, "falls");
+  f.minutes = meanOf(m, "minutes");
+  f.allFalls = meanOf(m, "all_falls");
+  f.endPerformance = meanOf(m, "end_performance");
+  f.averageReward = meanOf(m, "average_reward");
+  f.successDuring = meanOf(m, "success_during");
+  f.successAfter = meanOf(m, "success_after");
+  f.failureDuring = meanOf(m, "failure_during");
+  f.failureAfter = meanOf(m, "failure_after");
   f.threshold = thresholdOf(m, f.successDuring);
   f.qFunctions = static_cast<int>(m.record.preLearned.size());
   for (const StoredPreLearning& p : m.record.preLearned) f.atCap += !p.reached;
@@ -64,6 +51,7 @@ Finding describe(const Evidence& m) {
 }
 
 void warn(Finding& f, const Evidence& m) {
+  if (f.lives == 1) f.warnings.push_back("one life has no interval and no test; it takes two, better five");
   if (!f.end) f.warnings.push_back("learning did not end by the rule of section 4.2.1; the whole lives are measured");
   if (f.diverged > 0) f.warnings.push_back(fmt::format("{} lives diverged and are left out", f.diverged));
   if (f.atCap > 0)
@@ -71,37 +59,52 @@ void warn(Finding& f, const Evidence& m) {
         fmt::format("{} of {} Q-functions did not reach the reward of their pre-learning", f.atCap, f.qFunctions));
   if (const auto normal = normalityTest(valuesOf(m, "falls")); normal && normal->p < 0.01)
     f.warnings.push_back(
-        fmt::format("falls are not normally distributed (p {:.2g}); trust the bootstrap rather than t", normal->p));
+        fmt::format("falls are not normally distributed (p {:.2g}); trust the interval rather than p", normal->p));
   if (f.betweenQFunctions && f.betweenQFunctions->test.p < 0.01)
     f.warnings.push_back(
         fmt::format("lives of one Q-function are alike ({:.0f} % of the variance lies between Q-functions); the "
-                    "analysis of variance takes them for independent, the bootstrap does not",
+                    "analysis of variance takes them for independent, the intervals do not",
                     100 * f.betweenQFunctions->share));
 }
 
-Comparison compare(const Evidence& reference, const Evidence& other, bool paired, std::vector<std::string>& warnings,
-                   std::uint64_t seed) {
-  Comparison c;
-  const auto a = valuesOf(reference, "falls"), b = valuesOf(other, "falls");
-  const bool shared = shareQFunctions(reference, other);
-  const auto interval = [&](const std::vector<double>& before, const std::vector<double>& after) {
-    Random random(seed);
-    return bootstrap(
-        {byQFunction(reference.record, before), byQFunction(other.record, after)}, shared,
-        [](const std::vector<double>& means) { return changeInPerCent(means[0], means[1]); }, random);
+/// Pairs of units: lives with one seed, or the means of the lives of one Q-function.
+std::optional<TestResult> testOfPairs(const Evidence& reference, const Evidence& other) {
+  const auto means = [](const Evidence& e) {
+    const Units units = unitsOf(e.record);
+    std::vector<double> sums(units.count), counts(units.count);
+    const auto falls = valuesOf(e, "falls");
+    for (std::size_t i = 0; i < falls.size(); ++i) sums[units.of[i]] += falls[i], ++counts[units.of[i]];
+    for (std::size_t g = 0; g < units.count; ++g) sums[g] /= counts[g];
+    return sums;
   };
-  c.change = interval(a, b);
-  if (reference.end)
-    c.changeAtItsEnd = interval(fallsUntil(reference.record, *reference.end), fallsUntil(other.record, *reference.end));
-  c.anova = oneWayAnova({a, b});
+  if (!sameUnits(reference, other)) return std::nullopt;
+  return pairedTest(means(reference), means(other));
+}
+
+Comparison compare(const Evidence& reference, const Evidence& other, std::vector<std::string>& warnings) {
+  Comparison c;
+  const bool same = sameUnits(reference, other);
+  const MeanEstimate before = estimateOf(reference, "falls"), after = estimateOf(other, "falls");
+  c.change = changeOf(before, after, same);
+  c.difference = differenceOf(before, after, same);
+  if (reference.end) {
+    const auto until = [&](const Evidence& e) {
+      return estimateOf(fallsUntil(e.record, *reference.end), unitsOf(e.record));
+    };
+    c.changeAtItsEnd = changeOf(until(reference), until(other), same);
+  }
+  const auto a = valuesOf(reference, "falls"), b = valuesOf(other, "falls");
+  c.anova = anovaOfTwo(a, b);
   c.welch = welchTest(a, b);
-  if ((paired || shared) && a.size() == b.size()) c.paired = pairedTest(a, b);
+  c.paired = testOfPairs(reference, other);
   c.effect = effectSize(a, b);
   if (reference.record.condition.stepTime > 0)
-    c.minutes = differenceInterval(valuesOf(reference, "minutes"), valuesOf(other, "minutes"));
-  if (const double sd = std::sqrt((varianceOf(a) + varianceOf(b)) / 2); sd > 0)
-    c.livesNeeded = livesNeeded(sd, meanOf(b) - meanOf(a));
-  if (const auto equal = brownForsytheTest({a, b}); equal && equal->p < 0.01)
+    c.minutes = differenceOf(estimateOf(reference, "minutes"), estimateOf(other, "minutes"), same);
+  const double sd = std::sqrt((varianceOf(a) + varianceOf(b)) / 2);
+  if (c.anova && sd > 0) c.livesNeeded = livesNeeded(sd, c.difference.value);
+  constexpr std::size_t kFew = 5;  // of fewer the distances from the median are hardly free
+  const auto equal = std::min(a.size(), b.size()) < kFew ? std::nullopt : brownForsytheTest({a, b});
+  if (equal && equal->p < 0.01)
     warnings.push_back(fmt::format("variances differ from the reference's (p {:.2g}); trust Welch's test", equal->p));
   return c;
 }
@@ -134,11 +137,11 @@ Findings findingsOf(StoredPlan plan, const std::vector<Evidence>& measured) {
     const std::size_t r = found->second;
     if (measured[r].lives.empty() || measured[i].lives.empty()) continue;
     Finding& f = findings.conditions[i];
-    f.comparison = compare(measured[r], measured[i], findings.plan.paired, f.warnings,
-                           deriveSeed(findings.plan.seed, i, Stream::Policy));
+    f.comparison = compare(measured[r], measured[i], f.warnings);
     families[r].push_back(i);
   }
-  for (const auto& [r, family] : families) {
+  for (auto& [r, family] : families) {
+    std::erase_if(family, [&](std::size_t i) { return !findings.conditions[i].comparison->anova; });
     std::vector<double> p;
     for (const std::size_t i : family) p.push_back(findings.conditions[i].comparison->p());
     const auto adjusted = holm(p);

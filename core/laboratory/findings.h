@@ -3,6 +3,7 @@
 // reference condition.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -10,18 +11,21 @@
 
 namespace surefoot {
 
+inline constexpr double kNoTest = std::numeric_limits<double>::quiet_NaN();  ///< p where one life is compared
+
 /// A condition against the reference, in falls during learning.
 struct Comparison {
-  Interval change;                         ///< in per cent; −45: 45 % fewer. Bootstrap: of Q-functions, then lives
+  Interval change;      ///< in per cent; −45: 45 % fewer. NaN where the reference has no falls
+  Interval difference;  ///< in falls; −90: 90 fewer
   std::optional<TestResult> anova, welch;  ///< the thesis's test; the same without equal variances
   std::optional<TestResult> paired;        ///< where life i shares its seeds or its Q-function with life i of the other
-  double holm = 1.0;                       ///< p of the analysis of variance, adjusted for the conditions compared
+  double holm = kNoTest;                   ///< p of the analysis of variance, adjusted for the conditions compared
   std::optional<double> effect;            ///< Hedges' g
   std::optional<std::int64_t> livesNeeded;  ///< a condition, to see this difference with a power of 80 %
   std::optional<Interval> minutes;          ///< learning time: difference from the reference's
   std::optional<Interval> changeAtItsEnd;   ///< falls of both up to the reference's end of learning, in per cent
 
-  double p() const { return anova ? anova->p : 1.0; }
+  double p() const { return anova ? anova->p : kNoTest; }
   bool significant() const { return p() < 0.01; }  ///< the thesis's X
 };
 
@@ -45,14 +49,18 @@ struct Findings {
   std::vector<Finding> conditions;
 };
 
-/// The bootstrap's random numbers depend on the plan's seed only.
+/// Of the same store always the same.
 Findings findingsOf(StoredPlan plan, const std::vector<Evidence>& evidence);
 /// Of a whole store.
 Result<Findings> findingsOf(const Store& store);
 
+/// "−45.0 (−55.1 … −32.0)", as a table says it: per cent, or where the reference has no falls the difference in falls.
+std::string changeText(const Comparison& comparison, int decimals);
+
 nlohmann::ordered_json findingsAsJson(const Findings& findings);
 /// A row a condition, for other programs.
 std::string findingsAsCsv(const Findings& findings);
+/// A table that LaTeX takes as it is, without any package.
 std::string findingsAsLatex(const Findings& findings);
 /// A table for people, with the warnings below it.
 std::string findingsAsTable(const Findings& findings);

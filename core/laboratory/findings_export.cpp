@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/laboratory/findings.h"
+#include "core/latex.h"
 #include "core/text.h"
 
 namespace surefoot {
@@ -15,14 +16,26 @@ std::string number(double value) {
   return std::isfinite(value) ? fmt::format("{:.6g}", value) : "";
 }
 
-/// Letters that LaTeX takes for commands.
-std::string latex(const std::string& text) {
-  std::string out;
-  for (const char c : text) {
-    if (std::string_view("&%$#_{}").find(c) != std::string_view::npos) out += '\\';
-    out += c;
-  }
+/// Three cells.
+std::string numbers(const Interval& i) {
+  return fmt::format("{},{},{}", number(i.value), number(i.low), number(i.high));
+}
+
+/// "-45.0 (-55.1 … -32.0)" with true signs.
+std::string latexOf(const Interval& i, const char* unit) {
+  if (!std::isfinite(i.value)) return "--";
+  std::string out = fmt::format("${:+.1f}${}", i.value, unit);
+  if (i.known()) out += fmt::format(" (${:+.1f}$ \\dots\\ ${:+.1f}$)", i.low, i.high);
   return out;
+}
+
+/// "3.1\times 10^{-5}", "<10^{-10}"
+std::string latexOfP(double p) {
+  if (std::isnan(p)) return "--";
+  if (p < 1e-10) return "$<10^{-10}$";
+  if (p >= 0.001) return fmt::format("{:.3f}", p);
+  const int exponent = static_cast<int>(std::floor(std::log10(p)));
+  return fmt::format("${:.1f}\\times 10^{{{}}}$", p / std::pow(10, exponent), exponent);
 }
 
 }  // namespace
@@ -30,16 +43,15 @@ std::string latex(const std::string& text) {
 std::string findingsAsCsv(const Findings& findings) {
   std::string csv =
       "condition,reference,lives,end,falls,falls_low,falls_high,minutes,minutes_low,minutes_high,change,change_low,"
-      "change_high,p,p_holm,significant\n";
+      "change_high,p,p_holm,significant,difference,difference_low,difference_high\n";
   for (const Finding& f : findings.conditions) {
-    csv += fmt::format("{},{},{},{},{},{},{},{},{},{}", csvCell(f.name), csvCell(f.reference), f.lives,
-                       f.end ? std::to_string(*f.end) : "", number(f.falls.value), number(f.falls.low),
-                       number(f.falls.high), number(f.minutes.value), number(f.minutes.low), number(f.minutes.high));
+    csv += fmt::format("{},{},{},{},{},{}", csvCell(f.name), csvCell(f.reference), f.lives,
+                       f.end ? std::to_string(*f.end) : "", numbers(f.falls), numbers(f.minutes));
     if (const auto& c = f.comparison)
-      csv += fmt::format(",{},{},{},{:.6g},{:.6g},{}\n", number(c->change.value), number(c->change.low),
-                         number(c->change.high), c->p(), c->holm, c->significant() ? 1 : 0);
+      csv += fmt::format(",{},{},{},{},{}\n", numbers(c->change), number(c->p()), number(c->holm),
+                         c->anova ? (c->significant() ? "1" : "0") : "", numbers(c->difference));
     else
-      csv += ",,,,,,\n";
+      csv += ",,,,,,,,,\n";
   }
   return csv;
 }
@@ -48,11 +60,14 @@ std::string findingsAsLatex(const Findings& findings) {
   std::string out =
       "\\begin{tabular}{lrrrrl}\n\\hline\nCondition & Lives & Falls & Change [\\%] & $p$ & \\\\\n\\hline\n";
   for (const Finding& f : findings.conditions) {
-    out += fmt::format("{} & {} & ${:.1f} \\pm {:.1f}$ & ", latex(f.name), f.lives, f.falls.value,
-                       (f.falls.high - f.falls.low) / 2);
+    out += fmt::format("{} & {} & ", latexText(f.name), f.lives);
+    if (std::isfinite(f.falls.value)) out += fmt::format("${:.1f}", f.falls.value);
+    if (f.falls.known()) out += fmt::format(" \\pm {:.1f}", (f.falls.high - f.falls.low) / 2);
+    out += std::isfinite(f.falls.value) ? "$ & " : "-- & ";
     if (const auto& c = f.comparison)
-      out += fmt::format("${:+.1f}$ (${:+.1f}$ \\dots\\ ${:+.1f}$) & {:.2g} & {} \\\\\n", c->change.value,
-                         c->change.low, c->change.high, c->p(), c->significant() ? "X" : "");
+      out += fmt::format("{} & {} & {} \\\\\n",
+                         std::isfinite(c->change.value) ? latexOf(c->change, "") : latexOf(c->difference, " falls"),
+                         latexOfP(c->p()), c->significant() ? "X" : "");
     else
       out += "& & \\\\\n";
   }

@@ -20,7 +20,8 @@ OrderedJson asJson(const Interval& i) {
   return {{"value", number(i.value)}, {"low", number(i.low)}, {"high", number(i.high)}};
 }
 OrderedJson asJson(const TestResult& t) {
-  OrderedJson json = {{"statistic", number(t.statistic)}, {"degrees_of_freedom", t.degrees1}, {"p", t.p}};
+  OrderedJson json = {
+      {"statistic", number(t.statistic)}, {"degrees_of_freedom", number(t.degrees1)}, {"p", number(t.p)}};
   if (t.degrees2 > 0) json["degrees_of_freedom"] = {t.degrees1, t.degrees2};
   return json;
 }
@@ -28,34 +29,40 @@ template <class T>
 OrderedJson asJson(const std::optional<T>& value) {
   if (!value) return nullptr;
   if constexpr (std::is_arithmetic_v<T>)
-    return *value;
+    return OrderedJson(*value);
   else
     return asJson(*value);
 }
 
 OrderedJson asJson(const Comparison& c) {
   return {{"change_per_cent", asJson(c.change)},
+          {"difference", asJson(c.difference)},
           {"anova", asJson(c.anova)},
-          {"significant", c.significant()},
+          {"significant", c.anova ? OrderedJson(c.significant()) : OrderedJson(nullptr)},
           {"welch", asJson(c.welch)},
           {"paired", asJson(c.paired)},
-          {"holm_p", c.holm},
+          {"holm_p", number(c.holm)},
           {"effect_size", asJson(c.effect)},
           {"lives_needed", asJson(c.livesNeeded)},
           {"minutes_difference", asJson(c.minutes)},
           {"change_per_cent_until_reference_ends", asJson(c.changeAtItsEnd)}};
 }
 
-/// "< 1e-10", "0.0031"
+/// "< 1e-10", "0.0031"; "–" of no test
 std::string pText(double p) {
+  if (std::isnan(p)) return "–";
   if (p < 1e-10) return "< 1e-10";
   return p < 0.001 ? fmt::format("{:.1e}", p) : fmt::format("{:.3f}", p);
 }
 
 /// Characters as a terminal shows them, so that columns line up under letters that take several bytes.
-std::string padded(const std::string& s, std::size_t width) {
+std::size_t shownLength(const std::string& s) {
   std::size_t shown = 0;
   for (const char c : s) shown += (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+  return shown;
+}
+std::string padded(const std::string& s, std::size_t width) {
+  const std::size_t shown = shownLength(s);
   return s + std::string(shown < width ? width - shown : 0, ' ');
 }
 
@@ -65,6 +72,15 @@ bool isReference(const StoredPlan& plan, const std::string& name) {
 }
 
 }  // namespace
+
+std::string changeText(const Comparison& c, int decimals) {
+  const bool inPerCent = std::isfinite(c.change.value);
+  const Interval& i = inPerCent ? c.change : c.difference;
+  if (!std::isfinite(i.value)) return "–";
+  std::string text = fmt::format("{:+.{}f}{}", i.value, decimals, inPerCent ? "" : " falls");
+  if (i.known()) text += fmt::format(" ({:+.{}f} … {:+.{}f})", i.low, decimals, i.high, decimals);
+  return text;
+}
 
 nlohmann::ordered_json findingsAsJson(const Findings& findings) {
   OrderedJson list = OrderedJson::array();
@@ -101,24 +117,25 @@ nlohmann::ordered_json findingsAsJson(const Findings& findings) {
 }
 
 std::string findingsAsTable(const Findings& findings) {
-  std::size_t width = 12;
-  for (const Finding& f : findings.conditions) width = std::max(width, f.name.size());
-  std::string out = findings.plan.title.empty() ? "" : findings.plan.title + "\n";
-  out +=
-      fmt::format("{} {} {} {} {} {} {}\n", padded("", width), padded("lives", 6), padded("end", 6),
-                  padded("falls", 16), padded("minutes", 13), padded("change, % (95 %)", 24), padded("p (ANOVA)", 10));
+  std::vector<std::string> changes;
+  std::size_t width = 12, ofChanges = 24;
   for (const Finding& f : findings.conditions) {
-    std::string change, p;
-    if (f.comparison) {
-      const Interval& i = f.comparison->change;
-      change = fmt::format("{:+.1f} ({:+.1f} … {:+.1f})", i.value, i.low, i.high);
-      p = pText(f.comparison->p()) + (f.comparison->significant() ? " X" : "");
-    } else if (isReference(findings.plan, f.name)) {
-      change = "reference";
-    }
-    out += fmt::format("{} {} {} {} {} {} {}\n", padded(f.name, width), padded(std::to_string(f.lives), 6),
+    changes.push_back(f.comparison                            ? changeText(*f.comparison, 1)
+                      : isReference(findings.plan, f.name) ? "reference"
+                                                           : "");
+    width = std::max(width, shownLength(f.name));
+    ofChanges = std::max(ofChanges, shownLength(changes.back()));
+  }
+  std::string out = findings.plan.title.empty() ? "" : findings.plan.title + "\n";
+  out += fmt::format("{} {} {} {} {} {} {}\n", padded("", width), padded("lives", 6), padded("end", 6),
+                     padded("falls", 16), padded("minutes", 13), padded("change, % (95 %)", ofChanges), "p (ANOVA)");
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    const Finding& f = findings.conditions[i];
+    const auto& c = f.comparison;
+    out += fmt::format("{} {} {} {} {} {} {}{}\n", padded(f.name, width), padded(std::to_string(f.lives), 6),
                        padded(f.end ? std::to_string(*f.end) : "–", 6), padded(plusMinusText(f.falls, 1), 16),
-                       padded(plusMinusText(f.minutes, 2), 13), padded(change, 24), p);
+                       padded(plusMinusText(f.minutes, 2), 13), padded(changes[i], ofChanges), c ? pText(c->p()) : "",
+                       c && c->significant() ? " X" : "");
   }
   for (const Finding& f : findings.conditions)
     for (const std::string& warning : f.warnings) out += fmt::format("{}: {}.\n", f.name, warning);

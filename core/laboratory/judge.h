@@ -29,7 +29,7 @@ inline bool overlaps(const Interval& i, double low, double high) {
   return i.low <= high && i.high >= low;
 }
 
-/// Of a share of resamples in which something holds.
+/// Of the share of drawn means in which something holds; NaN: no means could be drawn.
 inline Verdict ofShare(double share) {
   return share >= 0.95 ? Verdict::Agrees : share < 0.05 ? Verdict::Differs : Verdict::Undecided;
 }
@@ -41,7 +41,6 @@ class Judge {
         claim_(claim),
         arguments_(claim.arguments),
         evidence_(evidence),
-        seed_(seed),
         random_(seed) {
     j_.id = claim.id, j_.says = claim.says;
     j_.thesis = arguments_.value("thesis", nlohmann::json());
@@ -71,15 +70,25 @@ class Judge {
 
   std::vector<double> values(const Evidence& e) const;
   double mean(const Evidence& e) const { return surefoot::meanOf(values(e)); }
-  Interval interval(const Evidence& e) const { return meanOf(e, measure_, seed_); }
+  Interval interval(const Evidence& e) const { return meanOf(e, measure_); }
+  /// NaN: one of the two has a single life.
   double p(const Evidence& a, const Evidence& b);
   Interval change(const Evidence& reference, const Evidence& e);
-  /// Of all these means, with the interval of its resamples.
-  Interval statistic(const Group& group, const std::function<double(const std::vector<double>&)>& f);
-  /// In what share of the resamples of all these means something holds.
+  /// `f` of the means of a group, drawn as far from ours as the lives leave them uncertain. Empty if they are too few.
+  std::vector<double> drawn(const Group& group, const std::function<double(const std::vector<double>&)>& f);
+  /// In what share of them something holds; NaN if the lives are too few.
   double share(const Group& group, const std::function<bool(const std::vector<double>&)>& holds);
-  void report(const Interval& i) { j_.ours = i.value, j_.low = i.low, j_.high = i.high; }
+  void report(const Interval& i);
   void note(const std::string& words) { j_.note += (j_.note.empty() ? "" : "; ") + words; }
+  /// Notes why there is no verdict.
+  Verdict tooFew(const std::string& condition = "");
+  /// Whether a change may be larger than `widest` (25 %) for all that the lives tell: down, up, or either.
+  bool mayExceed(const Interval& change, bool down, bool up);
+  /// Whether a claim of a change may be right though it is not significant: to that side the interval reaches beyond
+  /// `widest`, or ours goes there and the interval reaches `size` per cent.
+  bool leavesOpen(const Interval& change, double sign, double size);
+  /// Of a number that shall lie between `low` and `high`.
+  Verdict ofRange(const Interval& i);
 
   // The kinds.
 
@@ -115,7 +124,6 @@ class Judge {
   const Claim& claim_;
   const nlohmann::json& arguments_;
   const std::vector<Evidence>& evidence_;
-  std::uint64_t seed_;
   Random random_;
   std::string measure_ = "falls", problem_;
   Group conditions_;

@@ -20,6 +20,16 @@ std::size_t lowestOf(const std::vector<double>& means, std::size_t first, std::s
   return static_cast<std::size_t>(std::min_element(begin, begin + static_cast<std::ptrdiff_t>(count)) - begin);
 }
 
+/// Bands that are wider, on average, than half of the curve's largest value overlap whatever is the case.
+bool narrow(const Curve& curve) {
+  double largest = 0, width = 0;
+  for (const Interval& i : curve.y) {
+    largest = std::max(largest, std::abs(i.value));
+    width += i.high - i.low;
+  }
+  return width <= largest / 2 * static_cast<double>(curve.y.size());  // not if it is NaN
+}
+
 }  // namespace
 
 double Judge::parameterOf(const Evidence& e, const std::string& key) {
@@ -51,15 +61,26 @@ Verdict Judge::best() {
   const auto bestOf = [&](const std::vector<double>& means, std::size_t group) {
     return values[group][lowestOf(means, firsts[group], values[group].size())];
   };
+  std::vector<double> ours;
+  for (const Evidence* e : everything) ours.push_back(mean(*e));
   std::vector<Interval> intervals;
+  bool open = false;
   for (std::size_t g = 0; g < values.size(); ++g) {
-    intervals.push_back(statistic(everything, [&](const auto& means) { return bestOf(means, g); }));
+    std::vector<double> bests = drawn(everything, [&](const auto& means) { return bestOf(means, g); });
+    if (bests.empty()) return tooFew();
+    std::sort(bests.begin(), bests.end());
+    intervals.push_back({bestOf(ours, g), quantileOfSorted(bests, 0.025), quantileOfSorted(bests, 0.975)});
+    const auto [least, most] = std::minmax_element(values[g].begin(), values[g].end());
+    open = open || (intervals[g].low <= *least && intervals[g].high >= *most && *least < *most);
     note(fmt::format("best {:g} ({:g} … {:g})", intervals[g].value, intervals[g].low, intervals[g].high));
   }
   report(intervals[0]);
-  if (relation == "same")
-    return agreesIf(std::all_of(intervals.begin(), intervals.end(),
-                                [&](const Interval& i) { return overlaps(i, intervals[0].low, intervals[0].high); }));
+  if (relation == "same") {
+    const bool same = std::all_of(intervals.begin(), intervals.end(), [&](const Interval& i) {
+      return overlaps(i, intervals[0].low, intervals[0].high);
+    });
+    return same && open ? tooFew() : agreesIf(same);  // every value may be the best of one group
+  }
   return ofShare(share(everything, [&](const auto& means) {
     for (std::size_t g = 1; g < values.size(); ++g) {
       const double first = bestOf(means, 0), other = bestOf(means, g);
@@ -70,24 +91,30 @@ Verdict Judge::best() {
 }
 
 Verdict Judge::compromise() {
-  const std::string other = text("other", "");
+  const std::string other = text("other", ""), measure = measure_;
   const Evidence& first = *conditions_[0];
-  const auto better = [&](const Evidence& e, const std::string& measure) {
-    measure_ = measure;
-    return p(first, e) < kSignificant && mean(e) < mean(first);
-  };
   if (valuesOf(first, other).empty()) complain("other", "a second measure is expected");
-  const std::string measure = measure_;
-  bool beaten = false;
+  enum class Is { Better, Open, NotBetter };
+  const auto against = [&](const Evidence& e, const std::string& by) {
+    measure_ = by;
+    const double pValue = p(first, e);
+    if (pValue < kSignificant) return mean(e) < mean(first) ? Is::Better : Is::NotBetter;
+    return std::isnan(pValue) || mayExceed(change(first, e), true, false) ? Is::Open : Is::NotBetter;
+  };
+  bool beaten = false, open = false;
   for (const Evidence* e : conditions_) {
-    if (e == &first || !better(*e, measure) || !better(*e, other)) continue;
-    beaten = true;
-    note(e->name() + " is better in both");
+    if (e == &first) continue;
+    const Is one = against(*e, measure), two = against(*e, other);
+    if (one == Is::NotBetter || two == Is::NotBetter) continue;
+    const bool both = one == Is::Better && two == Is::Better;
+    if (both) note(e->name() + " is better in both");
+    beaten = beaten || both;
+    open = open || !both;
   }
   for (const std::string& m : {measure, other}) measure_ = m, noteMeans();
   measure_ = measure;
   report(interval(first));
-  return agreesIf(!beaten);
+  return open && !beaten ? tooFew() : agreesIf(!beaten);
 }
 
 // Cohen's d of each against its reference, with the spread of the lives that are there.
@@ -107,7 +134,7 @@ Verdict Judge::effectOrder() {
     std::vector<double> means;
     for (const Evidence* e : four) means.push_back(mean(*e));
     note(fmt::format("{} {:.2f}, {} {:.2f}", smaller.name(), gain(means, 0, s1), larger.name(), gain(means, 2, s2)));
-    j_.ours = std::min(held, j_.ours.value_or(1));
+    if (std::isfinite(held)) j_.ours = std::min(held, j_.ours.value_or(1));
     verdicts.push_back(ofShare(held));
   }
   return all(verdicts);
@@ -121,9 +148,13 @@ Verdict Judge::bandsOverlap() {
     if (e == &reference) continue;
     const Curve a = learningCurve(reference.record, kPoints), b = learningCurve(e->record, kPoints);
     const std::size_t points = std::min(a.y.size(), b.y.size());
+    if (points == 0 || !narrow(a) || !narrow(b)) {
+      verdicts.push_back(tooFew(e->name()));
+      continue;
+    }
     std::size_t together = 0;
     for (std::size_t i = 0; i < points; ++i) together += overlaps(a.y[i], b.y[i].low, b.y[i].high);
-    const double part = points == 0 ? 0 : static_cast<double>(together) / static_cast<double>(points);
+    const double part = static_cast<double>(together) / static_cast<double>(points);
     j_.ours = std::min(part, j_.ours.value_or(1));
     note(fmt::format("{}: at {:.0f} % of the moments", e->name(), 100 * part));
     verdicts.push_back(agreesIf(part >= 0.95));
@@ -147,7 +178,12 @@ Verdict Judge::dips() {
       const auto averages = averageRewards(episodes);
       changes.push_back(averages[lowest] - averages[first - 1]);
     }
-    const Interval i = meanOf(byQFunction(e->record, changes), seed_);
+    const Interval i = intervalOf(estimateOf(changes, unitsOf(e->record)));
+    if (!i.known()) {
+      report(i);
+      verdicts.push_back(tooFew(e->name()));
+      continue;
+    }
     note(fmt::format("{}: {:+.0f} ({:+.0f} … {:+.0f}) at episode {}", e->name(), i.value, i.low, i.high, lowest + 1));
     if (!j_.high || i.high > *j_.high) report(i);
     verdicts.push_back(i.high < 0 ? Verdict::Agrees : i.low >= 0 ? Verdict::Differs : Verdict::Undecided);

@@ -17,7 +17,10 @@ Verdict Judge::value() {
   const double within = number("within", std::abs(thesis) * number("tolerance", 0.1));
   const Interval i = interval(*conditions_[0]);
   report(i);
-  return agreesIf(overlaps(i, thesis - within, thesis + within));
+  if (!i.known()) return tooFew();
+  const bool reached = overlaps(i, thesis - within, thesis + within);
+  const bool wide = (i.high - i.low) / 2 > 2.5 * within;  // as with ± 25 % for a number that is met within 10 %
+  return reached && wide ? tooFew() : agreesIf(reached);
 }
 
 Verdict Judge::reduction() {
@@ -25,11 +28,15 @@ Verdict Judge::reduction() {
   const Evidence& e = *conditions_[0];
   const Evidence& reference = *referenceOf(e);
   const Interval i = change(reference, e);
+  const double pValue = p(reference, e);
   report(i);
-  j_.p = p(reference, e);
-  const bool direction = (i.value < 0) == (thesis < 0) && *j_.p < kSignificant;
+  if (!i.known() || std::isnan(pValue)) return tooFew();
+  j_.p = pValue;
   const bool size =
       arguments_.contains("at_least") ? std::abs(i.value) >= number("at_least") : overlaps(i, thesis - 10, thesis + 10);
+  if (pValue >= kSignificant)
+    return size && leavesOpen(i, thesis, std::abs(thesis)) ? tooFew() : Verdict::Differs;
+  const bool direction = (i.value < 0) == (thesis < 0);
   if (direction && !size) note("direction and significance agree, size differs");
   return agreesIf(direction && size);
 }
@@ -41,29 +48,36 @@ Verdict Judge::significant() {
     const Evidence& reference = *referenceOf(*e);
     if (e == &reference) continue;
     const double pValue = p(reference, *e);
+    const Interval i = change(reference, *e);
+    if (std::isnan(pValue)) {
+      report(i);
+      verdicts.push_back(tooFew(e->name()));
+      continue;
+    }
     const bool holds = pValue < kSignificant && (mean(*e) - mean(reference)) * sign > 0;
     if (!holds) note(fmt::format("not {} (p {:.2g})", e->name(), pValue));
-    if (pValue >= j_.p.value_or(0)) j_.p = pValue, report(change(reference, *e));
-    verdicts.push_back(agreesIf(holds));
+    if (pValue >= j_.p.value_or(0)) j_.p = pValue, report(i);
+    const bool open = pValue >= kSignificant && leavesOpen(i, sign, 10);
+    verdicts.push_back(open ? tooFew(e->name()) : agreesIf(holds));
   }
   return all(verdicts);
 }
 
 Verdict Judge::noDifference() {
-  const double widest = number("widest", 25);
   std::vector<Verdict> verdicts;
   for (const Evidence* e : conditions_) {
     const Evidence& reference = *referenceOf(*e);
     if (e == &reference) continue;
     const double pValue = p(reference, *e);
     const Interval i = change(reference, *e);
-    if (pValue <= j_.p.value_or(1)) j_.p = pValue, report(i);
-    const bool wide = (i.high - i.low) / 2 > widest;
-    if (pValue < kSignificant)
+    if (!(pValue > j_.p.value_or(1))) report(i);
+    if (pValue <= j_.p.value_or(1)) j_.p = pValue;
+    if (pValue < kSignificant) {
       note(fmt::format("{} differs by {:+.0f} % (p {:.2g})", e->name(), i.value, pValue));
-    else if (wide)
-      note(fmt::format("{}: too few lives to tell", e->name()));
-    verdicts.push_back(pValue < kSignificant ? Verdict::Differs : wide ? Verdict::Undecided : Verdict::Agrees);
+      verdicts.push_back(Verdict::Differs);
+    } else {
+      verdicts.push_back(mayExceed(i, true, true) ? tooFew(e->name()) : Verdict::Agrees);
+    }
   }
   return all(verdicts);
 }
@@ -75,17 +89,16 @@ Verdict Judge::withinLives() {
     const auto a = valuesOf(*e, measure_), b = valuesOf(*e, other);
     if (b.empty()) complain("other", fmt::format("it takes {}", joinWords(measureNames(), "or")));
     std::vector<double> differences;
-    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-      if (std::isfinite(a[i]) && std::isfinite(b[i])) differences.push_back(b[i] - a[i]);
-    const auto i = meanInterval(differences);
-    if (!i) {
+    for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) differences.push_back(b[i] - a[i]);
+    const Interval i = intervalOf(estimateOf(differences, unitsOf(e->record)));
+    if (!i.known()) {
       note(fmt::format("{}: too few lives have both", e->name()));
       verdicts.push_back(Verdict::Undecided);
       continue;
     }
-    if (i->low <= 0) note(fmt::format("{}: {:+.3g} ({:+.3g} … {:+.3g})", e->name(), i->value, i->low, i->high));
-    if (!j_.low || i->low < *j_.low) report(*i);
-    verdicts.push_back(i->low > 0 ? Verdict::Agrees : i->high < 0 ? Verdict::Differs : Verdict::Undecided);
+    if (i.low <= 0) note(fmt::format("{}: {:+.3g} ({:+.3g} … {:+.3g})", e->name(), i.value, i.low, i.high));
+    if (!j_.low || i.low < *j_.low) report(i);
+    verdicts.push_back(i.low > 0 ? Verdict::Agrees : i.high < 0 ? Verdict::Differs : Verdict::Undecided);
   }
   return all(verdicts);
 }
@@ -99,7 +112,10 @@ Verdict Judge::notLonger() {
     const Interval i = change(reference, *e);
     if (!j_.high || i.high > *j_.high) report(i);
     if (i.low > 0) note(fmt::format("{}: {:+.0f} % ({:+.0f} … {:+.0f})", e->name(), i.value, i.low, i.high));
-    verdicts.push_back(i.low > 0 ? Verdict::Differs : i.high >= 25 ? Verdict::Undecided : Verdict::Agrees);
+    if (!i.known())
+      verdicts.push_back(tooFew(e->name()));
+    else
+      verdicts.push_back(i.low > 0 ? Verdict::Differs : i.high >= 25 ? Verdict::Undecided : Verdict::Agrees);
   }
   return all(verdicts);
 }
@@ -110,7 +126,10 @@ Verdict Judge::below() {
   for (const Evidence* e : conditions_) {
     const Interval i = interval(*e);
     if (!j_.high || i.high > *j_.high) report(i);
-    verdicts.push_back(i.high < high ? Verdict::Agrees : i.low >= high ? Verdict::Differs : Verdict::Undecided);
+    if (!i.known())
+      verdicts.push_back(tooFew(e->name()));
+    else
+      verdicts.push_back(i.high < high ? Verdict::Agrees : i.low >= high ? Verdict::Differs : Verdict::Undecided);
   }
   return all(verdicts);
 }
@@ -127,10 +146,11 @@ Verdict Judge::trend() {
     for (const double v : values(*e)) x.push_back(parameters[along]), y.push_back(v);
   }
   const auto r = rankCorrelation(x, y);
-  if (!r) return Verdict::Undecided;
+  if (!r) return tooFew();
   const double degrees = static_cast<double>(x.size()) - 2;
   const double t = std::abs(*r) * std::sqrt(degrees / std::max(1e-12, 1 - *r * *r));
   j_.ours = *r;
+  if (x.size() < 10) return tooFew();  // of fewer the distribution of the rank correlation is not Student's
   j_.p = 2 * boost::math::cdf(boost::math::complement(boost::math::students_t(degrees), t));
   noteMeans();
   if (*j_.p >= kSignificant) return Verdict::Undecided;
@@ -140,6 +160,7 @@ Verdict Judge::trend() {
 Verdict Judge::settled() {
   double largest = 0;
   for (const Evidence* e : conditions_) {
+    if (e->lives.size() < 2) return tooFew(e->name());
     if (!e->end) {
       note(fmt::format("{} never settled", e->name()));
       return Verdict::Differs;
@@ -157,7 +178,7 @@ Verdict Judge::pool() {
     const Groups groups = groupsOf(*e, measure_);
     const auto component = groups.size() > 1 ? varianceComponent({groups.begin(), groups.end()}) : std::nullopt;
     if (!component) {
-      verdicts.push_back(Verdict::Undecided);
+      verdicts.push_back(tooFew(e->name()));
       continue;
     }
     if (component->test.p <= j_.p.value_or(1)) j_.p = component->test.p, j_.ours = component->share;

@@ -51,13 +51,13 @@ double minutesOf(std::span<const StoredEpisode> episodes, double stepTime) {
 }
 
 /// Mean and band over lives of what each of them gives at x.
-Curve overLives(std::vector<double> x, const std::vector<std::vector<double>>& lives) {
+Curve overLives(const ConditionRecord& record, std::vector<double> x, const std::vector<std::vector<double>>& lives) {
   Curve curve{.x = std::move(x), .y = {}};
+  const Units units = unitsOf(record);
   std::vector<double> values(lives.size());
   for (std::size_t i = 0; i < curve.x.size(); ++i) {
     for (std::size_t l = 0; l < lives.size(); ++l) values[l] = lives[l][i];
-    const double mean = meanOf(values);
-    curve.y.push_back(meanInterval(values).value_or(Interval{mean, mean, mean}));
+    curve.y.push_back(intervalOf(estimateOf(values, units)));
   }
   return curve;
 }
@@ -70,7 +70,7 @@ Curve againstEpisodes(const ConditionRecord& record, const ValuesOfLife& value) 
   for (std::size_t k = 0; k < x.size(); ++k) x[k] = static_cast<double>(k + 1);
   std::vector<std::vector<double>> lives;
   for (const auto& episodes : record.episodes) lives.push_back(value(episodes));
-  return overLives(std::move(x), lives);
+  return overLives(record, std::move(x), lives);
 }
 
 /// The same at moments spread evenly in simulated time, from that on at which all lives have finished an episode;
@@ -104,7 +104,7 @@ Curve againstMinutes(const ConditionRecord& record, std::size_t points, const Va
       y.push_back(values[over - 1]);
     }
   }
-  return overLives(std::move(x), lives);
+  return overLives(record, std::move(x), lives);
 }
 
 }  // namespace
@@ -136,6 +136,7 @@ Result<std::vector<ConditionRecord>> readConditions(const Store& store) {
     }
     auto episodes = store.episodes(life.condition, life.life);
     if (!episodes) return episodes.error();
+    record.paired = plan->paired;
     record.lives.push_back(life);
     record.episodes.push_back(std::move(*episodes));
     auto measures = store.measures(life.condition, life.life);
@@ -213,6 +214,16 @@ std::vector<double> fallsUntil(const ConditionRecord& record, std::size_t episod
   return falls;
 }
 
+Units unitsOf(const ConditionRecord& record) {
+  std::map<int, std::size_t> numbers;
+  for (const StoredLife& l : record.lives) numbers[l.qFunction] = 0;
+  if (numbers.size() < 2) return Units::each(record.lives.size());
+  Units units{.of = {}, .areQFunctions = true};
+  for (auto& [qFunction, number] : numbers) number = units.count++;
+  for (const StoredLife& l : record.lives) units.of.push_back(numbers[l.qFunction]);
+  return units;
+}
+
 Groups byQFunction(const ConditionRecord& record, Sample values) {
   std::map<int, std::vector<double>> groups;
   for (std::size_t i = 0; i < values.size(); ++i) groups[record.lives[i].qFunction].push_back(values[i]);
@@ -247,7 +258,7 @@ Curve rewardAgainstFalls(const ConditionRecord& record) {
   std::vector<double> x(most);
   for (std::size_t f = 0; f < most; ++f) x[f] = static_cast<double>(f + 1);
   for (auto& values : lives) values.resize(most, values.back());
-  return overLives(std::move(x), lives);
+  return overLives(record, std::move(x), lives);
 }
 
 }  // namespace surefoot

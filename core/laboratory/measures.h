@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/laboratory/statistics.h"
+#include "core/laboratory/mean_estimate.h"
 #include "core/laboratory/store.h"
 
 namespace surefoot {
@@ -18,7 +18,8 @@ struct ConditionRecord {
   std::vector<std::vector<StoredEpisode>> episodes;  ///< [life][episode]
   std::vector<std::vector<StoredMeasure>> measures;  ///< [life]; of greedy tests, too
   std::vector<StoredPreLearning> preLearned;
-  int diverged = 0;  ///< lives left out
+  int diverged = 0;     ///< lives left out
+  bool paired = false;  ///< life i has the same seeds in every condition
 
   /// Episodes of the shortest life.
   std::size_t shortest() const;
@@ -61,10 +62,12 @@ std::vector<LifeMeasures> measure(const ConditionRecord& record, std::optional<s
 /// Falls of every life up to an episode.
 std::vector<double> fallsUntil(const ConditionRecord& record, std::size_t episode);
 
+/// What is independent of each other: lives; or, where lives share several Q-functions, these, in order.
+Units unitsOf(const ConditionRecord& record);
 /// The values of lives, those with one Q-function together, in the order of these; one group if there was none.
 Groups byQFunction(const ConditionRecord& record, Sample values);
 
-/// A curve over lives with its 95 % band.
+/// A curve over lives with its 95 % band; of one life without.
 struct Curve {
   std::vector<double> x;
   std::vector<Interval> y;

@@ -112,6 +112,12 @@ std::optional<TestResult> oneWayAnova(const std::vector<Sample>& groups) {
   return TestResult{f, between, within, tailOfF(f, between, within)};
 }
 
+std::optional<TestResult> anovaOfTwo(Sample a, Sample b) {
+  const std::size_t fewer = std::min(a.size(), b.size());
+  if (fewer < 2 || (fewer < 4 && varianceOf(a) + varianceOf(b) == 0)) return std::nullopt;
+  return oneWayAnova({a, b});
+}
+
 std::optional<TestResult> welchTest(Sample a, Sample b) {
   if (a.size() < 2 || b.size() < 2) return std::nullopt;
   const double squaredError = squaredStandardErrors(a, b).sum();
@@ -244,7 +250,8 @@ std::optional<VarianceComponent> varianceComponent(const std::vector<Sample>& gr
 }
 
 double changeInPerCent(double before, double after) {
-  return before == after ? 0.0 : 100.0 * (after / before - 1.0);
+  if (before == after) return 0.0;
+  return before == 0 ? std::numeric_limits<double>::quiet_NaN() : 100.0 * (after - before) / std::abs(before);
 }
 
 double quantileOfSorted(Sample sorted, double q) {

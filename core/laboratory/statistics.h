@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Statistics of samples. Distributions are Boost.Math's; the bootstrap draws from a generator that is handed in, so
-// that an interval is the same on every machine. A sample holds finite numbers; where it is too small to say anything
-// the answer is empty. Any thread.
+// Statistics of samples. Distributions are Boost.Math's. A sample holds finite numbers; where it is too small to say
+// anything the answer is empty. Any thread.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -17,8 +16,10 @@ namespace surefoot {
 using Sample = std::span<const double>;
 
 struct Interval {
-  double value = 0.0;            ///< the estimate itself
-  double low = 0.0, high = 0.0;  ///< of 95 %
+  double value = 0.0;            ///< the estimate itself; NaN: there is none
+  double low = 0.0, high = 0.0;  ///< of 95 %; NaN: there is no interval, as of one life
+
+  bool known() const { return std::isfinite(low) && std::isfinite(high); }
 };
 
 double meanOf(Sample x);
@@ -39,6 +40,9 @@ struct TestResult {
 /// One-way analysis of variance (Fisher): do all groups have one mean? Empty with fewer than two groups, an empty
 /// group, or one value a group. Groups without any variance: p is 1 for equal means, else 0.
 std::optional<TestResult> oneWayAnova(const std::vector<Sample>& groups);
+/// The same of two conditions, as the thesis compares them. Empty if nobody knows how they scatter: if one of them has a
+/// single value, or two or three values are all the same in each.
+std::optional<TestResult> anovaOfTwo(Sample a, Sample b);
 /// Welch's t test (1947): the same for two groups whose variances may differ. Without any variance as above.
 std::optional<TestResult> welchTest(Sample a, Sample b);
 /// Interval of mean(b) − mean(a), after Welch.
@@ -71,21 +75,11 @@ struct VarianceComponent {
 std::optional<VarianceComponent> varianceComponent(const std::vector<Sample>& groups);
 
 /// Groups of values that belong together: the lives that began with one Q-function. Lives that share nothing are one
-/// group of all; of those that began with a Q-function each, every one is a group.
+/// group of all.
 using Groups = std::vector<std::vector<double>>;
 
-/// The bootstrap (Efron & Tibshirani 1993): `f` of the means of a resample of every condition, so many times, in order.
-/// With several groups it draws groups, then values within each; `shared`: the groups of all conditions are the same
-/// ones, and are drawn together; with one value in each group, that is the bootstrap of pairs.
-std::vector<double> resample(const std::vector<Groups>& conditions, bool shared,
-                             const std::function<double(const std::vector<double>& means)>& f, Random& random,
-                             int count = 10'000);
-/// `f` of the means themselves, and the percentile interval (2.5 % to 97.5 %) of its resamples.
-Interval bootstrap(const std::vector<Groups>& conditions, bool shared,
-                   const std::function<double(const std::vector<double>& means)>& f, Random& random,
-                   int count = 10'000);
-
-/// 100·(after/before − 1): −45 means 45 % fewer. 0 where both are 0.
+/// 100·(after − before)/|before|: −45 means 45 % fewer. Of nothing there are no per cent: NaN where `before` is 0, but
+/// 0 where both are.
 double changeInPerCent(double before, double after);
 
 /// The q-quantile (0 … 1) of sorted values, linearly between neighbours (Hyndman & Fan 1996, type 7).

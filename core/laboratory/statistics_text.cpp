@@ -13,11 +13,12 @@ int decimalsOf(double value) {
 
 std::string plusMinusText(const Interval& i, int decimals) {
   if (!std::isfinite(i.value)) return "–";
-  if (!std::isfinite(i.low)) return fmt::format("{:.{}f}", i.value, decimals);
+  if (!i.known()) return fmt::format("{:.{}f}", i.value, decimals);
   return fmt::format("{:.{}f} ± {:.{}f}", i.value, decimals, (i.high - i.low) / 2, decimals);
 }
 
 std::string shortPText(double p) {
+  if (std::isnan(p)) return "–";
   return p < 1e-10 ? "< 1e-10" : fmt::format("{:.2g}", p);
 }
 

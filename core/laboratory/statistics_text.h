@@ -12,7 +12,7 @@ namespace surefoot {
 int decimalsOf(double value);
 /// "93.4 ± 4.1"; without an interval the value alone; "–" where there is no value.
 std::string plusMinusText(const Interval& interval, int decimals);
-/// "0.0031", "< 1e-10"
+/// "0.0031", "< 1e-10"; "–" of NaN: no test
 std::string shortPText(double p);
 
 }  // namespace surefoot

@@ -21,4 +21,19 @@ TEST(Text, ThousandsAreSeparated) {
   EXPECT_EQ(countText(-1000), "\u22121,000");
 }
 
+TEST(Text, ACellOfATableIsQuotedWhereItMustBe) {
+  EXPECT_EQ(csvCell("TRL 50"), "TRL 50");
+  EXPECT_EQ(csvCell("a, \"b\""), "\"a, \"\"b\"\"\"");
+  EXPECT_EQ(csvCell("two\nlines"), "\"two\nlines\"");
+  EXPECT_EQ(csvCell(""), "");
+}
+
+TEST(Text, ACellIsNeverAFormula) {
+  EXPECT_EQ(csvCell("=1+1"), "'=1+1");
+  EXPECT_EQ(csvCell("=HYPERLINK(\"http://x\",\"y\")"), "\"'=HYPERLINK(\"\"http://x\"\",\"\"y\"\")\"");
+  for (const char* begin : {"+", "-", "@", "\t", "\r", "\n", "＝"})
+    EXPECT_NE(csvCell(begin + std::string("x")).find(std::string("'") + begin), std::string::npos) << begin;
+  EXPECT_EQ(csvCell("a-1"), "a-1");
+}
+
 }  // namespace surefoot

@@ -1,45 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Verdicts on lives made by hand, whose means are known.
-#include "core/laboratory/claim.h"
-
-#include <gtest/gtest.h>
-
 #include <cmath>
 
-#include "core/agents/register.h"
+#include "tests/core/laboratory/claim_evidence.h"
 
 namespace surefoot {
 
 namespace {
 
-/// A condition whose 20 lives fall about `mean` times, a little more or less (± 10 %), in one long quiet life.
-Evidence condition(const std::string& name, double mean, const std::string& reference = "", double scatter = 0.1) {
-  Evidence e;
-  e.record.condition.name = name;
-  e.record.condition.reference = reference;
-  e.configuration = {{"parameters", {{"agent.step_size", mean / 100}}}};
-  for (int i = 0; i < 20; ++i) {
-    e.record.lives.push_back({});
-    e.record.lives.back().life = i;
-    LifeMeasures life;
-    life.falls = mean * (1 + scatter * ((i % 5) - 2) / 1.5);
-    life.minutes = mean / 50;
-    life.during = {mean, mean + 10};
-    e.lives.push_back(life);
-  }
-  return e;
-}
-
 const std::vector<Evidence> kEvidence = {
     condition("reference", 100),           condition("half", 50, "reference"),
     condition("same", 100.5, "reference"), condition("TRL 0", 80, "reference"),
     condition("TRL 50", 60, "reference"),  condition("wild", 100, "reference", 1.4)};
-
-const Registry kRegistry = [] {
-  Registry registry;
-  registerCore(registry);
-  return registry;
-}();
 
 Judgement judged(const std::string& kind, nlohmann::json arguments) {
   const auto j =
@@ -50,13 +22,7 @@ Judgement judged(const std::string& kind, nlohmann::json arguments) {
 Verdict verdict(const std::string& kind, nlohmann::json arguments) {
   return judged(kind, std::move(arguments)).verdict;
 }
-using Json = nlohmann::json;
 const Json kHalf = Json::array({"half"}), kSame = Json::array({"same"}), kWild = Json::array({"wild"});
-
-/// A list of lists, which nlohmann/json would take for an object.
-Json pairs(const std::vector<std::vector<std::string>>& list) {
-  return list;
-}
 
 }  // namespace
 

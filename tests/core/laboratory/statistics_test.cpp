@@ -35,6 +35,9 @@ TEST(Statistics, AnovaWithoutVarianceSaysEqualOrDifferent) {
   EXPECT_EQ(oneWayAnova({a, b})->p, 0.0);
   EXPECT_FALSE(oneWayAnova({a}));
   EXPECT_FALSE(oneWayAnova({a, {}}));
+  EXPECT_FALSE(anovaOfTwo(a, b)) << "three equal falls happen by chance";
+  EXPECT_EQ(anovaOfTwo(std::vector<double>{1, 1, 1, 1}, std::vector<double>{2, 2, 2, 2})->p, 0.0);
+  EXPECT_FALSE(anovaOfTwo(a, std::vector<double>{2})) << "one value has no scatter";
 }
 
 TEST(Statistics, WelchAndPairedTestOfSleep) {  // R: t.test(extra ~ group): t −1.8608, df 17.776, p 0.07939
@@ -129,60 +132,11 @@ TEST(Statistics, QuantilesAsInR) {  // quantile(c(1, 2, 3, 4, 10), c(.1, .5, .97
   EXPECT_EQ(quantileOfSorted(x, 1.0), 10);
 }
 
-TEST(Statistics, BootstrapCoversADifferenceOfKnownWidth) {
-  // The mean of 100 values of variance 1/12 has a standard error of 0.0289, so the interval of a difference of two is
-  // ± 1.96·0.0408; the bootstrap of one sample scatters around that by some per cent.
-  Random draws(5);
-  std::vector<double> a(100), b(100);
-  for (double& x : a) x = draws.uniform();
-  for (double& x : b) x = 1 + draws.uniform();
-  Random random(1);
-  const auto difference = [](const std::vector<double>& means) { return means[1] - means[0]; };
-  const Interval i = bootstrap({{a}, {b}}, false, difference, random);
-  EXPECT_NEAR(i.value, meanOf(b) - meanOf(a), 1e-12);
-  EXPECT_NEAR((i.high - i.low) / 2, 1.96 * 0.0408, 0.015);
-  Random again(1);
-  EXPECT_EQ(bootstrap({{a}, {b}}, false, difference, again).low, i.low) << "the same seed, the same interval";
-}
-
-TEST(Statistics, BootstrapOfGroupsSeesHowMuchTheyDiffer) {
-  // Five groups of eight equal values: nothing varies but the group, so the interval is that of five values.
-  Groups groups;
-  for (const double value : {10.0, 12.0, 14.0, 16.0, 18.0}) groups.push_back(std::vector<double>(8, value));
-  const auto mean = [](const std::vector<double>& means) { return means[0]; };
-  Random random(3);
-  const Interval grouped = bootstrap({groups}, false, mean, random);
-  std::vector<double> flat;
-  for (const auto& g : groups) flat.insert(flat.end(), g.begin(), g.end());
-  const Interval alone = bootstrap({{flat}}, false, mean, random);
-  EXPECT_GT(grouped.high - grouped.low, 2 * (alone.high - alone.low));
-  // Drawn together, equal groups cancel.
-  const Interval shared = bootstrap(
-      {groups, groups}, true, [](const auto& m) { return m[1] - m[0]; }, random);
-  EXPECT_EQ(shared.low, 0.0);
-  EXPECT_EQ(shared.high, 0.0);
-}
-
-TEST(Statistics, BootstrapOfPairsSeesWhatPairsHaveInCommon) {
-  // Pairs that differ by 1 exactly: their difference has no interval. Alone, that of two means of 100 has one.
-  Random draws(5);
-  Groups before, after;
-  for (int i = 0; i < 100; ++i) {
-    before.push_back({draws.uniform()});
-    after.push_back({before.back()[0] + 1});
-  }
-  const auto difference = [](const std::vector<double>& means) { return means[1] - means[0]; };
-  Random random(1);
-  const Interval paired = bootstrap({before, after}, true, difference, random);
-  EXPECT_NEAR(paired.low, 1, 1e-12);
-  EXPECT_NEAR(paired.high, 1, 1e-12);
-  const Interval alone = bootstrap({before, after}, false, difference, random);
-  EXPECT_NEAR((alone.high - alone.low) / 2, 1.96 * 0.0408, 0.015);
-}
-
 TEST(Statistics, ChangeInPerCent) {
   EXPECT_DOUBLE_EQ(changeInPerCent(20, 11), -45);
   EXPECT_DOUBLE_EQ(changeInPerCent(0, 0), 0);
+  EXPECT_TRUE(std::isnan(changeInPerCent(0, 3))) << "of nothing there are no per cent";
+  EXPECT_DOUBLE_EQ(changeInPerCent(-100, -150), -50) << "worse by half";
 }
 
 TEST(Statistics, WithoutVarianceTheMeansDecide) {
