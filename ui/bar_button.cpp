@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QPainter>
 
+#include "ui/plain_text.h"
 #include "ui/theme.h"
 
 namespace surefoot {
@@ -38,7 +39,7 @@ void BarButton::setIcon(Icon icon) {
 }
 
 void BarButton::setTip(const QString& tip) {
-  setToolTip(tip);
+  setToolTip(tipText(tip));
   setAccessibleName(tip);
 }
 
@@ -47,7 +48,8 @@ void BarButton::followAction() {
   setText(action_->text().remove('&'));
   setAccessibleName(text());
   const QString shortcut = action_->shortcut().toString(QKeySequence::NativeText);
-  setToolTip(shortcut.isEmpty() ? action_->toolTip() : QStringLiteral("%1 (%2)").arg(action_->toolTip(), shortcut));
+  const QString tip = action_->toolTip();
+  setToolTip(tipText(shortcut.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, shortcut)));
   update();
 }
 

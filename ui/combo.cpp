@@ -3,11 +3,13 @@
 
 #include <QWheelEvent>
 
+#include "ui/plain_text.h"
+
 namespace surefoot {
 
 Combo::Combo(const QString& name, QWidget* parent) : QComboBox(parent) {
   setAccessibleName(name);
-  setToolTip(name);
+  setToolTip(tipText(name));
 }
 
 // A wheel that scrolls the form must not change a choice on its way.

@@ -175,6 +175,7 @@ QWidget* ExperimentPage::makeResults() {
   connect(&experiment_, &Experiment::resultsChanged, claims, offer);
   offer();
   summary_ = new QLabel;
+  summary_->setTextFormat(Qt::RichText);  // its names are escaped
   summary_->setContentsMargins(12, 6, 12, 10);
   summary_->setWordWrap(true);
   column->addWidget(header);

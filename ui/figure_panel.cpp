@@ -8,6 +8,7 @@
 #include "ui/figure_view.h"
 #include "ui/link_button.h"
 #include "ui/panel.h"
+#include "ui/plain_text.h"
 #include "ui/symbol_text.h"
 #include "ui/view_menu.h"
 
@@ -45,7 +46,7 @@ FigurePanel::FigurePanel(Experiment& experiment, std::size_t first, QWidget* par
 void FigurePanel::fillMenu() {
   choose_->menu()->clear();
   for (const FigureSpec& spec : experiment_.figures()) {
-    QAction* action = choose_->menu()->addAction(toText(spec.title));
+    QAction* action = choose_->menu()->addAction(menuText(toText(spec.title)));
     action->setCheckable(true);
     action->setChecked(spec.name == chosen_);
     connect(action, &QAction::triggered, this, [this, name = spec.name] {

@@ -8,6 +8,7 @@
 
 #include "core/text.h"
 #include "ui/experiment.h"
+#include "ui/plain_text.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
 
@@ -115,12 +116,12 @@ void FindingsTable::refresh() {
   for (const Finding& f : view->findings.conditions) {
     const bool strong = f.comparison && f.comparison->significant();
     put(*this, row, 0, toText(f.name), strong, true);
-    item(row, 0)->setToolTip(toText(f.name));
+    item(row, 0)->setToolTip(tipText(toText(f.name)));
     QStringList warnings;
     for (const std::string& w : f.warnings) warnings << toText(w);
     put(*this, row, 1, QString::number(f.lives));
     put(*this, row, 2, f.lives > 0 ? plusMinus(f.falls, 1) : QString(), strong);
-    if (!warnings.isEmpty()) item(row, 2)->setToolTip(warnings.join('\n'));
+    if (!warnings.isEmpty()) item(row, 2)->setToolTip(tipText(warnings.join('\n')));
     const auto& c = f.comparison;
     put(*this, row, 3, c ? changeText(c->change) : QStringLiteral("–"), strong);
     put(*this, row, 4, c ? intervalText(*c) : QString());
@@ -148,7 +149,7 @@ void ClaimsTable::refresh() {
   for (const Judgement& j : judgements) {
     const QString says = QStringLiteral("%1  %2").arg(toText(j.id), toText(j.says));
     put(*this, row, 0, says, false, true);
-    item(row, 0)->setToolTip(says);
+    item(row, 0)->setToolTip(tipText(says));
     // A change against the reference is in per cent; numbers of one row have one rounding.
     const bool percent = experiment_.isInPercent(j.id);
     const QString unit = percent ? QStringLiteral(" %") : QString();
@@ -167,7 +168,7 @@ void ClaimsTable::refresh() {
     const bool weak = j.verdict != Verdict::Agrees && j.p && *j.p >= 0.01 && percent;
     const QString why = j.note.empty() && weak ? tr("not significant (p ≥ .01)") : toText(j.note);
     put(*this, row, 5, why, false, true);
-    item(row, 5)->setToolTip(why);
+    item(row, 5)->setToolTip(tipText(why));
     ++row;
   }
 }

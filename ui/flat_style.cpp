@@ -3,6 +3,7 @@
 #include "ui/flat_style.h"
 
 #include <QDialog>
+#include <QLabel>
 #include <QStyleFactory>
 #include <QStyleOption>
 #include <QTableView>
@@ -144,6 +145,9 @@ QRect FlatStyle::subControlRect(ComplexControl control, const QStyleOptionComple
 void FlatStyle::polish(QWidget* widget) {
   QProxyStyle::polish(widget);
   if (qobject_cast<QDialog*>(widget)) widget->setAttribute(Qt::WA_StyledBackground);  // drawPrimitive(PE_Widget)
+  // A label shows what it is given to the letter, whatever looks like HTML in it; tooltips see to it themselves.
+  if (auto* label = qobject_cast<QLabel*>(widget); label && label->textFormat() == Qt::AutoText)
+    if (!label->inherits("QTipLabel")) label->setTextFormat(Qt::PlainText);
 }
 
 }  // namespace surefoot

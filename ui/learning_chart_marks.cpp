@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/learning_charts.h"
+#include "ui/plain_text.h"
 #include "ui/session.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
@@ -123,7 +124,7 @@ bool LearningChart::viewportEvent(QEvent* event) {
                                  : tr("This fall is no longer kept; it cannot be replayed."));
         break;
       }
-  QToolTip::showText(help.globalPos(), texts.join('\n'), this);
+  QToolTip::showText(help.globalPos(), tipText(texts.join('\n')), this);
   return true;
 }
 

@@ -83,6 +83,7 @@ MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent)
   connect(&session_.background(), &Background::busyChanged, this, [this] {
     if (session_.background().busy()) messages_->tell(tr("It is being made ready; the world goes on meanwhile."));
   });
+  connect(bar_, &RunBar::meaningAsked, this, &MainWindow::showWords);
   connect(bar_, &RunBar::environmentAsked, this,
           [this](const std::string& name) { begin([this, name] { return session_.beginEnvironment(name); }); });
   connect(bar_, &RunBar::agentAsked, this, [this](const QString& name, const QString& title) {

@@ -23,6 +23,7 @@ class MessageBar;
 class Session;
 class PreLearningDialog;
 class StatusLine;
+class WordsDialog;
 struct Preferences;
 enum class Appearance;
 enum class SavedAs;
@@ -83,6 +84,7 @@ class MainWindow final : public QMainWindow {
   void refreshStatus();
   void showShortcuts();
   void showAbout();
+  void showWords(const std::string& name);
 
   Session& session_;
   RunActions run_{};
@@ -101,6 +103,7 @@ class MainWindow final : public QMainWindow {
   QActionGroup* appearances_ = nullptr;
   Appearance appearance_;
   Autosave* autosave_ = nullptr;
+  QPointer<WordsDialog> words_;
   QString sessionPath_;  // where Save writes; empty: not saved yet
   QString troubleShown_;
   bool closing_ = false;

@@ -7,11 +7,13 @@
 #include <QVBoxLayout>
 
 #include "ui/main_window.h"
+#include "core/number_text.h"
 #include "ui/message_bar.h"
 #include "ui/pre_learning_dialog.h"
 #include "ui/session.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
+#include "ui/words_dialog.h"
 
 namespace surefoot {
 
@@ -60,6 +62,14 @@ void MainWindow::showShortcuts() {
   dialog->show();
 }
 
+void MainWindow::showWords(const std::string& name) {
+  if (!words_) words_ = new WordsDialog(this);
+  words_->showWord(name);
+  words_->show();
+  words_->raise();
+  words_->activateWindow();
+}
+
 void MainWindow::showAbout() {
   auto* dialog = new QDialog(this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -71,6 +81,7 @@ void MainWindow::showAbout() {
          "<p>The methods are those of M. van Diepen's thesis<br><i>Avoiding failure states during Reinforcement "
          "Learning</i>, Delft.</p><p>Free software under the GNU General Public License, version 3 or later.</p>")
           .arg(QApplication::applicationVersion()));
+  text->setTextFormat(Qt::RichText);  // nothing in it is from outside
   column->addWidget(text);
   dialog->show();
 }

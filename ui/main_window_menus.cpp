@@ -14,6 +14,7 @@
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
 #include "ui/panel.h"
+#include "ui/plain_text.h"
 #include "ui/session.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
@@ -153,7 +154,7 @@ void MainWindow::fillRecent() {
   recent_->clear();
   const QStringList files = QSettings().value("recent").toStringList();
   for (const QString& path : files)
-    connect(recent_->addAction(path), &QAction::triggered, this, [this, path] { openFile(path); });
+    connect(recent_->addAction(menuText(path)), &QAction::triggered, this, [this, path] { openFile(path); });
   if (files.isEmpty()) recent_->addAction(tr("Nothing yet"))->setEnabled(false);
 }
 
@@ -206,6 +207,8 @@ void MainWindow::makeMenus() {
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   connect(addAction(help, tr("&Shortcuts"), tr("All shortcuts"), Qt::Key_F1), &QAction::triggered, this,
           &MainWindow::showShortcuts);
+  connect(addAction(help, tr("&Words"), tr("What the words mean, with their formulas"), {}), &QAction::triggered, this,
+          [this] { showWords({}); });
   connect(addAction(help, tr("&About Surefoot"), tr("What this is"), {}), &QAction::triggered, this,
           &MainWindow::showAbout);
   menuBar()->setCornerWidget(makeTabs());

@@ -10,6 +10,7 @@
 #include "core/text.h"
 #include "ui/link_button.h"
 #include "ui/panel.h"
+#include "ui/plain_text.h"
 #include "ui/slider.h"
 #include "ui/symbol_text.h"
 
@@ -57,7 +58,7 @@ void MapBar::fillAll(QMenu& menu) {
 QToolButton* MapBar::addButton(const QString& name, Fill fill) {
   auto* button = new LinkButton(QString(), this);
   button->setAccessibleName(name);
-  button->setToolTip(name);
+  button->setToolTip(tipText(name));
   auto* menu = new QMenu(button);
   button->setMenu(menu);
   button->setPopupMode(QToolButton::InstantPopup);

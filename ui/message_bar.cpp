@@ -21,6 +21,7 @@ MessageBar::MessageBar(QWidget* parent)
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(15, 4, 12, 5);
   row->setSpacing(8);
+  text_->setTextFormat(Qt::PlainText);
   text_->setWordWrap(true);
   row->addWidget(text_, 1);
   for (std::size_t i = 0; i < answers_.size(); ++i) {

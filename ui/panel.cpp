@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/icons.h"
+#include "ui/plain_text.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
 
@@ -52,7 +53,7 @@ PanelHeader::PanelHeader(const QString& title, bool canFill, QWidget* parent)
     : QWidget(parent),
       title_(title),
       close_(new HeaderButton(Icon::Close, Icon::Close, this)) {
-  close_->setToolTip(tr("Close %1; the View menu brings it back").arg(title_));
+  close_->setToolTip(tipText(tr("Close %1; the View menu brings it back").arg(title_)));
   close_->setAccessibleName(close_->toolTip());
   close_->hide();
   connect(close_, &QAbstractButton::clicked, this, &PanelHeader::closeAsked);
@@ -85,7 +86,7 @@ void PanelHeader::setNote(const QString& note) {
 void PanelHeader::setFull(bool full) {
   if (!button_) return;
   button_->setChecked(full);
-  button_->setToolTip(full ? tr("Back to all panels") : tr("Give %1 the whole window").arg(title_));
+  button_->setToolTip(tipText(full ? tr("Back to all panels") : tr("Give %1 the whole window").arg(title_)));
   button_->setAccessibleName(button_->toolTip());
 }
 

@@ -183,7 +183,13 @@ void ParameterForm::refresh() {
 }
 
 void ParameterForm::edit(const QString& key, double value) {
-  if (const Status s = session_.setParameter(key.toStdString(), value); !s) Q_EMIT refused(toText(s.error().message));
+  if (const Status s = session_.setParameter(key.toStdString(), value); !s) {
+    const QString sentence = toText(s.error().message);
+    for (const Section& section : sections_)
+      for (const Row& row : section.rows)
+        if (row.row && toText(row.row->key()) == key) row.row->tellRefused(tr("not with the others"), sentence);
+    Q_EMIT refused(sentence);
+  }
   refresh();
 }
 

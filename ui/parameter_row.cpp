@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/parameter_row.h"
 
-#include <QEvent>
+#include <QAccessible>
 #include <QLineEdit>
-#include <QPainter>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <cmath>
 
+#include "core/number_text.h"
 #include "core/text.h"
 #include "ui/combo.h"
+#include "ui/plain_text.h"
 #include "ui/slider.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
@@ -17,15 +18,7 @@
 namespace surefoot {
 
 namespace {
-constexpr int kRow = 24, kChanged = 18, kName = 20, kUnit = 32, kNumber = 48;  // [px]
-
-QString tip(const Parameter& p) {
-  const QString symbol = p.symbol.empty() ? QString() : QStringLiteral(" %1").arg(toText(p.symbol));
-  const QString unit = p.unit.empty() ? QString() : QStringLiteral(" [%1]").arg(toText(p.unit));
-  return QStringLiteral("<b>%1</b>%2%3<br>%4<br>Allowed: %5. Default: %6 (%7).")
-      .arg(toText(p.title), symbol, unit, toText(p.help).toHtmlEscaped(), toText(allowedValues(p)),
-           toText(formatValue(p, p.fallback)), toText(p.origin));
-}
+constexpr int kNumber = 46;  // room for a number at the usual size of text [px]
 }  // namespace
 
 ParameterRow::ParameterRow(const Parameter& parameter, const std::string& policy, QWidget* parent)
@@ -34,7 +27,6 @@ ParameterRow::ParameterRow(const Parameter& parameter, const std::string& policy
       policy_(policy),
       value_(parameter.fallback) {
   const QString name = toText(parameter_.title);
-  setToolTip(tip(parameter_));
   if (parameter_.kind == Kind::Choice) {
     choice_ = new Combo(name, this);
     for (const std::string& c : parameter_.choices) choice_->addItem(toText(c));
@@ -42,26 +34,26 @@ ParameterRow::ParameterRow(const Parameter& parameter, const std::string& policy
   } else {
     slider_ = new Slider(this);
     slider_->setAccessibleName(name);
-    number_ = new QLineEdit(this);
-    number_->setAccessibleName(tr("%1, number").arg(name));
-    number_->setFrame(false);
-    number_->setAlignment(Qt::AlignRight);
-    number_->setTextMargins(0, 0, 0, 0);
-    number_->installEventFilter(this);
     connect(slider_, &QSlider::valueChanged, this, &ParameterRow::sliderMoved);
-    connect(number_, &QLineEdit::editingFinished, this, &ParameterRow::numberTyped);
+    makeNumber(name);
   }
-  reset_ = new QToolButton(this);
-  reset_->setText(tr("Reset"));
-  reset_->setAccessibleName(tr("Reset %1 to its default").arg(name));
-  reset_->setAutoRaise(true);
-  reset_->setCursor(Qt::PointingHandCursor);
-  QFont small = textFont(11);
-  small.setUnderline(true);
-  reset_->setFont(small);
-  reset_->hide();
-  connect(reset_, &QToolButton::clicked, this, [this] { Q_EMIT edited(toText(parameter_.key), base_); });
-  setFixedHeight(kRow);
+  makeReset(name);
+  forget_.setSingleShot(true);
+  connect(&forget_, &QTimer::timeout, this, &ParameterRow::forgetRefusal);
+  showTips();
+  layOut();
+}
+
+void ParameterRow::makeNumber(const QString& name) {
+  number_ = new QLineEdit(this);
+  number_->setAccessibleName(tr("%1, number").arg(name));
+  number_->setFrame(false);
+  number_->setAlignment(Qt::AlignRight);
+  number_->setTextMargins(0, 0, 0, 0);
+  number_->setFocusPolicy(Qt::TabFocus);  // a click is handled here, because a press may begin a drag
+  number_->setCursor(Qt::SizeHorCursor);
+  number_->installEventFilter(this);
+  connect(number_, &QLineEdit::editingFinished, this, &ParameterRow::numberTyped);
 }
 
 bool ParameterRow::logarithmic() const {
@@ -119,20 +111,38 @@ void ParameterRow::show(double value, double base, std::optional<std::int64_t> c
   value_ = value;
   base_ = base;
   changedAt_ = changedAt;
-  const bool changed = value != base;
   if (choice_) {
     const QSignalBlocker blocker(choice_);
     choice_->setCurrentIndex(static_cast<int>(value));
   } else {
     const QSignalBlocker blockSlider(slider_), blockNumber(number_);
     if (!slider_->isSliderDown()) slider_->setValue(sliderAt(value));
+    number_->setFont(textFont(13, value == base ? 400 : 500));
     const QString text = textOf(value);
     const bool typing = number_->hasFocus() && number_->isModified();
     if (!typing && number_->text() != text) number_->setText(text);
   }
-  reset_->setVisible(changed);
-  setFixedHeight(changed ? kRow + kChanged : kRow);
+  reset_->setVisible(value != base);
+  showTips();
   update();
+}
+
+void ParameterRow::showTips() {
+  QStringList lines = linesOf(parameter_);
+  if (value_ != base_ && shown_) {
+    const QString usual = parameter_.kind == Kind::Choice ? toText(formatValue(parameter_, base_)) : textOf(base_);
+    const QString step = changedAt_ ? toText(countText(static_cast<double>(*changedAt_))) : QString();
+    const QString since = changedAt_ ? tr("Set at step %1; Reset goes back to %2.").arg(step, usual)
+                                     : tr("Changed; Reset goes back to %1.").arg(usual);
+    lines << since;
+    reset_->setToolTip(tipText(since));
+    reset_->setAccessibleDescription(since);
+  }
+  const QString tip = tipText(lines.join('\n'));
+  setToolTip(tip);
+  setWhatsThis(tip);
+  for (QWidget* part : {static_cast<QWidget*>(slider_), static_cast<QWidget*>(number_), static_cast<QWidget*>(choice_)})
+    if (part) part->setToolTip(tip);
 }
 
 void ParameterRow::setInForce(bool inForce) {
@@ -149,71 +159,50 @@ void ParameterRow::sliderMoved(int position) {
 void ParameterRow::numberTyped() {
   if (!number_->isModified()) return;
   number_->setModified(false);
-  QString text = number_->text().trimmed();
-  text.replace(QChar(0x2212), '-').replace(',', '.');
+  const std::string text = number_->text().trimmed().toStdString();
   Parameter named = parameter_;  // the form speaks of "Exploration", not of policy.epsilon
   named.key = parameter_.title;
-  const Result<double> value = parseValue(named, text.toStdString());
-  if (value)
+  const Result<double> value = parseValue(named, text);
+  if (value) {
+    forgetRefusal();
     Q_EMIT edited(toText(parameter_.key), *value);
-  else
+  } else {
+    const NumberText number = readNumberText(text, parameter_.unit);
+    QStringList readings;
+    for (const std::string& reading : number.readings) readings << toText(reading);
+    const bool whole = parameter_.kind == Kind::Integer && number.good && number.value != std::floor(number.value);
+    const QString range = tr("%1 to %2").arg(toText(boundText(parameter_.low)), toText(boundText(parameter_.high)));
+    tellRefused(!readings.isEmpty() ? readings.join(tr(" or ")) + '?' : !number.good ? tr("no number")
+                                                                    : whole          ? tr("a whole number")
+                                                                                     : range,
+                toText(value.error().message));
     Q_EMIT refused(toText(value.error().message));
+  }
   number_->setText(textOf(value_));
 }
 
-void ParameterRow::resizeEvent(QResizeEvent*) {
-  const int w = width();
-  const int right = w - kUnit - 2;
-  if (choice_) {
-    choice_->setGeometry(w / 2, 1, w / 2, kRow - 2);
-  } else {
-    const int left = w / 2 - 9;
-    number_->setGeometry(right - kNumber, 2, kNumber, kRow - 4);
-    slider_->setGeometry(left, 0, right - kNumber - left - 1, kRow);
-  }
-  reset_->setGeometry(w - 36, kRow - 2, 36, kChanged);
+void ParameterRow::tellRefused(const QString& words, const QString& sentence) {
+  constexpr int kStays = 8000;  // [ms]
+  refusal_ = words;
+  forget_.start(kStays);
+  if (slider_) slider_->hide();  // its place is needed for the words
+  setToolTip(tipText(sentence));
+  QWidget* field = number_ ? static_cast<QWidget*>(number_) : choice_;
+  field->setToolTip(tipText(sentence));
+  field->setAccessibleDescription(sentence);
+  QAccessibleEvent event(field, QAccessible::DescriptionChanged);
+  QAccessible::updateAccessibility(&event);
+  update();
 }
 
-// A number that is reached by Tab is selected whole, so that typing replaces it.
-bool ParameterRow::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut) update();
-  if (event->type() == QEvent::FocusIn) QMetaObject::invokeMethod(number_, &QLineEdit::selectAll, Qt::QueuedConnection);
-  return QWidget::eventFilter(watched, event);
-}
-
-void ParameterRow::paintEvent(QPaintEvent*) {
-  const Theme& t = themeOf(*this);
-  QPainter p(this);
-  if (number_ && number_->hasFocus()) {
-    p.setPen(QPen(t.accent, 2));
-    p.drawRoundedRect(number_->geometry().adjusted(-2, 0, 2, 0), 3, 3);
-  }
-  if (!policy_.empty()) drawMarker(p, {5, kRow / 2.0}, policyLook(policy_, t), inForce_);
-  const QFont font = textFont(13);
-  p.setFont(font);
-  p.setPen(t.ink);
-  const double end = slider_ ? slider_->x() + 4 : width() / 2 - 4;  // of the room for words
-  const QString symbol = toText(parameter_.symbol);
-  const QFontMetricsF metrics(font);
-  QString title = toText(parameter_.label.empty() ? parameter_.title : parameter_.label);
-  // "Stance knee k̇" rather than "Stance knee ra…": the symbol says what the last word did.
-  if (!symbol.isEmpty() && metrics.horizontalAdvance(title) > end - kName) title = title.section(' ', 0, -2);
-  title = metrics.elidedText(title, Qt::ElideRight, end - kName);
-  const double baseline = kRow / 2.0 + 4.5;
-  p.drawText(QPointF(kName, baseline), title);
-  p.setPen(t.quiet);
-  const double symbolLeft = kName + metrics.horizontalAdvance(title) + 5;
-  if (symbolWidth(font, symbol) <= end - symbolLeft) drawSymbol(p, symbolLeft, baseline, symbol);
-  p.setFont(textFont(11));
-  QString unit = toText(parameter_.unit);
-  if (QFontMetricsF(p.font()).horizontalAdvance(unit) > kUnit - 3) unit.remove(' ');
-  p.drawText(QPointF(width() - kUnit + 3, baseline - 0.5), unit);
-  if (value_ == base_) return;
-  const QString fallback = choice_ ? toText(formatValue(parameter_, base_)) : textOf(base_);
-  const QString text =
-      changedAt_ ? tr("set at step %1, default %2").arg(toText(countText(static_cast<double>(*changedAt_))), fallback)
-                 : tr("default %1").arg(fallback);
-  p.drawText(QPointF(kName, kRow + 9), text);
+void ParameterRow::forgetRefusal() {
+  if (refusal_.isEmpty()) return;
+  refusal_.clear();
+  forget_.stop();
+  if (slider_) slider_->show();
+  (number_ ? static_cast<QWidget*>(number_) : choice_)->setAccessibleDescription({});
+  showTips();
+  update();
 }
 
 }  // namespace surefoot

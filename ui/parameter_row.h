@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One parameter in the form: marker, name and symbol, slider, number, unit; below it, once changed, since when, with
-// the default and Reset.
+// One parameter in the form: marker, name and symbol, slider, number, unit; once changed, Reset, whose tooltip says
+// since when and what the default is. A row is always as high as it was: nothing below it moves.
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 #include "core/parameters.h"
 
 class QLineEdit;
+class QMouseEvent;
 class QToolButton;
 
 namespace surefoot {
@@ -29,6 +31,11 @@ class ParameterRow final : public QWidget {
   void show(double value, double base, std::optional<std::int64_t> changedAt);
   /// Whether the marker's policy is in force.
   void setInForce(bool inForce);
+  /// Says for a while, in place of the name, why a value was refused: a few words, and the whole sentence to those who
+  /// point at it or listen.
+  void tellRefused(const QString& words, const QString& sentence);
+  /// What it says now of a value that was refused; empty: nothing.
+  const QString& refusal() const { return refusal_; }
 
  Q_SIGNALS:
   void edited(const QString& key, double value);
@@ -41,12 +48,20 @@ class ParameterRow final : public QWidget {
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void makeNumber(const QString& name);
+  void makeReset(const QString& name);
+  void layOut();
   double valueAt(int slider) const;
   int sliderAt(double value) const;
   QString textOf(double value) const;
   void sliderMoved(int position);
   void numberTyped();
+  bool dragged(QMouseEvent* event);
+  void forgetRefusal();
+  void showTips();
   bool logarithmic() const;
+  void paintName(QPainter& painter) const;
+  void paintRefusal(QPainter& painter) const;
 
   Parameter parameter_;
   std::string policy_;
@@ -57,6 +72,11 @@ class ParameterRow final : public QWidget {
   QLineEdit* number_ = nullptr;
   Combo* choice_ = nullptr;
   QToolButton* reset_ = nullptr;
+  QString refusal_;
+  QTimer forget_;
+  std::optional<double> pressedAt_;  // [px] where a drag of the number began
+  double dragFrom_ = 0.0;            // [slider steps] that it began with
+  bool dragging_ = false;
 };
 
 }  // namespace surefoot

@@ -12,6 +12,7 @@
 #include "core/experiment/q_file.h"
 #include "core/text.h"
 #include "ui/combo.h"
+#include "ui/plain_text.h"
 #include "ui/session.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
@@ -71,7 +72,7 @@ void PreLearningDialog::makeModel(QGridLayout* grid) {
   for (const Parameter& p : modelParameters(session_)) {
     const int row = grid->rowCount();
     auto* name = new QLabel(toText(p.title + (p.unit.empty() ? "" : " [" + p.unit + "]")));
-    name->setToolTip(toText(p.help));
+    name->setToolTip(tipText(linesOf(p).join('\n')));
     grid->addWidget(name, row, 0);
     Row fields{p, new QLineEdit, new QLineEdit};
     for (auto [field, column, where] :
@@ -163,9 +164,10 @@ void PreLearningDialog::makePool(QGridLayout* grid) {
 
 Result<Configuration> PreLearningDialog::model(QLineEdit* Row::*column) const {
   Configuration c = session_.configuration();
-  for (const Row& row : rows_)
-    if (const Status s = c.parameters.set(row.parameter.key, std::string_view((row.*column)->text().toStdString())); !s)
-      return s.error();
+  for (const Row& row : rows_) {
+    const std::string text = (row.*column)->text().trimmed().toStdString();
+    if (const Status s = c.parameters.set(row.parameter.key, std::string_view(text)); !s) return s.error();
+  }
   if (const auto environment = makeEnvironment(session_.registry(), c); !environment) return environment.error();
   return c;
 }
@@ -174,7 +176,8 @@ void PreLearningDialog::startOrStop() {
   if (pool_.busy()) return pool_.cancel();
   auto simulation = model(&Row::simulation);
   if (!simulation) return words_->setText(toText(simulation.error().message));
-  const auto until = parseValue({.key = "average reward", .low = -1e9, .high = 1e9}, until_->text().toStdString());
+  const auto until =
+      parseValue({.key = "average reward", .low = -1e9, .high = 1e9}, until_->text().trimmed().toStdString());
   if (!until) return words_->setText(toText(until.error().message));
   if (const QString name = scenario_->currentData().toString(); !name.isEmpty())
     simulation->names.scenario = name.toStdString();

@@ -4,8 +4,10 @@
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QEvent>
+#include <QMenu>
 #include <QPainter>
 #include <QSignalBlocker>
+#include <QToolButton>
 #include <algorithm>
 #include <cmath>
 
@@ -13,6 +15,7 @@
 #include "ui/bar_button.h"
 #include "ui/combo.h"
 #include "ui/icons.h"
+#include "ui/plain_text.h"
 #include "ui/session.h"
 #include "ui/slider.h"
 #include "ui/symbol_text.h"
@@ -56,7 +59,7 @@ RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
   pace_ = new Slider(this);
   pace_->setAccessibleName(tr("Pace"));
   pace_->setToolTip(
-      tr("How fast the world runs while turbo is off: %1 to %2 times real time").arg(kSlowest).arg(kFastest));
+      tipText(tr("How fast the world runs while turbo is off: %1 to %2 times real time").arg(kSlowest).arg(kFastest)));
   pace_->setValue(positionOf(session.pace()));
   connect(pace_, &QSlider::valueChanged, this, [this](int position) { session_.setPace(paceAt(position)); });
   buttons_.push_back(new BarButton(actions.turbo, Icon::Turbo, BarButton::Look::Framed, this));
@@ -83,7 +86,7 @@ RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
   policy_ = new Combo(tr("Policy"), this);
   for (const auto& entry : session.registry().policies) {
     policy_->addItem(toText(entry.title), toText(entry.name));
-    policy_->setItemData(policy_->count() - 1, toText(entry.help), Qt::ToolTipRole);
+    policy_->setItemData(policy_->count() - 1, tipOf(entry.name, entry.help), Qt::ToolTipRole);
   }
   connect(policy_, &QComboBox::activated, this,
           [this](int i) { session_.setPolicy(policy_->itemData(i).toString().toStdString()); });
@@ -100,6 +103,7 @@ RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
   connect(&session_, &Session::configurationChanged, this, &RunBar::refresh);
   for (const auto changed : {&Session::valuesArrived, &Session::lifeReplaced, &Session::stateChanged})
     connect(&session_, changed, this, &RunBar::readNumbers);
+  makeMeaning();
   setMarkers();
   refresh();
   readNumbers();
@@ -117,6 +121,32 @@ void RunBar::readNumbers() {
   update();
 }
 
+/// "?": what the three boxes stand at means, one click away.
+void RunBar::makeMeaning() {
+  meaning_ = new QToolButton(this);
+  meaning_->setText(QStringLiteral("?"));
+  meaning_->setAutoRaise(true);
+  meaning_->setAccessibleName(tr("What do these words mean?"));
+  meaning_->setToolTip(tr("What task, learning rule and policy mean"));
+  auto* menu = new QMenu(meaning_);
+  connect(menu, &QMenu::aboutToShow, this, [this, menu] {
+    menu->clear();
+    for (const QComboBox* combo : {task_, agent_, policy_}) {
+      const bool scenario = combo == task_ && !combo->itemData(combo->currentIndex(), kIsEnvironment).toBool();
+      const std::string name = scenario ? session_.configuration().names.environment
+                                        : combo->currentData().toString().toStdString();
+      const surefoot::Word* word = wordOf(name);
+      if (!word) continue;
+      connect(menu->addAction(menuText(toText(word->title))), &QAction::triggered, this,
+              [this, name] { Q_EMIT meaningAsked(name); });
+    }
+    menu->addSeparator();
+    connect(menu->addAction(tr("All words")), &QAction::triggered, this, [this] { Q_EMIT meaningAsked({}); });
+  });
+  connect(meaning_, &QToolButton::clicked, menu,
+          [this, menu] { menu->popup(meaning_->mapToGlobal(QPoint(0, meaning_->height()))); });
+}
+
 /// The scenarios of the environment, where it has any, and the other environments; each under a head of its own.
 void RunBar::fillTasks() {
   const QSignalBlocker blocker(task_);
@@ -130,7 +160,7 @@ void RunBar::fillTasks() {
   };
   const auto add = [&](const auto& entry, const std::string& name, bool isEnvironment) {
     task_->addItem(toText(entry.title), toText(name));
-    task_->setItemData(task_->count() - 1, toText(entry.help), Qt::ToolTipRole);
+    task_->setItemData(task_->count() - 1, tipOf(entry.name, entry.help), Qt::ToolTipRole);
     task_->setItemData(task_->count() - 1, isEnvironment, kIsEnvironment);
   };
   const std::string& here = session_.configuration().names.environment;
@@ -155,7 +185,7 @@ void RunBar::fillAgents() {
   for (const auto& entry : session_.registry().agents) {
     if (entry.name == "scripted" && !session_.task().handMade) continue;  // nothing acts there
     agent_->addItem(toText(entry.title), toText(entry.name));
-    agent_->setItemData(agent_->count() - 1, toText(entry.help), Qt::ToolTipRole);
+    agent_->setItemData(agent_->count() - 1, tipOf(entry.name, entry.help), Qt::ToolTipRole);
   }
 }
 
@@ -186,6 +216,9 @@ void RunBar::refresh() {
   if (scenario)
     for (const auto& [key, value] : (*scenario)->values)
       asNamed &= session_.configuration().parameters.get(key) == value;
+  task_->setToolTip(tipOf(names.environment, ""));
+  agent_->setToolTip(tipOf(names.agent, ""));
+  policy_->setToolTip(tipOf(names.policy, ""));
   select(*task_, asNamed ? names.scenario : "");
   select(*agent_, names.agent);
   select(*policy_, names.policy);

@@ -8,6 +8,8 @@
 #include <QWidget>
 #include <vector>
 
+class QToolButton;
+
 namespace surefoot {
 
 class Session;
@@ -38,6 +40,8 @@ class RunBar final : public QWidget {
   void agentAsked(const QString& name, const QString& title);
   /// Another environment was chosen.
   void environmentAsked(const std::string& name);
+  /// What something that can be chosen means.
+  void meaningAsked(const std::string& name);
 
  protected:
   void paintEvent(QPaintEvent*) override;
@@ -64,12 +68,14 @@ class RunBar final : public QWidget {
   void fillTasks();
   void fillAgents();
   void setMarkers();
+  void makeMeaning();
 
   Session& session_;
   RunActions actions_;
   std::vector<QWidget*> buttons_;
   Slider* pace_;
   QComboBox *task_, *agent_, *policy_;
+  QToolButton* meaning_;
   Texts texts_;
   double paceLabel_ = 0, factorLabel_ = 0;  // left ends [px]; 0: not shown
   int fold_ = kNothing, counterWidth_ = 0;

@@ -3,6 +3,7 @@
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QPainter>
+#include <QToolButton>
 #include <algorithm>
 #include <cmath>
 
@@ -73,6 +74,9 @@ int RunBar::place(int fold, int spare) {
     combo->setGeometry(x, middle - px(kButton) / 2, w, px(kButton));
     x += w + 8;
   }
+  meaning_->resize(px(20), px(28));
+  x -= 6;
+  put(meaning_, 8);
   return x;
 }
 

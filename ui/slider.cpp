@@ -10,7 +10,7 @@
 namespace surefoot {
 
 namespace {
-constexpr double kMargin = 9;  // room for the focus ring [px]
+constexpr double kMargin = 7;  // room for the focus ring [px]
 }
 
 Slider::Slider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
@@ -36,11 +36,11 @@ void Slider::paintEvent(QPaintEvent*) {
   if (hasFocus()) {
     p.setPen(QPen(t.accent, 2));
     p.setBrush(Qt::NoBrush);
-    p.drawEllipse(QPointF(x, y), 8, 8);
+    p.drawEllipse(QPointF(x, y), 6, 6);
   }
   p.setPen(QPen(isEnabled() ? t.ink : t.outline, 1.5));
   p.setBrush(t.panel);
-  p.drawEllipse(QPointF(x, y), 5.25, 5.25);
+  p.drawEllipse(QPointF(x, y), hasFocus() ? 4.5 : 5.25, hasFocus() ? 4.5 : 5.25);
 }
 
 void Slider::follow(const QMouseEvent& event) {

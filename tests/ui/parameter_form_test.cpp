@@ -3,12 +3,16 @@
 
 #include <QLineEdit>
 #include <QPushButton>
+#include <QRegularExpression>
+#include <QTextDocument>
 #include <QToolButton>
 
+#include "core/formulas.h"
 #include "tests/ui/window_setup.h"
 #include "ui/message_bar.h"
 #include "ui/parameter_row.h"
 #include "ui/slider.h"
+#include "ui/symbol_text.h"
 
 namespace surefoot {
 
@@ -122,6 +126,98 @@ TEST(ParameterForm, ANewTableIsAskedForBeforeItIsMade) {
     if (button->text() == "Start again") QTest::mouseClick(button, Qt::LeftButton);
   EXPECT_EQ(w.session->configuration().parameters.get("features.tilings"), 8);
   EXPECT_FALSE(w.window->messages().isVisible());
+}
+
+// What is below a row stays where it is: nobody hits the wrong one because of a change.
+TEST(ParameterForm, AChangeMovesNothing) {
+  Window w;
+  std::map<std::string, QRect> before;
+  for (const ParameterRow* row : w.window->findChildren<ParameterRow*>())
+    if (row->isVisible()) before[row->key()] = row->geometry();
+  ASSERT_GT(before.size(), 10u);
+  w.named<Slider>("Discount")->setValue(0);
+  w.named<Slider>("Exploration")->setValue(300);
+  auto* number = w.named<QLineEdit>("Threshold, number");
+  number->setFocus();
+  QTest::keyClicks(number, "x");
+  QTest::keyClick(number, Qt::Key_Return);
+  QTest::qWait(20);
+  for (const ParameterRow* row : w.window->findChildren<ParameterRow*>())
+    if (row->isVisible()) EXPECT_EQ(row->geometry(), before[row->key()]) << row->key();
+  EXPECT_TRUE(w.named<QToolButton>("Reset Discount to its default")->isVisible());
+  EXPECT_TRUE(w.named<QToolButton>("Reset Discount to its default")->toolTip().contains("0.98"));
+}
+
+TEST(ParameterForm, ARefusedNumberIsToldAtItsRow) {
+  Window w;
+  const auto rowOf = [&](const char* name) {
+    return qobject_cast<ParameterRow*>(w.named<QLineEdit>(name)->parentWidget());
+  };
+  const auto type = [&](const char* name, const char* text) {
+    auto* number = w.named<QLineEdit>(name);
+    number->setFocus();
+    number->selectAll();
+    number->insert(QString::fromUtf8(text));  // as from the clipboard
+    QTest::keyClick(number, Qt::Key_Return);
+  };
+  type("Exploration, number", "7");
+  EXPECT_EQ(rowOf("Exploration, number")->refusal(), "0 to 1");
+  EXPECT_TRUE(w.named<QLineEdit>("Exploration, number")->accessibleDescription().contains("0 to 1"));
+  type("Threshold, number", "1,5");
+  EXPECT_EQ(rowOf("Threshold, number")->refusal(), "1.5 or 15?");
+  type("Tilings, number", "2.5");
+  EXPECT_EQ(rowOf("Tilings, number")->refusal(), "a whole number");
+  type("Threshold, number", "1,000");
+  EXPECT_EQ(w.session->configuration().parameters.get("policy.threshold"), 1000);
+  EXPECT_EQ(rowOf("Threshold, number")->refusal(), "");
+  type("Threshold, number", "\u22121,234.5");
+  EXPECT_EQ(w.session->configuration().parameters.get("policy.threshold"), -1234.5);
+}
+
+// What a row shows can be typed into it again.
+TEST(ParameterForm, WhatARowShowsItReads) {
+  Window w;
+  auto* number = w.named<QLineEdit>("Threshold, number");
+  for (const double value : {-0.5, 12345.0, -99999.0, 1e6, 0.001, -0.00012, 123.456}) {
+    ASSERT_TRUE(w.session->setParameter("policy.threshold", value));
+    const Result<double> read = parseNumber("shown", number->text().toStdString());
+    ASSERT_TRUE(read) << number->text().toStdString();
+    EXPECT_NEAR(*read, value, 0.05 * std::abs(value)) << number->text().toStdString();
+  }
+}
+
+TEST(ParameterForm, TheNumberIsDraggedFinerThanTheSlider) {
+  Window w;
+  auto* slider = w.named<Slider>("Step size");
+  EXPECT_GE(slider->width() - 14, 42) << "as long as it is drawn";
+  auto* number = w.named<QLineEdit>("Step size, number");
+  const auto value = [&] { return w.session->configuration().parameters.get("agent.step_size"); };
+  ASSERT_EQ(value(), 0.4);
+  const QPoint from(10, 8);
+  QTest::mousePress(number, Qt::LeftButton, {}, from);
+  QTest::mouseMove(number, from + QPoint(10, 0));
+  EXPECT_NEAR(value(), 0.44, 1e-9) << "10 of 250 px";
+  QTest::mouseMove(number, from + QPoint(400, 0));
+  EXPECT_EQ(value(), 1.0);
+  QTest::mouseRelease(number, Qt::LeftButton, {}, from + QPoint(400, 0));
+  EXPECT_FALSE(number->hasFocus()) << "a drag is no click";
+  QTest::mouseClick(number, Qt::LeftButton, {}, from);
+  EXPECT_TRUE(number->hasFocus());
+}
+
+// Name, symbol, unit, range, formula and a sentence, for people: no "1e-06".
+TEST(ParameterForm, EveryRowSaysWhatItIs) {
+  Window w;
+  w.window->findChild<ParameterForm*>()->setShowAll(true);
+  for (const ParameterRow* row : w.window->findChildren<ParameterRow*>()) {
+    const Parameter& p = w.session->configuration().parameters.find(row->key())->parameter;
+    QTextDocument tip;
+    tip.setHtml(row->toolTip());
+    const QString text = tip.toPlainText();
+    for (const std::string& part : {p.title, p.symbol, p.unit, p.help, p.origin, formulaOf(p)})
+      EXPECT_TRUE(text.contains(toText(part))) << row->key() << ": " << text.toStdString();
+    EXPECT_FALSE(text.contains(QRegularExpression("\\de[+-]\\d"))) << text.toStdString();
+  }
 }
 
 }  // namespace surefoot
