@@ -153,12 +153,13 @@ void ActionRows::drawScales(QPainter& p, const Theme& t, const Geometry& g) cons
   p.setFont(textFont(11));
   const double step = niceAbove((high_ - low_) / 4.0001), height = QFontMetricsF(p.font()).height();
   ScaleNumbers numbers(p, g.bottom);
-  for (double v = std::ceil(low_ / step) * step; v <= high_; v += step) {
+  for (int i = static_cast<int>(std::ceil(low_ / step)); i * step <= high_; ++i) {
+    const double v = i * step;
     const double x = std::round(xOf(v, g)) + 0.5;
     p.setPen(QPen(v == 0 ? t.outline : t.hairline, 1));
     p.drawLine(QPointF(x, g.top), QPointF(x, g.bottom));
     p.setPen(t.quiet);
-    numbers.draw(x, toText(countText(v)));
+    numbers.draw(x, toText(step < 1 ? fixedText(v, step < 0.1 ? 2 : 1) : countText(v)));
   }
   for (std::size_t i = 0; i < g.columns.size(); ++i) {
     const double x0 = g.first + g.pitch * static_cast<double>(i);
