@@ -114,7 +114,9 @@ double Judge::p(const Evidence& a, const Evidence& b) {
 }
 
 Interval Judge::change(const Evidence& reference, const Evidence& e) {
-  return changeOf(estimateOf(reference, measure_), estimateOf(e, measure_), sameUnits(reference, e));
+  const MeanEstimate before = estimateOf(reference, measure_);
+  ofNothing_ = before.value == 0;
+  return changeOf(before, estimateOf(e, measure_), sameUnits(reference, e));
 }
 
 std::vector<double> Judge::drawn(const Group& group, const std::function<double(const std::vector<double>&)>& f) {
@@ -142,7 +144,8 @@ void Judge::report(const Interval& i) {
 }
 
 Verdict Judge::tooFew(const std::string& condition) {
-  note(condition.empty() ? "too few lives to tell" : fmt::format("{}: too few lives to tell", condition));
+  const char* why = ofNothing_ ? "the reference is 0, of which there are no per cent" : "too few lives to tell";
+  note(condition.empty() ? why : fmt::format("{}: {}", condition, why));
   return Verdict::Undecided;
 }
 

@@ -19,7 +19,8 @@
 //   below         the interval of the mean lies below `high`, for every condition
 //   trend         values of lives against what `along` varied: the rank correlation has the sign of `sign`, p < .01
 //   settled       the largest 250-episode change behind the end of learning lies between low and high
-//   pool          lives of one Q-function are no more alike than all (F test, p ≥ .01)
+//   pool          lives of one Q-function are no more alike than all (F test, p ≥ .01); undecided where more than half
+//                 of the variance may yet lie between Q-functions
 //   compromise    no condition is significantly below the first in both `measure` and `other`; undecided if one may be
 //   effect-order  `conditions` in pairs: the first of a pair gains less on its reference than the second on its own, in
 //                 standard deviations

@@ -80,7 +80,7 @@ class Judge {
   double share(const Group& group, const std::function<bool(const std::vector<double>&)>& holds);
   void report(const Interval& i);
   void note(const std::string& words) { j_.note += (j_.note.empty() ? "" : "; ") + words; }
-  /// Notes why there is no verdict.
+  /// Notes why there is no verdict: too few lives, or a change of a reference that is 0.
   Verdict tooFew(const std::string& condition = "");
   /// Whether a change may be larger than `widest` (25 %) for all that the lives tell: down, up, or either.
   bool mayExceed(const Interval& change, bool down, bool up);
@@ -126,6 +126,7 @@ class Judge {
   const std::vector<Evidence>& evidence_;
   Random random_;
   std::string measure_ = "falls", problem_;
+  bool ofNothing_ = false;  ///< the last change() had a reference of 0
   Group conditions_;
   Judgement j_;
 };

@@ -129,6 +129,10 @@ Verdict Judge::effectOrder() {
       return std::sqrt((va + vb) / 2);
     };
     const double s1 = spread(*four[0], *four[1]), s2 = spread(*four[2], *four[3]);
+    if (!(s1 > 0) || !(s2 > 0)) {
+      verdicts.push_back(tooFew(smaller.name()));
+      continue;
+    }
     const auto gain = [&](const std::vector<double>& m, std::size_t at, double s) { return (m[at + 1] - m[at]) / s; };
     const double held = share(four, [&](const auto& m) { return gain(m, 0, s1) < gain(m, 2, s2); });
     std::vector<double> means;

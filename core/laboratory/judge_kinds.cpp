@@ -5,12 +5,27 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
 #include "core/parameters.h"
 
 namespace surefoot {
+
+namespace {
+
+/// The upper end of the 95 % interval of a variance component's share (Searle 1971), for groups of about one size n:
+/// (F/q − 1)/(F/q − 1 + n) with the 2.5 % quantile q of F.
+double mostShare(const VarianceComponent& component, const Groups& groups) {
+  double size = 0;
+  for (const auto& group : groups) size += static_cast<double>(group.size()) / static_cast<double>(groups.size());
+  const boost::math::fisher_f f(component.test.degrees1, component.test.degrees2);
+  const double ratio = component.test.statistic / boost::math::quantile(f, 0.025) - 1;
+  return std::isfinite(ratio) ? ratio / (ratio + size) : 1;
+}
+
+}  // namespace
 
 Verdict Judge::value() {
   const double thesis = number("thesis");
@@ -73,7 +88,8 @@ Verdict Judge::noDifference() {
     if (!(pValue > j_.p.value_or(1))) report(i);
     if (pValue <= j_.p.value_or(1)) j_.p = pValue;
     if (pValue < kSignificant) {
-      note(fmt::format("{} differs by {:+.0f} % (p {:.2g})", e->name(), i.value, pValue));
+      note(fmt::format("{} differs{} (p {:.2g})", e->name(),
+                       std::isfinite(i.value) ? fmt::format(" by {:+.0f} %", i.value) : "", pValue));
       verdicts.push_back(Verdict::Differs);
     } else {
       verdicts.push_back(mayExceed(i, true, true) ? tooFew(e->name()) : Verdict::Agrees);
@@ -184,7 +200,8 @@ Verdict Judge::pool() {
     if (component->test.p <= j_.p.value_or(1)) j_.p = component->test.p, j_.ours = component->share;
     if (component->test.p < kSignificant)
       note(fmt::format("{}: {:.0f} % of the variance", e->name(), 100 * component->share));
-    verdicts.push_back(agreesIf(component->test.p >= kSignificant));
+    const bool open = component->test.p >= kSignificant && mostShare(*component, groups) > 0.5;
+    verdicts.push_back(open ? tooFew(e->name()) : agreesIf(component->test.p >= kSignificant));
   }
   return all(verdicts);
 }

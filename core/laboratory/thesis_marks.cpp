@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/laboratory/thesis_marks.h"
 
+#include <cmath>
+
 #include "core/laboratory/statistics.h"
 
 namespace surefoot {
@@ -38,7 +40,7 @@ void markThesis(Figure& figure, const std::string& measure, const std::vector<Cl
       const double thesis = claim.arguments["thesis"].get<double>();
       if (claim.kind == "value")
         series.thesis = thesis;
-      else if (const auto mean = referenceMean(claim, series.name, measure, evidence))
+      else if (const auto mean = referenceMean(claim, series.name, measure, evidence); mean && std::isfinite(*mean))
         series.thesis = *mean * (1 + thesis / 100);
     }
 }

@@ -48,6 +48,37 @@ TEST(FewLives, LivesThatAreTooFewLeaveItUndecided) {
   }
 }
 
+TEST(FewLives, AFewQFunctionsDoNotShowThatTheyAreAlike) {
+  const auto of = [](int qFunctions, int livesOfEach) {
+    Evidence e = condition("a", 100, "", 0.3, qFunctions * livesOfEach);
+    for (int i = 0; i < qFunctions * livesOfEach; ++i) {
+      e.record.lives[static_cast<std::size_t>(i)].qFunction = i % qFunctions;
+      e.lives[static_cast<std::size_t>(i)].falls = 100 + 10 * (i * 7 % 11);  // no more alike than any others
+    }
+    const Claim claim{.id = "X1", .kind = "pool", .says = "", .arguments = {{"conditions", {"a"}}}};
+    const auto j = judge(kRegistry, claim, {e}, 1);
+    return j ? j->verdict : Verdict::Differs;
+  };
+  EXPECT_EQ(of(3, 2), Verdict::Undecided);
+  EXPECT_EQ(of(10, 11), Verdict::Agrees);
+}
+
+TEST(FewLives, OfAReferenceThatIsZeroThereAreNoPerCent) {
+  const std::vector<Evidence> two = {condition("a", 0), condition("b", 5, "a")};
+  const auto of = [&](const char* kind) {
+    const Json arguments = {{"thesis", -45}, {"measure", "falls"}, {"conditions", {"b"}}};
+    const auto j = judge(kRegistry, {.id = "X1", .kind = kind, .says = "", .arguments = arguments}, two, 1);
+    EXPECT_TRUE(j);
+    EXPECT_FALSE(j->ours);
+    EXPECT_EQ(j->note.find("nan"), std::string::npos) << j->note;
+    return *j;
+  };
+  EXPECT_EQ(of("reduction").verdict, Verdict::Undecided);
+  EXPECT_NE(of("reduction").note.find("the reference is 0"), std::string::npos);
+  EXPECT_EQ(of("not-longer").verdict, Verdict::Undecided);
+  EXPECT_EQ(of("no-difference").verdict, Verdict::Differs) << "0 and 5 falls, whatever that is in per cent";
+}
+
 TEST(FewLives, WhatIsNotSignificantMayYetBeTrue) {
   const auto of = [&](double mean, double scatter) {
     const std::vector<Evidence> two = {condition("a", 100, "", scatter), condition("b", mean, "a", scatter)};
