@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <thread>
 
 #include "core/files/read_file.h"
 #include "core/laboratory/plan_file.h"
+#include "core/laboratory/plan_time.h"
 #include "core/laboratory/recipe.h"
 #include "core/parameters.h"
 #include "core/text.h"
@@ -112,13 +114,19 @@ Result<std::vector<std::string>> findRecipes(const std::vector<std::string>& wan
   return paths;
 }
 
-std::vector<ShippedPlan> allShipped() {
+std::vector<ShippedPlan> allShipped(const Registry& registry) {
+  const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   std::vector<ShippedPlan> all;
   for (const bool recipe : {false, true})
     for (const fs::path& file : filesIn(recipe ? "recipes" : "plans")) {
       ShippedPlan plan{.name = file.stem().string(), .title = {}, .path = file.string(), .recipe = recipe};
       const auto text = readText(plan.path);
       const auto parsed = text ? parsePlanFile(*text, plan.path) : Result<PlanFile>(text.error());
+      if (parsed) {
+        plan.shows = parsed->shows;
+        plan.answers = parsed->answers;
+        plan.minutes = minutesFor(registry, *parsed, threads);
+      }
       if (parsed)
         for (const PlanSetting& setting : parsed->head)
           if (setting.key == "title" && !setting.values.empty()) plan.title = setting.values[0];

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/registry.h"
 #include "core/result.h"
 
 namespace surefoot {
@@ -24,9 +25,12 @@ std::vector<std::string> shippedRecipes();
 struct ShippedPlan {
   std::string name, title, path;
   bool recipe = false;
+  std::vector<std::string> shows{};
+  std::string answers{};
+  double minutes = 0;  ///< about how long it takes on this machine
 };
 /// All of them, plans first.
-std::vector<ShippedPlan> allShipped();
+std::vector<ShippedPlan> allShipped(const Registry& registry);
 /// The files of recipes by their names, by what they show ("4.6", "table 4.2"), or "all"; each once, in order.
 Result<std::vector<std::string>> findRecipes(const std::vector<std::string>& wanted);
 

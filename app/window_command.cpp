@@ -40,6 +40,15 @@ void onMessage(QtMsgType type, const QMessageLogContext& context, const QString&
   std::fprintf(stderr, "%s\n", qPrintable(text));
 }
 
+/// Under which heading the list of experiments has a recipe.
+std::string groupOf(const ShippedPlan& plan) {
+  if (plan.name.starts_with("walker")) return "Walking robot LEO";
+  if (plan.name.starts_with("beyond") || plan.name == "readings") return "Beyond the thesis";
+  if (plan.name.starts_with("2.")) return "Chapter 2: reinforcement learning";
+  if (plan.name.starts_with("4.") || plan.name.starts_with("table-4")) return "Chapter 4: thresholds (TRL)";
+  return plan.name.starts_with("5.") ? "Chapter 5: Softmax" : "Chapter 6: resolution, and two Q-functions";
+}
+
 /// What `train` would report of the life that the window ran, with the configuration that it ran under in the end.
 int report(const WindowRequest& request, const Configuration& configuration, const Life& life,
            std::optional<WholeFile> log) {
@@ -76,9 +85,9 @@ int windowCommand(const Registry& registry, const WindowRequest& request, int ar
 
   Session session(registry, request.configuration, log.has_value());
   WindowSetup setup;
-  for (const ShippedPlan& plan : allShipped())
-    setup.plans.push_back(
-        {plan.recipe ? fmt::format("{} · {}", plan.name, plan.title) : plan.title, plan.path, plan.recipe});
+  for (const ShippedPlan& plan : allShipped(registry))
+    setup.plans.push_back({plan.title, plan.path, plan.recipe, plan.recipe ? groupOf(plan) : "", plan.name, plan.shows,
+                           plan.answers, plan.minutes});
   MainWindow window(session, std::move(setup));
   window.show();
   session.setTurbo(request.turbo);

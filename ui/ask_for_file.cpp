@@ -3,14 +3,49 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QRegularExpression>
 #include <QSettings>
 
 namespace surefoot {
 
 namespace {
 
+/// "svg" of "Vector graphics (*.svg)"; empty: any.
+QString endingOf(const QString& filter) {
+  static const QRegularExpression ending(QStringLiteral("\\*\\.(\\w+)"));
+  return ending.match(filter).captured(1);
+}
+
+/// A name that has no ending gets that of the kind of file that is chosen.
+class FileDialog final : public QFileDialog {
+ public:
+  FileDialog(QWidget* parent, const QString& title, const QString& folder, const QString& filter)
+      : QFileDialog(parent, title, folder, filter) {
+    connect(this, &QFileDialog::filterSelected, this, &FileDialog::take);
+  }
+  void accept() override {
+    if (acceptMode() == AcceptSave && !endingOf(selectedNameFilter()).isEmpty())
+      setDefaultSuffix(endingOf(selectedNameFilter()));
+    QFileDialog::accept();
+  }
+
+ private:
+  /// Another kind of file: the ending of the name changes with it, if it was one of the others'.
+  void take(const QString& filter) {
+    const QString ending = endingOf(filter);
+    if (acceptMode() != AcceptSave || ending.isEmpty()) return;
+    setDefaultSuffix(ending);
+    const QStringList files = selectedFiles();
+    if (files.isEmpty() || QFileInfo(files[0]).isDir()) return;
+    const QFileInfo file(files[0]);
+    for (const QString& other : nameFilters())
+      if (endingOf(other) == file.suffix() && file.suffix() != ending)
+        return selectFile(file.completeBaseName() + '.' + ending);
+  }
+};
+
 QFileDialog* makeDialog(QWidget* parent, const QString& title, const QString& filter, WithPath then) {
-  auto* dialog = new QFileDialog(parent, title, QSettings().value("folder").toString(), filter);
+  auto* dialog = new FileDialog(parent, title, QSettings().value("folder").toString(), filter);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   QObject::connect(dialog, &QFileDialog::fileSelected, parent, [then = std::move(then)](const QString& path) {
     const QFileInfo info(path);

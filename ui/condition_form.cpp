@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 
+#include "core/laboratory/plan_writing.h"
 #include "core/number_text.h"
 #include "core/text.h"
 #include "ui/combo.h"
@@ -39,16 +40,6 @@ QLineEdit* field(const QString& name, const QString& text) {
   return edit;
 }
 
-/// A text in quotation marks as TOML has it.
-std::string quoted(const std::string& text) {
-  std::string out = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') out += '\\';
-    if (static_cast<unsigned char>(c) >= 0x20) out += c;
-  }
-  return out + "\"";
-}
-
 /// "0; 50; 100" as numbers or choices of a parameter: 0 or [0, 50, 100].
 Result<std::string> valuesOf(const Parameter& parameter, const std::string& text) {
   auto list = splitList(parameter.key, text);
@@ -60,7 +51,7 @@ Result<std::string> valuesOf(const Parameter& parameter, const std::string& text
     const auto value = parseValue(parameter, item);
     if (!value) return value.error();
     const std::string written = formatValue(parameter, *value);
-    values.push_back(parameter.choices.empty() ? written : quoted(written));
+    values.push_back(parameter.choices.empty() ? written : tomlText(written));
   }
   return values.size() == 1 ? values[0] : fmt::format("[{}]", fmt::join(values, ", "));
 }
@@ -102,7 +93,7 @@ ConditionForm::ConditionForm(const Registry& registry, QWidget* parent)
   for (Sweep& sweep : sweeps_) {
     ++number;
     sweep = {new Combo(tr("Parameter %1 to set").arg(number)), field(tr("Values of parameter %1").arg(number), {})};
-    sweep.values->setPlaceholderText(tr("one, or several: 0, 50, 100"));
+    sweep.values->setPlaceholderText(tr("one, or several: 0; 50; 100"));
     narrow(sweep.key);
     form->addRow(number == 1 ? tr("Set or vary") : tr("and"), sweep.key);
     form->addRow({}, sweep.values);
@@ -178,10 +169,8 @@ std::string ConditionForm::name() const {
   std::string name = policy_->currentText().toStdString();
   if (const std::string on = chosen(preLearned_); !on.empty()) name = fmt::format("pre({}): {}", on, name);
   for (const Sweep& sweep : sweeps_) {
-    const std::string key = chosen(sweep.key), values = sweep.values->text().simplified().toStdString();
-    if (key.empty()) continue;
-    const bool several = values.find(',') != std::string::npos;
-    name += fmt::format(", {} {}", key.substr(key.rfind('.') + 1), several ? "{" + key + "}" : values);
+    const std::string key = chosen(sweep.key);
+    if (!key.empty()) name += fmt::format(", {} {{{}}}", key.substr(key.rfind('.') + 1), key);
   }
   return name;
 }
@@ -191,7 +180,7 @@ Result<std::string> ConditionForm::toml() const {
   if (!c) return c.error();
   const auto environment = makeEnvironment(registry_, *c);
   if (!environment) return environment.error();
-  std::string toml = fmt::format("[[condition]]\nname = {}\n", quoted(name()));
+  std::string toml = fmt::format("[[condition]]\nname = {}\nbase = false\n", tomlText(name()));
   const auto line = [&](const char* key, const std::string& value) {
     if (!value.empty()) toml += fmt::format("{} = \"{}\"\n", key, value);
   };
@@ -210,6 +199,8 @@ Result<std::string> ConditionForm::toml() const {
                                  minutes_->text().trimmed().toStdString());
   if (!length) return length.error();
   toml += clock ? fmt::format("minutes = {}\n", *length) : fmt::format("episodes = {:.0f}\n", *length);
+  if (!chosen(sweeps_[0].key).empty() && chosen(sweeps_[0].key) == chosen(sweeps_[1].key))
+    return Error{fmt::format("{}: it is set twice; take it out of one of the two rows.", chosen(sweeps_[0].key))};
   for (const Sweep& sweep : sweeps_) {
     const Parameters::Entry* entry = c->parameters.find(chosen(sweep.key));
     if (!entry) continue;

@@ -3,7 +3,9 @@
 
 #include <QPainter>
 
+#include "core/laboratory/plan_time.h"
 #include "core/text.h"
+#include "ui/condition_name.h"
 #include "ui/experiment.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
@@ -12,11 +14,6 @@ namespace surefoot {
 
 namespace {
 constexpr int kRow = 32, kLine = 24, kPadding = 12, kHead = 34;  // [px]
-
-std::string policyOf(const StoredCondition& condition) {
-  const auto configuration = nlohmann::json::parse(condition.configuration, nullptr, false);
-  return configuration.is_object() ? configuration.value("policy", "") : "";
-}
 }  // namespace
 
 ConditionList::ConditionList(Experiment& experiment, QWidget* parent) : QWidget(parent), experiment_(experiment) {
@@ -46,8 +43,8 @@ std::vector<std::pair<QString, QString>> ConditionList::design() const {
     if (c.preLearning) {
       const Configuration& before = c.preLearning->configuration;
       list.push_back({tr("Pre-learning"),
-                      tr("scenario %1, to %2")
-                          .arg(toText(before.names.scenario), toText(fixedText(before.until.value_or(0), 0)))});
+                      before.until ? tr("scenario %1, to %2").arg(toText(before.names.scenario), toText(fixedText(*before.until, 0)))
+                                 : tr("scenario %1, %2 min").arg(toText(before.names.scenario)).arg(before.minutes.value_or(0))});
       list.push_back(
           {tr("Q-functions"), c.preLearning->pool == 0 ? tr("one a life") : QString::number(c.preLearning->pool)});
     }
@@ -58,6 +55,8 @@ std::vector<std::pair<QString, QString>> ConditionList::design() const {
   list.push_back({tr("Seeds"), stored.paired ? tr("paired, from %1").arg(stored.seed)
                                              : tr("independent, from %1").arg(stored.seed)});
   list.push_back({tr("Test"), tr("one-way ANOVA, p < .01")});
+  if (experiment_.minutes() > 0)
+    list.push_back({tr("Takes"), tr("about %1").arg(toText(roundedTime(experiment_.minutes())))});
   return list;
 }
 
@@ -77,7 +76,7 @@ void ConditionList::paintEvent(QPaintEvent*) {
   const int right = width() - kPadding;
   double y = 0;
   for (const StoredCondition& c : stored.conditions) {
-    drawMarker(p, {kPadding + 6.0, y + 14}, policyLook(policyOf(c), t), true);
+    drawMarker(p, {kPadding + 6.0, y + 14}, policyLook(experiment_.policyOf(c.name), t), true);
     const int lives = experiment_.livesOf(c.name);
     const QString count = QStringLiteral("%1 / %2").arg(lives).arg(c.lives);
     p.setFont(textFont(13));
@@ -87,7 +86,7 @@ void ConditionList::paintEvent(QPaintEvent*) {
     p.setPen(t.ink);
     const double room = right - w - 12 - 36;
     drawSymbol(p, QRectF(36, y + 4, room, 20), Qt::AlignLeft,
-               p.fontMetrics().elidedText(toText(c.name), Qt::ElideRight, static_cast<int>(room)));
+               p.fontMetrics().elidedText(shownName(c.name), Qt::ElideMiddle, static_cast<int>(room)));
     p.fillRect(QRectF(36, y + 26, right - 36, 2), t.track);
     if (c.lives > 0)
       p.fillRect(QRectF(36, y + 26, (right - 36.0) * lives / c.lives, 2), lives == c.lives ? t.outline : t.ink);

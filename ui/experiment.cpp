@@ -8,8 +8,6 @@
 #include <algorithm>
 #include <thread>
 
-#include "core/files/read_file.h"
-#include "core/laboratory/thesis_marks.h"
 #include "ui/symbol_text.h"
 
 namespace surefoot {
@@ -24,18 +22,16 @@ std::int64_t fallsIn(const LabView& view) {
     for (const StoredLife& life : e.record.lives) falls += life.falls;
   return falls;
 }
-
-bool isStore(const std::string& path) {
-  const auto head = readHead(path, 15);
-  return head && *head == "SQLite format 3";
-}
 }  // namespace
 
 Experiment::Experiment(const Registry& registry, std::vector<PlanSource> sources, QString folder, QObject* parent)
     : QObject(parent),
       registry_(registry),
       sources_(std::move(sources)),
-      folder_(std::move(folder)) {
+      folder_(std::move(folder)),
+      results_(registry) {
+  connect(&results_, &ExperimentResults::changed, this, &Experiment::resultsChanged);
+  connect(&opening_, &Background::busyChanged, this, &Experiment::stateChanged);
   connect(&timer_, &QTimer::timeout, this, &Experiment::tick);
 }
 
@@ -71,74 +67,8 @@ std::vector<FigureSpec> Experiment::standardFigures(const StoredPlan& plan) cons
   return figures;
 }
 
-Status Experiment::readText(const std::string& text, const std::string& path) {
-  auto plan = parsePlan(registry_, text, path, {});
-  if (!plan) return plan.error();
-  auto stored = planToStore(registry_, *plan);
-  if (!stored) return stored.error();
-  std::vector<FigureSpec> figures = standardFigures(*stored);
-  std::vector<Claim> claims;
-  if (text.find("[[figure]]") != std::string::npos) {
-    if (auto recipe = readRecipe(registry_, path, {})) {
-      figures.insert(figures.end(), recipe->figures.begin(), recipe->figures.end());
-      claims = std::move(recipe->claims);
-    }
-  }
-  reset();
-  text_ = text;
-  title_ = plan->title;
-  plan_ = std::move(*plan);
-  stored_ = std::move(*stored);
-  figures_ = std::move(figures);
-  claims_ = std::move(claims);
-  return Done{};
-}
-
-Status Experiment::open(const std::string& path) {
-  if (isStore(path)) return openStore(path);
-  const auto text = surefoot::readText(path);
-  if (!text) return text.error();
-  if (const Status s = readText(*text, path); !s) return s;
-  path_ = path;
-  Q_EMIT planChanged();
-  Q_EMIT resultsChanged();
-  return Done{};
-}
-
 Result<Plan> Experiment::parse(const std::string& text) const {
   return parsePlan(registry_, text, path_.empty() ? "plan" : path_, {});
-}
-
-Status Experiment::setText(const std::string& text) {
-  if (const Status s = readText(text, path_.empty() ? "plan" : path_); !s) return s;
-  Q_EMIT planChanged();
-  Q_EMIT resultsChanged();
-  return Done{};
-}
-
-Status Experiment::openStore(const std::string& path) {
-  const auto store = Store::open(path);
-  if (!store) return store.error();
-  auto view = viewOf(*store);
-  if (!view) return view.error();
-  reset();
-  plan_.reset();
-  text_.clear();
-  claims_.clear();
-  path_ = storePath_ = path;
-  view_ = std::make_shared<const LabView>(std::move(*view));
-  stored_ = view_->findings.plan;
-  title_ = stored_.title;
-  figures_ = standardFigures(stored_);
-  livesDone_ = 0;
-  for (const Evidence& e : view_->evidence) livesDone_ += static_cast<int>(e.lives.size()) + e.record.diverged;
-  falls_ = fallsIn(*view_);
-  share_ = livesPlanned() > 0 ? static_cast<double>(livesDone_) / livesPlanned() : 0;
-  setState(view_->findings.complete ? State::Complete : State::Paused);
-  Q_EMIT planChanged();
-  Q_EMIT resultsChanged();
-  Q_EMIT progressed();
-  return Done{};
 }
 
 Status Experiment::run() {
@@ -182,6 +112,7 @@ void Experiment::reset() {
   timer_.stop();
   thread_.reset();
   view_.reset();
+  results_.begin(results_.claims(), stored_);
   storePath_.clear();
   before_ = share_ = 0;
   livesDone_ = 0;
@@ -198,7 +129,7 @@ void Experiment::take() {
   Q_EMIT progressed();
   if (auto view = thread_->view(); view && view != view_) {
     view_ = std::move(view);
-    Q_EMIT resultsChanged();
+    results_.show(view_);
   }
 }
 
@@ -206,7 +137,7 @@ void Experiment::tick() {
   if (!thread_) return;
   const bool over = thread_->over();
   take();
-  if (!over) return;
+  if (!over || results_.view() != view_) return;  // until the last results are shown, too
   timer_.stop();
   before_ = elapsed();
   const std::string trouble = thread_->trouble();
@@ -235,16 +166,13 @@ QString Experiment::whyNoResults() const {
   return state_ == State::Running ? tr("Appears with the first lives.") : tr("Appears when the plan runs.");
 }
 
-std::vector<Judgement> Experiment::judgements() const {
-  std::vector<Judgement> list;
-  if (!view_ || !plan_) return list;
-  for (const Claim& claim : claims_)
-    if (auto judgement = judge(registry_, claim, view_->evidence, plan_->seed)) list.push_back(std::move(*judgement));
-  return list;
+const ThesisVerdict* Experiment::thesisOn(const std::string& condition) const {
+  const auto found = results_.thesis().find(condition);
+  return found == results_.thesis().end() ? nullptr : &found->second;
 }
 
 bool Experiment::isInPercent(const std::string& id) const {
-  for (const Claim& claim : claims_)
+  for (const Claim& claim : results_.claims())
     if (claim.id == id)
       return claim.kind == "reduction" || claim.kind == "significant" || claim.kind == "no-difference" ||
              claim.kind == "extreme";
@@ -252,10 +180,9 @@ bool Experiment::isInPercent(const std::string& id) const {
 }
 
 std::optional<Figure> Experiment::figure(const FigureSpec& spec) const {
-  if (!view_) return std::nullopt;
-  auto figure = makeFigure(registry_, spec, view_->evidence, stored_.seed);
-  if (figure) markThesis(*figure, spec.measure, claims_, view_->evidence);
-  return figure ? std::optional<Figure>(std::move(*figure)) : std::nullopt;
+  if (!view()) return std::nullopt;
+  const auto figure = figureOf(registry_, spec, *view(), results_.claims());
+  return figure ? std::optional<Figure>(*figure) : std::nullopt;
 }
 
 int Experiment::livesPlanned() const {
@@ -275,8 +202,8 @@ std::optional<double> Experiment::left() const {
 }
 
 int Experiment::livesOf(const std::string& condition) const {
-  if (view_)
-    for (const Evidence& e : view_->evidence)
+  if (view())
+    for (const Evidence& e : view()->evidence)
       if (e.name() == condition) return static_cast<int>(e.lives.size()) + e.record.diverged;
   return 0;
 }

@@ -11,14 +11,10 @@
 
 #include "core/laboratory/laboratory_thread.h"
 #include "core/laboratory/recipe.h"
+#include "ui/experiment_results.h"
+#include "ui/plan_source.h"
 
 namespace surefoot {
-
-/// A plan or recipe that can be chosen by its title.
-struct PlanSource {
-  std::string title, path;
-  bool recipe = false;
-};
 
 class Experiment final : public QObject {
   Q_OBJECT
@@ -33,11 +29,16 @@ class Experiment final : public QObject {
   void choose(const std::string& condition);
 
   const std::vector<PlanSource>& sources() const { return sources_; }
-  /// Loads a plan, a recipe or a store of results. What ran is given up; what it lived is kept in its store.
+  /// Loads a plan, a recipe or a store of results. What ran is given up; what it lived is kept in its store. What takes
+  /// long goes on behind this call: isOpening() until planChanged() or failed() tells the end.
   Status open(const std::string& path);
+  bool isOpening() const { return opening_.busy(); }
+  /// About how long the plan takes [min]; 0: nobody knows.
+  double minutes() const { return minutes_; }
   /// What a text would give, without taking it over.
   Result<Plan> parse(const std::string& text) const;
-  /// A text in place of the plan's; refused with the line that is wrong. What was lived under the old one is left.
+  /// A text in place of the plan's; refused with the line that is wrong. What was lived under the old one is left. It
+  /// may go on behind this call as open() does.
   Status setText(const std::string& text);
   const std::string& text() const { return text_; }
   /// The file of the plan or results; a new text has none.
@@ -48,15 +49,27 @@ class Experiment final : public QObject {
   const std::optional<Plan>& plan() const { return plan_; }
   const StoredPlan& storedPlan() const { return stored_; }
   const std::vector<FigureSpec>& figures() const { return figures_; }
-  const std::shared_ptr<const LabView>& view() const { return view_; }
+  /// The results that are shown: table, figures and judgements are of this view.
+  const std::shared_ptr<const LabView>& view() const { return results_.view(); }
   /// The claims of the thesis that a recipe bears on, judged on what is there; empty for other plans.
-  std::vector<Judgement> judgements() const;
+  const std::vector<Judgement>& judgements() const { return results_.judgements(); }
+  /// What the thesis says of a condition's falls; nullptr: nothing.
+  const ThesisVerdict* thesisOn(const std::string& condition) const;
+  std::string policyOf(const std::string& condition) const { return results_.policyOf(condition); }
+  /// Whether all lives of a condition and of its reference are there.
+  bool isComplete(const std::string& condition) const { return results_.isComplete(condition); }
   /// What stands where results are missing: what brings them.
   QString whyNoResults() const;
+  const std::vector<Claim>& claims() const { return results_.claims(); }
   /// Whether a claim is about a change against the reference.
   bool isInPercent(const std::string& claim) const;
-  /// Draws one of the figures from the newest results; nothing until there are any.
+  /// Makes one of the figures from the results, which may take a while; nothing until there are any.
   std::optional<Figure> figure(const FigureSpec& spec) const;
+  /// A panel looks at this figure; resultsChanged() tells when it is made.
+  void look(std::size_t panel, const FigureSpec& spec) { results_.want(panel, spec); }
+  bool isMaking() const { return results_.busy(); }
+  /// nullptr: it is not made yet, or cannot be.
+  const Figure* figureAt(const FigureSpec& spec) const { return results_.figure(spec.name); }
 
   State state() const { return state_; }
   bool canRun() const { return plan_.has_value() && state_ != State::Complete; }
@@ -70,7 +83,11 @@ class Experiment final : public QObject {
   int livesDone() const { return livesDone_; }
   int livesPlanned() const;
   double share() const { return share_; }
+  /// Those of lives in hand count, too.
   std::int64_t falls() const { return falls_; }
+  /// Of the lives that are stored and shown: what table and figures are made of.
+  int livesShown() const { return results_.lives(); }
+  std::int64_t fallsShown() const { return results_.falls(); }
   double elapsed() const;  ///< [s], of running
   /// [s]; nothing: cannot be told yet.
   std::optional<double> left() const;
@@ -90,8 +107,20 @@ class Experiment final : public QObject {
  private:
   void tick();
   void take();
-  Status openStore(const std::string& path);
-  Status readText(const std::string& text, const std::string& path);
+  /// Everything that opening something gives; made on any thread.
+  struct Opened {
+    std::string text, path;
+    std::optional<Plan> plan;
+    StoredPlan stored;
+    std::vector<FigureSpec> figures;
+    std::vector<Claim> claims;
+    std::shared_ptr<const LabView> view{};
+    double minutes = 0;
+  };
+  Result<Opened> prepareStore(const std::string& path) const;
+  Result<Opened> prepareText(const std::string& text, const std::string& path) const;
+  Status begin(std::function<Result<Opened>()> prepare);
+  void adopt(Opened opened);
   std::string placeForResults() const;
   void setState(State state);
   std::vector<FigureSpec> standardFigures(const StoredPlan& plan) const;
@@ -104,15 +133,17 @@ class Experiment final : public QObject {
   std::optional<Plan> plan_;
   StoredPlan stored_;
   std::vector<FigureSpec> figures_;
-  std::vector<Claim> claims_;
+  ExperimentResults results_;
   std::unique_ptr<LaboratoryThread> thread_;
-  std::shared_ptr<const LabView> view_;
+  std::shared_ptr<const LabView> view_;  // the newest; results_ shows it soon
   State state_ = State::Ready;
   QTimer timer_;
   QElapsedTimer running_;
   double before_ = 0, share_ = 0, shareAtStart_ = 0;
+  double minutes_ = 0;
   int livesDone_ = 0;
   std::int64_t falls_ = 0, fallsAtStart_ = 0;
+  Background opening_;  // last: it is waited for first
 };
 
 }  // namespace surefoot

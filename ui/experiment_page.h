@@ -7,15 +7,16 @@
 #include "ui/experiment.h"
 
 class QAbstractButton;
-class QComboBox;
 class QLabel;
 class QSplitter;
+class QSpinBox;
 class QStackedWidget;
 
 namespace surefoot {
 
 class FigurePanel;
 class LinkButton;
+class PlanChooser;
 class PanelHeader;
 class PlanEditor;
 class Session;
@@ -53,21 +54,34 @@ class ExperimentPage final : public QWidget {
   QWidget* makeColumn();
   QWidget* makeResults();
   void refresh();
-  void choose(int index);
-  QString summary() const;
+  void setFull(QWidget* panel);
+  void askForLives();
+  void setLives(int lives);
+  void inBackground(const QString& what, int steps, std::function<Status(std::atomic<int>& done)> work,
+                    const QString& then);
   void writeCharts(const QString& folder);
   void exportTables(bool forSpreadsheets);
 
   Session& session_;
   Experiment experiment_;
-  QComboBox* source_ = nullptr;
+  PlanChooser* source_ = nullptr;
+  QSpinBox* lives_ = nullptr;
   QAbstractButton *run_ = nullptr, *stop_ = nullptr;
   QStackedWidget* stack_ = nullptr;
   PlanEditor* editor_ = nullptr;
   LinkButton* edit_ = nullptr;
   PanelHeader* columnHeader_ = nullptr;
   QLabel* summary_ = nullptr;
+  bool runWhenOpen_ = false;  // it was asked for while the plan was being read
   std::vector<FigurePanel*> figures_;
+  std::vector<std::pair<QWidget*, PanelHeader*>> panels_;  // the figures, then the table
+  QWidget *upper_ = nullptr, *full_ = nullptr;
+  Background writing_;  // last: it is waited for first
 };
+
+/// The finding in one sentence, as rich text; "so far" while lives are missing that it rests on.
+QString summaryOf(const Experiment& experiment);
+/// A plan's text with another number of lives a condition.
+std::string withLives(const std::string& plan, int lives);
 
 }  // namespace surefoot

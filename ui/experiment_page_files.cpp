@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the Experiment page opens, copies and writes.
 #include <QClipboard>
-#include <QComboBox>
 #include <QGuiApplication>
+#include <QPointer>
+#include <QProgressDialog>
+#include <QTimer>
 
 #include "core/files/whole_file.h"
 #include "core/laboratory/csv_export.h"
 #include "ui/ask_for_file.h"
 #include "ui/experiment_page.h"
-#include "ui/figure_view.h"
+#include "ui/figure_painter.h"
 #include "ui/plan_editor.h"
 #include "ui/symbol_text.h"
+#include "ui/theme.h"
 
 namespace surefoot {
 
 void ExperimentPage::openWithDialog() {
-  source_->setCurrentIndex(source_->findData(toText(experiment_.path())));
   askForFile(this, tr("Open a plan or results"), tr("Plans and results (*.toml *.sqlite);;All files (*)"),
              [this](const QString& path) { open(path); });
 }
@@ -56,13 +58,14 @@ void ExperimentPage::exportTables(bool forSpreadsheets) {
   if (experiment_.storePath().empty() || experiment_.state() == Experiment::State::Running)
     return Q_EMIT refused(tr("Results can be exported when the experiment is complete or paused."));
   askForFolder(this, tr("Folder for the tables"), [this, forSpreadsheets](const QString& folder) {
-    const auto store = Store::open(experiment_.storePath());
-    const Status written =
-        store ? surefoot::exportCsv(*store, folder.toStdString(), "folder", forSpreadsheets) : store.error();
-    if (!written)
-      Q_EMIT refused(toText(written.error().message));
-    else
-      Q_EMIT told(tr("conditions.csv, lives.csv and episodes.csv are in %1.").arg(folder));
+    inBackground(
+        tr("Writing the tables"), 0,
+        [path = experiment_.storePath(), folder = folder.toStdString(),
+         forSpreadsheets](std::atomic<int>&) -> Status {
+          const auto store = Store::open(path);
+          return store ? surefoot::exportCsv(*store, folder, "folder", forSpreadsheets) : store.error();
+        },
+        tr("conditions.csv, lives.csv and episodes.csv are in %1.").arg(folder));
   });
 }
 
@@ -72,15 +75,52 @@ void ExperimentPage::exportCharts() {
 }
 
 void ExperimentPage::writeCharts(const QString& folder) {
-  for (const FigureSpec& spec : experiment_.figures()) {
-    const auto figure = experiment_.figure(spec);
-    if (!figure) continue;
-    const std::string path = folder.toStdString() + "/" + figure->name;
-    Status s = FigureView(*figure).save(path);
-    if (s) s = writeWhole("chart", path + ".csv", figureAsCsv(*figure));
-    if (!s) return Q_EMIT refused(toText(s.error().message));
-  }
-  Q_EMIT told(tr("Every chart is in %1, as PNG, PDF and CSV.").arg(folder));
+  const auto write = [&registry = experiment_.registry(), figures = experiment_.figures(), view = experiment_.view(),
+                      claims = experiment_.claims(), theme = themeOf(*this),
+                      folder = folder.toStdString()](std::atomic<int>& done) -> Status {
+    for (const FigureSpec& spec : figures) {
+      if (done < 0) break;  // cancelled
+      if (const auto figure = figureOf(registry, spec, *view, claims)) {
+        const std::string path = folder + "/" + figure->name;
+        Status s = saveFigure(*figure, theme, path);
+        if (s) s = writeWhole("chart", path + ".csv", figureAsCsv(*figure));
+        if (!s) return s;
+      }
+      int before = done;
+      while (before >= 0 && !done.compare_exchange_weak(before, before + 1)) {
+      }
+    }
+    return Done{};
+  };
+  inBackground(tr("Drawing the charts"), static_cast<int>(experiment_.figures().size()), write,
+               tr("Every chart is in %1, as PNG, SVG, PDF and CSV.").arg(folder));
+}
+
+/// With a window that tells how far it is and from which it can be cancelled; `done` below 0: it was. No steps: it is
+/// one, and goes on to its end.
+void ExperimentPage::inBackground(const QString& what, int steps, std::function<Status(std::atomic<int>&)> work,
+                                  const QString& then) {
+  if (writing_.busy()) return Q_EMIT refused(tr("Something is being written; wait for its end."));
+  auto done = std::make_shared<std::atomic<int>>(0);
+  auto status = std::make_shared<Status>(Done{});
+  auto* progress = new QProgressDialog(what, tr("Cancel"), 0, steps, this);
+  progress->setAttribute(Qt::WA_DeleteOnClose);
+  progress->setAutoClose(false);
+  progress->setAutoReset(false);
+  progress->setMinimumDuration(300);
+  if (steps == 0) progress->setCancelButton(nullptr);
+  connect(progress, &QProgressDialog::canceled, this, [done] { *done = -1; });
+  auto* look = new QTimer(progress);
+  connect(look, &QTimer::timeout, progress, [progress, done] {
+    if (*done >= 0) progress->setValue(*done);
+  });
+  look->start(100);
+  writing_.start([done, status, work = std::move(work)](const std::atomic<bool>&) { *status = work(*done); },
+                 [this, done, status, progress = QPointer<QProgressDialog>(progress), then] {
+                   if (progress) progress->deleteLater();
+                   if (!*status) return Q_EMIT refused(toText(status->error().message));
+                   Q_EMIT told(*done < 0 ? tr("It was cancelled; what was written before is there.") : then);
+                 });
 }
 
 }  // namespace surefoot

@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <cmath>
 
+#include "core/laboratory/plan_time.h"
 #include "core/text.h"
 #include "ui/experiment.h"
 #include "ui/symbol_text.h"
@@ -16,7 +17,8 @@ ExperimentProgress::ExperimentProgress(Experiment& experiment, QWidget* parent)
       experiment_(experiment) {
   setFixedSize(420, 40);
   setAccessibleName(tr("Progress"));
-  for (auto signal : {&Experiment::progressed, &Experiment::stateChanged, &Experiment::planChanged})
+  for (auto signal :
+       {&Experiment::progressed, &Experiment::stateChanged, &Experiment::planChanged, &Experiment::resultsChanged})
     connect(&experiment_, signal, this, qOverload<>(&QWidget::update));
 }
 
@@ -28,7 +30,7 @@ void ExperimentProgress::paintEvent(QPaintEvent*) {
   p.setFont(textFont(13, 500));
   p.setPen(t.ink);
   p.drawText(QRectF(0, 2, 180, 20), Qt::AlignVCenter,
-             tr("%1 of %2 lives").arg(toText(countText(experiment_.livesDone())), toText(countText(planned))));
+             tr("%1 of %2 lives").arg(toText(countText(experiment_.livesShown())), toText(countText(planned))));
   p.setFont(textFont(13));
   p.drawText(QRectF(0, 2, 240, 20), Qt::AlignRight | Qt::AlignVCenter,
              tr("%1 %").arg(static_cast<int>(std::floor(100 * experiment_.share()))));
@@ -44,8 +46,13 @@ void ExperimentProgress::paintEvent(QPaintEvent*) {
   QString second;
   if (const auto left = experiment_.left())
     second = tr("about %1 left").arg(time(*left));
+  else if (experiment_.isOpening())
+    second = tr("it is being opened …");
   else if (experiment_.state() == Experiment::State::Paused)
     second = tr("paused");
+  else if (const double minutes = experiment_.minutes();
+           minutes > 0 && experiment_.state() != Experiment::State::Complete)
+    second = tr("takes about %1").arg(toText(roundedTime(minutes)));
   else if (experiment_.state() == Experiment::State::Complete)
     second = tr("complete");
   p.drawText(QRectF(256, 19, 160, 18), Qt::AlignVCenter, second);

@@ -4,6 +4,7 @@
 #include <QMenu>
 #include <QVBoxLayout>
 
+#include "ui/condition_name.h"
 #include "ui/experiment.h"
 #include "ui/figure_view.h"
 #include "ui/link_button.h"
@@ -40,13 +41,17 @@ FigurePanel::FigurePanel(Experiment& experiment, std::size_t first, QWidget* par
   connect(&experiment_, &Experiment::resultsChanged, this, &FigurePanel::refresh);
   connect(&experiment_, &Experiment::stateChanged, this, &FigurePanel::refresh);
   connect(&experiment_, &Experiment::chosenChanged, this, [this] { view_->setChosen(experiment_.chosen()); });
+  connect(view_, &FigureView::clicked, this, [this](const QString& condition) {
+    const std::string name = condition.toStdString();
+    experiment_.choose(experiment_.chosen() == name ? "" : name);
+  });
   refresh();
 }
 
 void FigurePanel::fillMenu() {
   choose_->menu()->clear();
   for (const FigureSpec& spec : experiment_.figures()) {
-    QAction* action = choose_->menu()->addAction(menuText(toText(spec.title)));
+    QAction* action = choose_->menu()->addAction(menuText(shownName(spec.title)));
     action->setCheckable(true);
     action->setChecked(spec.name == chosen_);
     connect(action, &QAction::triggered, this, [this, name = spec.name] {
@@ -65,17 +70,19 @@ void FigurePanel::refresh() {
     header_->setTitle(tr("Figure"));
     return view_->setFigure({}, experiment_.whyNoResults());
   }
-  header_->setTitle(toText(spec->title));
-  header_->setNote(spec->kind == "bars" ? tr("mean of a life, 95 % interval; X: p < .01")
-                                        : tr("mean of the lives, 95 % band"));
-  if (const auto figure = experiment_.figure(*spec))
+  header_->setTitle(shownName(spec->title));
+  const bool soFar = experiment_.view() && !experiment_.view()->findings.complete;
+  const QString what = spec->kind == "bars" ? tr("mean of a life, 95 % interval") : tr("mean of the lives, 95 % band");
+  header_->setNote(soFar ? tr("so far · %1").arg(what) : what);
+  experiment_.look(first_, *spec);
+  if (const Figure* figure = experiment_.figureAt(*spec))
     view_->setFigure(*figure, {});
-  else
-    view_->setFigure({}, experiment_.whyNoResults());
+  else if (!experiment_.view() || view_->figure().name != spec->name)
+    view_->setFigure({}, experiment_.isMaking() ? tr("It is being drawn.") : experiment_.whyNoResults());
 }
 
 std::string FigurePanel::asCsv() const {
-  return view_->figure().series.empty() && !view_->figure().scene ? "" : figureAsCsv(view_->figure());
+  return view_->asCsv();
 }
 
 }  // namespace surefoot

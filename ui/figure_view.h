@@ -1,60 +1,58 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A figure of the laboratory: curves with their 95 % bands, or bars with intervals.
+// A figure of the laboratory in the window. Bars that have no room scroll; a click on a series chooses its condition,
+// the mouse above it tells its numbers.
 #pragma once
 
-#include <QPainter>
 #include <QWidget>
 
-#include "core/laboratory/figure.h"
+#include "ui/exporting.h"
+#include "ui/figure_painter.h"
+
+class QScrollBar;
 
 namespace surefoot {
 
-struct Theme;
-
-class FigureView final : public QWidget {
+class FigureView final : public QWidget, public CsvSource {
   Q_OBJECT
 
  public:
-  static constexpr double kLeft = 64, kBottom = 48;  ///< gutters [px]
   explicit FigureView(Figure figure, QWidget* parent = nullptr);
-  QSize sizeHint() const override;
-  QSize minimumSizeHint() const override { return {320, 200}; }
+  QSize sizeHint() const override { return painter_.fullSize().toSize(); }
+  QSize minimumSizeHint() const override { return {240, 160}; }
   /// Another figure; one without series shows the words instead.
   void setFigure(Figure figure, const QString& words);
-  const Figure& figure() const { return figure_; }
-  /// One series stands out beside the reference, which is the first; the others are thin and without a band. Empty: all
-  /// are alike.
-  void setChosen(const std::string& series);
+  const Figure& figure() const { return painter_.figure(); }
+  /// The series of this condition stands out beside the reference; empty: none.
+  void setChosen(const std::string& condition);
   /// A panel's header says the title already.
-  void setTitleShown(bool shown) { titleShown_ = shown; }
+  void setTitleShown(bool shown);
 
-  /// Writes NAME.png (twice the size on the screen) and NAME.pdf; a path without its ending.
+  /// Writes NAME.png (twice the size on the screen), NAME.svg and NAME.pdf at the full size; a path without its ending.
   Status save(const std::string& path);
+  std::string asCsv() const override;
+  /// Alone it has its title and its full size.
+  void prepareExport(bool exporting) override;
+
+ Q_SIGNALS:
+  void clicked(const QString& condition);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  bool event(QEvent* event) override;
 
  private:
-  void paint(QPainter& p, const Theme& t) const;
-  void paintCurves(QPainter& p, const Theme& t, const QRectF& plot) const;
-  void paintBars(QPainter& p, const Theme& t) const;
-  void paintLegend(QPainter& p, const Theme& t, const QRectF& plot) const;
-  void paintTitles(QPainter& p, const Theme& t, const QRectF& plot) const;
-  void paintScene(QPainter& p, const Theme& t) const;
-  void paintAxes(QPainter& p, const Theme& t, const QRectF& plot) const;
-  QPen penOf(std::size_t series, const Theme& t) const;
-  bool standsOut(std::size_t series) const;
-  QPointF at(double x, double y, const QRectF& plot) const;
-  void chooseRanges();
+  void layOut();
+  QSizeF drawn() const;  ///< without the scroll bar
 
-  double top() const { return titleShown_ ? 40 : 16; }  // [px]
-  double rowHeight() const;                             // of bars [px]
-
-  Figure figure_;
+  FigurePainter painter_;
+  QScrollBar* scroll_;
   QString words_;
   std::string chosen_;
-  bool titleShown_ = true;
-  double xLeast_ = 0, xMost_ = 1, yLeast_ = 0, yMost_ = 1;
+  QSize before_;  // of an export
+  bool titleShown_ = true, exporting_ = false;
 };
 
 }  // namespace surefoot

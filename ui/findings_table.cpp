@@ -4,98 +4,82 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QPainter>
+#include <QSignalBlocker>
 #include <cmath>
 
 #include "core/text.h"
+#include "ui/condition_name.h"
 #include "ui/experiment.h"
-#include "ui/plain_text.h"
 #include "ui/symbol_text.h"
+#include "ui/table_parts.h"
 #include "ui/theme.h"
 
 namespace surefoot {
 
 namespace {
 
+enum Column { Name, Lives, Falls, PlusMinus, ChangeIs, Range, P, Holm, Mark, Time, Thesis, VerdictIs };
+
 QString signedText(double value) {
+  if (!std::isfinite(value)) return QStringLiteral("–");
   return (value > 0 ? QStringLiteral("+") : QString()) + toText(fixedText(value, std::abs(value) < 9.95 ? 1 : 0));
 }
 
-QString pText(double p) {
-  if (std::isnan(p)) return QStringLiteral("–");
-  if (p < 1e-10) return QStringLiteral("< 1e−10");
-  if (p >= 0.001) return toText(fixedText(p, 3));
-  return QString::number(p, 'e', 1).replace('-', QChar(0x2212));
+bool known(const Interval& i) {
+  return std::isfinite(i.low) && std::isfinite(i.high);
 }
 
-/// "−45.0"; of no value "–".
-QString changeText(const Interval& i) {
-  return std::isfinite(i.value) ? signedText(i.value) : QStringLiteral("–");
+QString rangeText(const Interval& i) {
+  return known(i) ? QStringLiteral("%1 … %2").arg(signedText(i.low), signedText(i.high)) : QStringLiteral("–");
 }
 
-/// "−55.1 … −32.0"; in place of per cent that are of nothing the difference, "+2.4 falls (+1.0 … +3.8)".
-QString intervalText(const Comparison& c) {
-  const auto range = [](const Interval& i) {
-    return i.known() ? QStringLiteral("%1 … %2").arg(signedText(i.low), signedText(i.high)) : QStringLiteral("–");
-  };
-  if (std::isfinite(c.change.value)) return range(c.change);
-  const QString falls = FindingsTable::tr("%1 falls").arg(changeText(c.difference));
-  return c.difference.known() ? QStringLiteral("%1 (%2)").arg(falls, range(c.difference)) : falls;
+/// The interval of the change; in place of per cent that are of nothing the difference, "+2.4 falls (+1.0 … +3.8)".
+QString rangeText(const Comparison& c) {
+  if (std::isfinite(c.change.value)) return rangeText(c.change);
+  const QString falls = FindingsTable::tr("%1 falls").arg(signedText(c.difference.value));
+  return known(c.difference) ? QStringLiteral("%1 (%2)").arg(falls, rangeText(c.difference)) : falls;
 }
 
-QString plusMinus(const Interval& i, int decimals) {
-  if (!std::isfinite(i.value)) return QStringLiteral("–");
-  const QString value = toText(fixedText(i.value, decimals));
-  return i.known() ? QStringLiteral("%1 ± %2").arg(value, toText(fixedText((i.high - i.low) / 2, decimals)))
-                   : value;
-}
-
-void setUp(QTableWidget& table, const QStringList& heads) {
-  table.setColumnCount(static_cast<int>(heads.size()));
-  table.setHorizontalHeaderLabels(heads);
-  table.verticalHeader()->hide();
-  table.verticalHeader()->setDefaultSectionSize(28);
-  table.setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table.setSelectionBehavior(QAbstractItemView::SelectRows);
-  table.setSelectionMode(QAbstractItemView::SingleSelection);
-  table.setShowGrid(false);
-  table.setFrameShape(QFrame::NoFrame);
-  table.setWordWrap(false);
-  table.setTabKeyNavigation(false);
-  table.horizontalHeader()->setHighlightSections(false);
-  table.horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table.horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
-  table.horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  table.horizontalHeader()->setFont(textFont(11, 500));
-  table.horizontalHeaderItem(0)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-}
-
-void put(QTableWidget& table, int row, int column, const QString& text, bool strong = false, bool left = false) {
-  auto* item = table.item(row, column);
-  if (!item) table.setItem(row, column, item = new QTableWidgetItem);
-  item->setText(text);
-  item->setTextAlignment((left ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-  item->setFont(textFont(13, strong ? 500 : 400));
+QString valueText(double value, int decimals) {
+  return std::isfinite(value) ? toText(fixedText(value, decimals)) : QStringLiteral("–");
 }
 
 }  // namespace
 
 FindingsTable::FindingsTable(Experiment& experiment, QWidget* parent) : QTableWidget(parent), experiment_(experiment) {
   setAccessibleName(tr("Results"));
-  setUp(*this, {tr("Condition"), tr("Lives"), tr("Falls ± 95 %"), tr("Change %"), tr("95 % interval"), tr("p ANOVA"),
-                tr("p Holm"), tr("X"), tr("Time min")});
+  setUpTable(*this, {tr("Condition"), tr("Lives"), tr("Falls"), tr("± 95 %"), tr("Change %"), tr("95 % interval"),
+                     tr("p ANOVA"), tr("p Holm"), tr("X"), tr("Time min"), tr("Thesis"), tr("Verdict")});
+  horizontalHeaderItem(VerdictIs)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   connect(&experiment_, &Experiment::resultsChanged, this, &FindingsTable::refresh);
   connect(&experiment_, &Experiment::planChanged, this, &QTableWidget::clearSelection);
   connect(&experiment_, &Experiment::stateChanged, viewport(), qOverload<>(&QWidget::update));
+  connect(&experiment_, &Experiment::chosenChanged, this, &FindingsTable::showChosen);
   setToolTip(tr("The condition of the chosen row stands out in the figures; Escape lets go"));
   connect(this, &QTableWidget::itemSelectionChanged, this, [this] {
     const auto rows = selectedItems();
-    experiment_.choose(rows.isEmpty() || !item(rows[0]->row(), 0) ? "" : item(rows[0]->row(), 0)->text().toStdString());
+    experiment_.choose(rows.isEmpty() || !item(rows[0]->row(), Name)
+                           ? ""
+                           : item(rows[0]->row(), Name)->data(kNameRole).toString().toStdString());
   });
+}
+
+void FindingsTable::showChosen() {
+  const QSignalBlocker quiet(this);
+  const QString chosen = toText(experiment_.chosen());
+  if (chosen.isEmpty()) return clearSelection();
+  for (int row = 0; row < rowCount(); ++row)
+    if (item(row, Name)->data(kNameRole).toString() == chosen) selectRow(row);
 }
 
 void FindingsTable::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Escape) return clearSelection();
   QTableWidget::keyPressEvent(event);
+}
+
+void FindingsTable::resizeEvent(QResizeEvent* event) {
+  QTableWidget::resizeEvent(event);
+  spreadColumns(*this);
 }
 
 void FindingsTable::paintEvent(QPaintEvent* event) {
@@ -113,64 +97,50 @@ void FindingsTable::refresh() {
   setRowCount(view ? static_cast<int>(view->findings.conditions.size()) : 0);
   if (!view) return viewport()->update();
   int row = 0;
-  for (const Finding& f : view->findings.conditions) {
-    const bool strong = f.comparison && f.comparison->significant();
-    put(*this, row, 0, toText(f.name), strong, true);
-    item(row, 0)->setToolTip(tipText(toText(f.name)));
-    QStringList warnings;
-    for (const std::string& w : f.warnings) warnings << toText(w);
-    put(*this, row, 1, QString::number(f.lives));
-    put(*this, row, 2, f.lives > 0 ? plusMinus(f.falls, 1) : QString(), strong);
-    if (!warnings.isEmpty()) item(row, 2)->setToolTip(tipText(warnings.join('\n')));
-    const auto& c = f.comparison;
-    put(*this, row, 3, c ? changeText(c->change) : QStringLiteral("–"), strong);
-    put(*this, row, 4, c ? intervalText(*c) : QString());
-    put(*this, row, 5, c ? pText(c->p()) : QString());
-    put(*this, row, 6, c ? pText(c->holm) : QString());
-    put(*this, row, 7, strong ? QStringLiteral("✕") : QString(), true);
-    put(*this, row, 8,
-        f.lives > 0 && std::isfinite(f.minutes.value) ? toText(fixedText(f.minutes.value, 2)) : QString());
-    ++row;
-  }
+  for (const Finding& f : view->findings.conditions) fillRow(row++, f);
+  bool thesis = false;
+  for (int i = 0; i < rowCount(); ++i) thesis = thesis || !item(i, Thesis)->text().isEmpty();
+  setColumnHidden(Thesis, !thesis);
+  setColumnHidden(VerdictIs, !thesis);
+  spreadColumns(*this);
   if (selected < 0 && currentRow() >= 0) clearSelection();
 }
 
-ClaimsTable::ClaimsTable(Experiment& experiment, QWidget* parent) : QTableWidget(parent), experiment_(experiment) {
-  setAccessibleName(tr("Claims of the thesis"));
-  setUp(*this,
-        {tr("Claim of the thesis"), tr("Thesis"), tr("Ours (95 % interval)"), tr("p"), tr("Verdict"), tr("Why")});
-  connect(&experiment_, &Experiment::resultsChanged, this, &ClaimsTable::refresh);
-}
-
-void ClaimsTable::refresh() {
-  const auto judgements = experiment_.judgements();
-  setRowCount(static_cast<int>(judgements.size()));
-  int row = 0;
-  for (const Judgement& j : judgements) {
-    const QString says = QStringLiteral("%1  %2").arg(toText(j.id), toText(j.says));
-    put(*this, row, 0, says, false, true);
-    item(row, 0)->setToolTip(tipText(says));
-    // A change against the reference is in per cent; numbers of one row have one rounding.
-    const bool percent = experiment_.isInPercent(j.id);
-    const QString unit = percent ? QStringLiteral(" %") : QString();
-    const double size = std::max(j.ours ? std::abs(*j.ours) : 0.0, j.high ? std::abs(*j.high) : 0.0);
-    const int decimals = size < 1 ? 2 : size < 100 ? 1 : 0;
-    const auto text = [&](double v) { return toText(fixedText(v, decimals)); };
-    put(*this, row, 1,
-        j.thesis.is_number()   ? toText(fixedText(j.thesis.get<double>(), 0)) + unit
-        : j.thesis.is_string() ? toText(j.thesis.get<std::string>())
-                               : QString());
-    QString ours = j.ours ? text(*j.ours) + unit : QString();
-    if (j.low && j.high) ours += QStringLiteral("  (%1 … %2)").arg(text(*j.low), text(*j.high));
-    put(*this, row, 2, ours);
-    put(*this, row, 3, j.p ? pText(*j.p) : QString());
-    put(*this, row, 4, QString::fromLatin1(nameOf(j.verdict)), j.verdict == Verdict::Differs);
-    const bool weak = j.verdict != Verdict::Agrees && j.p && *j.p >= 0.01 && percent;
-    const QString why = j.note.empty() && weak ? tr("not significant (p ≥ .01)") : toText(j.note);
-    put(*this, row, 5, why, false, true);
-    item(row, 5)->setToolTip(tipText(why));
-    ++row;
-  }
+void FindingsTable::fillRow(int row, const Finding& f) {
+  const auto& c = f.comparison;
+  const bool strong = c && c->significant();
+  const bool soFar = !experiment_.isComplete(f.name);
+  auto* name = put(*this, row, Name, shownName(f.name), strong, true);
+  name->setData(kNameRole, toText(f.name));
+  name->setData(kPolicyRole, toText(experiment_.policyOf(f.name)));
+  name->setToolTip(plainTip(shownName(f.name)));
+  auto* lives = put(*this, row, Lives, QString::number(f.lives));
+  lives->setData(Qt::ForegroundRole, soFar ? QVariant(QBrush(themeOf(*this).caution)) : QVariant());
+  lives->setToolTip(soFar ? tr("So far: not all lives of this condition, or of what it is compared with") : QString());
+  QStringList warnings;
+  for (const std::string& w : f.warnings) warnings << toText(w);
+  put(*this, row, Falls, f.lives > 0 ? valueText(f.falls.value, 1) : QString(), strong)
+      ->setToolTip(plainTip(warnings.join('\n')));
+  const bool interval = f.lives > 0 && known(f.falls);
+  put(*this, row, PlusMinus,
+      interval ? QStringLiteral("± ") + valueText((f.falls.high - f.falls.low) / 2, 1)
+               : f.lives > 0 ? QStringLiteral("–") : QString());
+  put(*this, row, ChangeIs, c ? signedText(c->change.value) : QStringLiteral("–"), strong);
+  put(*this, row, Range, c ? rangeText(*c) : QString());
+  put(*this, row, P, c ? pText(c->p()) : QString());
+  put(*this, row, Holm, c ? pText(c->holm) : QString());
+  put(*this, row, Mark, strong ? soFar ? tr("✕ so far") : QStringLiteral("✕") : QString(), true);
+  put(*this, row, Time, f.lives > 0 && std::isfinite(f.minutes.value) ? valueText(f.minutes.value, 2) : QString());
+  const ThesisVerdict* thesis = experiment_.thesisOn(f.name);
+  put(*this, row, Thesis, thesis ? toText(thesis->says) : QString());
+  auto* verdict = put(*this, row, VerdictIs, QString(), false, true);
+  verdict->setData(kVerdictRole, thesis ? QVariant(static_cast<int>(thesis->verdict)) : QVariant());
+  if (!thesis) return;
+  verdict->setText(soFar ? tr("%1 so far").arg(verdictText(thesis->verdict)) : verdictText(thesis->verdict));
+  QStringList claims;
+  for (const std::string& id : thesis->claims) claims << toText(id);
+  verdict->setToolTip(plainTip(tr("Claims %1 of the thesis; all of them stand under \"The thesis's claims\"")
+                                  .arg(claims.join(QStringLiteral(", ")))));
 }
 
 }  // namespace surefoot

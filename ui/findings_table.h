@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of an experiment: a row a condition with falls, change against the reference, and its significance; below
-// it the claims of the thesis, if the plan is one of its recipes.
+// The table of an experiment: a row a condition with falls, change against the reference, its significance, and what
+// the thesis says of it.
 #pragma once
 
 #include <QTableWidget>
@@ -8,6 +8,7 @@
 namespace surefoot {
 
 class Experiment;
+struct Finding;
 
 class FindingsTable final : public QTableWidget {
   Q_OBJECT
@@ -18,21 +19,12 @@ class FindingsTable final : public QTableWidget {
  protected:
   void keyPressEvent(QKeyEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   void refresh();
-
-  Experiment& experiment_;
-};
-
-class ClaimsTable final : public QTableWidget {
-  Q_OBJECT
-
- public:
-  explicit ClaimsTable(Experiment& experiment, QWidget* parent = nullptr);
-
- private:
-  void refresh();
+  void fillRow(int row, const Finding& finding);
+  void showChosen();
 
   Experiment& experiment_;
 };

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plan_editor.h"
 
-#include <fmt/format.h>
-
 #include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -11,6 +9,7 @@
 #include <QScrollArea>
 #include <QTimer>
 
+#include "core/laboratory/plan_writing.h"
 #include "ui/condition_form.h"
 #include "ui/experiment.h"
 #include "ui/symbol_text.h"
@@ -19,7 +18,8 @@
 namespace surefoot {
 
 namespace {
-constexpr int kCheckAfter = 300;  // [ms] of no typing
+constexpr int kCheckAfter = 300;                    // [ms] of no typing
+constexpr std::chrono::milliseconds kPatience(95);  // what takes no longer is there at once
 }
 
 PlanEditor::PlanEditor(Experiment& experiment, QWidget* parent)
@@ -36,6 +36,7 @@ PlanEditor::PlanEditor(Experiment& experiment, QWidget* parent)
   edit_->setLineWrapMode(QPlainTextEdit::NoWrap);
   verdict_->setFont(textFont(11));
   verdict_->setWordWrap(true);
+  verdict_->setTextFormat(Qt::PlainText);
   auto* live = new QPushButton(tr("Add what the Live page runs"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(12, 4, 12, 12);
@@ -84,21 +85,73 @@ void PlanEditor::setText(const QString& text) {
   check();
 }
 
+std::string PlanEditor::path() const {
+  return experiment_.path().empty() ? "plan" : experiment_.path();
+}
+
 void PlanEditor::addCondition(const std::string& toml) {
-  QString text = edit_->toPlainText();
-  if (!text.isEmpty() && !text.endsWith('\n')) text += '\n';
-  setText(text + '\n' + toText(toml));
-  edit_->moveCursor(QTextCursor::End);
+  add([toml](const Result<Plan>&) { return toml; });
+}
+
+void PlanEditor::addConfiguration(const Configuration& configuration) {
+  add([configuration, &registry = experiment_.registry()](const Result<Plan>& now) {
+    const std::string name = "live: " + configuration.names.policy;
+    return conditionToml(registry, configuration, now ? freeName(*now, name) : name);
+  });
+}
+
+// A plan that runs must run with the block, too; one that does not takes what comes.
+void PlanEditor::add(MakeBlock block) {
+  struct Made {
+    std::string block, refusal;
+  };
+  auto made = std::make_shared<Made>();
+  const QString now = text();
+  checking_.start(
+      [made, block = std::move(block), &registry = experiment_.registry(), plan = now.toStdString(),
+       path = path()](const std::atomic<bool>&) {
+        const auto before = parsePlan(registry, plan, path, {});
+        const auto toml = block(before);
+        if (!toml) {
+          made->refusal = toml.error().message;
+          return;
+        }
+        made->block = (plan.empty() ? "" : plan.ends_with('\n') ? "\n" : "\n\n") + *toml;
+        const auto after = parsePlan(registry, plan + made->block, path, {});
+        if (before && !after) made->refusal = after.error().message;
+      },
+      [this, made, now] {
+        if (!made->refusal.empty()) return say(tr("It is not added: %1").arg(toText(made->refusal)));
+        if (text() != now) return say(tr("The plan was changed meanwhile; add it again."));
+        QTextCursor cursor(edit_->document());
+        cursor.movePosition(QTextCursor::End);
+        cursor.insertText(toText(made->block));
+        edit_->moveCursor(QTextCursor::End);
+        check();
+      },
+      kPatience);
+}
+
+void PlanEditor::say(const QString& sentence) {
+  verdict_->setText(sentence);
 }
 
 void PlanEditor::check() {
-  const Result<Plan> plan = experiment_.parse(text().toStdString());
-  use_->setEnabled(static_cast<bool>(plan));
-  if (plan)
-    verdict_->setText(tr("%n conditions", nullptr, static_cast<int>(plan->conditions.size())) +
-                      tr(", %1 lives each").arg(plan->lives));
-  else
-    verdict_->setText(toText(plan.error().message));
+  auto made = std::make_shared<std::optional<Result<Plan>>>();
+  checking_.start(
+      [made, &registry = experiment_.registry(), plan = text().toStdString(),
+       path = path()](const std::atomic<bool>&) { made->emplace(parsePlan(registry, plan, path, {})); },
+      [this, made] {
+        const Result<Plan>& plan = **made;
+        use_->setEnabled(static_cast<bool>(plan));
+        say(plan ? tr("%n conditions", nullptr, static_cast<int>(plan->conditions.size())) +
+                       tr(", %1 lives each").arg(plan->lives)
+                 : toText(plan.error().message));
+      },
+      kPatience);
+  if (!checking_.busy()) return;
+  use_->setEnabled(false);
+  say(tr("It is being checked …"));
 }
 
 void PlanEditor::use() {
@@ -106,28 +159,6 @@ void PlanEditor::use() {
     verdict_->setText(toText(s.error().message));
   else
     Q_EMIT used();
-}
-
-std::string conditionToml(const Configuration& c, const Configuration& defaults) {
-  std::string toml = fmt::format("[[condition]]\nname = \"live: {}\"\n", c.names.policy);
-  const auto line = [&](const char* key, const std::string& value) {
-    if (!value.empty()) toml += fmt::format("{} = \"{}\"\n", key, value);
-  };
-  line("environment", c.names.environment);
-  line("preset", c.names.preset);
-  line("scenario", c.names.scenario);
-  line("agent", c.names.agent);
-  line("features", c.names.features);
-  line("policy", c.names.policy);
-  toml += "minutes = 9\n";
-  for (const auto& entry : c.parameters.all()) {
-    const Parameters::Entry* usual = defaults.parameters.find(entry.parameter.key);
-    if (usual && usual->value == entry.value) continue;
-    const bool choice = !entry.parameter.choices.empty();
-    toml += choice ? fmt::format("set.{} = \"{}\"\n", entry.parameter.key, formatValue(entry.parameter, entry.value))
-                   : fmt::format("set.{} = {}\n", entry.parameter.key, formatValue(entry.parameter, entry.value));
-  }
-  return toml;
 }
 
 }  // namespace surefoot

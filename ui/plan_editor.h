@@ -3,6 +3,10 @@
 #pragma once
 
 #include <QWidget>
+#include <functional>
+
+#include "core/laboratory/plan.h"
+#include "ui/background.h"
 
 class QLabel;
 class QPlainTextEdit;
@@ -11,7 +15,6 @@ class QPushButton;
 namespace surefoot {
 
 class Experiment;
-struct Configuration;
 
 class PlanEditor final : public QWidget {
   Q_OBJECT
@@ -20,8 +23,11 @@ class PlanEditor final : public QWidget {
   explicit PlanEditor(Experiment& experiment, QWidget* parent = nullptr);
   QString text() const;
   void setText(const QString& text);
-  /// Writes a condition that is this configuration behind the others.
+  /// Writes a [[condition]] block behind the others, as one step that can be undone; refused, with the reason below the
+  /// text, where the plan would not run with it.
   void addCondition(const std::string& toml);
+  /// The same with what a configuration says, under a name that is free.
+  void addConfiguration(const Configuration& configuration);
 
  Q_SIGNALS:
   /// What the Live page runs shall become a condition.
@@ -30,16 +36,18 @@ class PlanEditor final : public QWidget {
   void used();
 
  private:
+  using MakeBlock = std::function<Result<std::string>(const Result<Plan>& now)>;
+  void add(MakeBlock block);
   void check();
   void use();
+  void say(const QString& sentence);
+  std::string path() const;
 
   Experiment& experiment_;
   QPlainTextEdit* edit_;
   QLabel* verdict_;
   QPushButton* use_;
+  Background checking_;  // last: it is waited for first
 };
-
-/// A [[condition]] block that runs what a configuration says, named after its policy.
-std::string conditionToml(const Configuration& configuration, const Configuration& defaults);
 
 }  // namespace surefoot

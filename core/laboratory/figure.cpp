@@ -116,6 +116,18 @@ Status addAgainst(const Registry& registry, Figure& figure, const FigureSpec& sp
   return Done{};
 }
 
+/// By which rule, against what and from how many lives: what a series does not say by its values.
+void describeSeries(Figure& figure, const Chosen& chosen) {
+  for (FigureSeries& series : figure.series)
+    for (const Evidence* e : chosen) {
+      if (e->name() != series.name) continue;
+      series.agent = e->configuration.value("agent", "");
+      series.reference = e->record.condition.reference;
+      series.lives = static_cast<int>(e->lives.size()) + e->record.diverged;
+      series.planned = e->record.condition.lives;
+    }
+}
+
 }  // namespace
 
 Result<Figure> makeFigure(const Registry& registry, const FigureSpec& spec, const std::vector<Evidence>& evidence,
@@ -144,6 +156,7 @@ Result<Figure> makeFigure(const Registry& registry, const FigureSpec& spec, cons
     return Error{fmt::format("figure {}: there is no kind \"{}\".", spec.name, spec.kind)};
   else if (const Status s = addAgainst(registry, figure, spec, chosen); !s)
     return s.error();
+  describeSeries(figure, chosen);
   return figure;
 }
 

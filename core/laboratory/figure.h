@@ -30,6 +30,11 @@ struct FigureSeries {
   std::vector<Interval> y;
   std::vector<bool> marked;        ///< bars: differs from the reference
   std::optional<double> thesis{};  ///< bars: where the thesis's number would put it
+  std::string agent{};             ///< the learning rule
+  std::string reference{};         ///< the condition that it is compared with; empty: none
+  int lives = 0, planned = 0;      ///< of the condition; 0, 0: it needs none
+
+  bool complete() const { return lives >= planned; }
 };
 
 struct Figure {

@@ -116,6 +116,8 @@ class ConditionMaker {
         draft.file = value;
       else if (std::string* part = nameField(draft.names, key))
         *part = value;
+      else if (key == "base")
+        status = Error{fmt::format("base = {}: in a condition it is false: nothing of [base] holds there.", value)};
       else if (key == "set")
         status = Error{"set: it goes with the key of a parameter, e.g. set.features.scale = 1."};
       else if (key == "pre-learning" && value != "false")
@@ -123,7 +125,7 @@ class ConditionMaker {
             "pre-learning = {}: it is false, or goes with a key, e.g. pre-learning.scenario = \"2\".", value)};
       else if (!key.starts_with("pre-learning"))
         status = unknownKey(key, {"name", "reference", "environment", "preset", "scenario", "agent", "features",
-                                  "policy", "set", "minutes", "episodes", "pre-learning"});
+                                  "policy", "set", "minutes", "episodes", "pre-learning", "base"});
       if (!status) return planError(path_, c.where.at(key)->line, status.error().message);
     }
     draft.assignments.insert(draft.assignments.end(), head_.assignments.begin(), head_.assignments.end());

@@ -39,6 +39,13 @@ std::optional<std::string> valueAsText(const toml::node& node) {
   return std::nullopt;
 }
 
+/// What a recipe has besides its plan.
+bool isOfRecipes(const std::string& key) {
+  for (const char* other : {"figure", "claim", "shows", "table", "answers", "minutes_on_two_cores"})
+    if (key == other) return true;
+  return false;
+}
+
 class Reader {
  public:
   explicit Reader(const std::string& path) : path_(path) {}
@@ -48,7 +55,7 @@ class Reader {
     std::vector<PlanSetting> shared;
     for (const auto& [key, node] : root) {
       const std::string name(key.str());
-      if (name == "condition" || name == "figure" || name == "claim" || name == "shows" || name == "table") continue;
+      if (name == "condition" || isOfRecipes(name)) continue;
       const std::string prefix = name == "base" ? "" : name + ".";
       auto& into = name == "base" || name == "pre-learning" ? shared : file.head;
       const Status s = node.is_table() ? flatten(*node.as_table(), prefix, into, 0) : add(name, node, into);
@@ -69,10 +76,19 @@ class Reader {
       addShared(shared, block.settings);
       file.blocks.push_back(std::move(block));
     }
+    readRecipe(root, file);
     return file;
   }
 
  private:
+  static void readRecipe(const toml::table& root, PlanFile& file) {
+    file.answers = root["answers"].value_or(std::string());
+    file.minutesOnTwoCores = root["minutes_on_two_cores"].value_or(0.0);
+    if (const toml::array* shows = root["shows"].as_array())
+      for (const toml::node& shown : *shows)
+        if (const auto* text = shown.as_string()) file.shows.push_back(text->get());
+  }
+
   Status flatten(const toml::table& table, const std::string& prefix, std::vector<PlanSetting>& into, int depth) {
     if (depth > kDeepest) return planError(path_, lineOf(table), prefix + ": tables are nested too deeply.");
     for (const auto& [key, node] : table) {
@@ -117,8 +133,14 @@ class Reader {
     std::stable_sort(settings.begin(), settings.end(), [](const auto& a, const auto& b) { return a.line < b.line; });
   }
 
-  /// What is shared comes first, unless the condition has its own; "pre-learning = false" drops all of that.
+  /// What is shared comes first, unless the condition has its own; "pre-learning = false" drops all of that, and
+  /// "base = false" everything.
   static void addShared(const std::vector<PlanSetting>& shared, std::vector<PlanSetting>& own) {
+    const auto base = std::find_if(own.begin(), own.end(), [](const PlanSetting& s) { return s.key == "base"; });
+    if (base != own.end() && base->values == std::vector<std::string>{"false"}) {
+      own.erase(base);
+      return;
+    }
     const auto has = [&](const std::string& key) {
       return std::any_of(own.begin(), own.end(), [&](const PlanSetting& s) { return s.key == key; });
     };

@@ -28,6 +28,10 @@ struct PlanBlock {
 struct PlanFile {
   std::vector<PlanSetting> head;  ///< title, seed, …
   std::vector<PlanBlock> blocks;
+  // Of recipes.
+  std::vector<std::string> shows;  ///< figures and tables of the thesis
+  std::string answers;             ///< the question, in a sentence
+  double minutesOnTwoCores = 0;    ///< measured; 0: nobody did
 };
 
 Result<PlanFile> parsePlanFile(const std::string& text, const std::string& path);

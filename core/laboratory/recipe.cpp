@@ -81,12 +81,13 @@ std::vector<std::string> patternsOf(const Claim& claim) {
   return patterns;
 }
 
-Result<Recipe> read(const Registry& registry, const std::string& path, const PlanChanges& changes) {
-  const auto text = readText(path);
-  if (!text) return text.error();
-  auto plan = parsePlan(registry, *text, path, changes);
+}  // namespace
+
+Result<Recipe> parseRecipe(const Registry& registry, const std::string& text, const std::string& path,
+                           const PlanChanges& changes) {
+  auto plan = parsePlan(registry, text, path, changes);
   if (!plan) return plan.error();
-  const auto blocks = parseRecipeBlocks(*text, path);
+  const auto blocks = parseRecipeBlocks(text, path);
   if (!blocks) return blocks.error();
   Recipe recipe{.name = std::filesystem::path(path).stem().string(),
                 .shows = {},
@@ -108,8 +109,6 @@ Result<Recipe> read(const Registry& registry, const std::string& path, const Pla
   return recipe;
 }
 
-}  // namespace
-
 bool Recipe::calibrated() const {
   return std::any_of(claims.begin(), claims.end(), [](const Claim& c) { return c.calibrated; });
 }
@@ -126,13 +125,15 @@ Result<std::vector<std::string>> recipeShows(const std::string& path) {
 }
 
 Result<Recipe> readRecipe(const Registry& registry, const std::string& path, const PlanChanges& changes) {
-  return read(registry, path, changes);
+  const auto text = readText(path);
+  if (!text) return text.error();
+  return parseRecipe(registry, *text, path, changes);
 }
 
 Result<Recipe> onLabPreset(const Registry& registry, const std::string& path, const PlanChanges& changes) {
   PlanChanges lab = changes;
   lab.preset = "lab";
-  auto recipe = read(registry, path, lab);
+  auto recipe = readRecipe(registry, path, lab);
   if (!recipe) return recipe;
   recipe->figures.clear();
   std::erase_if(recipe->claims, [](const Claim& c) { return !c.calibrated; });

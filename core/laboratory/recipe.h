@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A recipe: a plan, what to draw of its results, and which claims of the thesis they are held against. One TOML file:
 // a plan with [[figure]] and [[claim]] blocks and, at the top, the list `shows` of the thesis's figures and tables, and
-// `table` of the measures that stand in the table of its conditions beside the falls.
+// `table` of the measures that stand in the table of its conditions beside the falls; `answers`, its question in a
+// sentence, and `minutes_on_two_cores`, how long it took, for the list in the window.
 #pragma once
 
 #include "core/laboratory/claim.h"
@@ -24,6 +25,9 @@ struct Recipe {
 /// What the thesis calls that which a recipe shows: figures and tables.
 Result<std::vector<std::string>> recipeShows(const std::string& path);
 
+/// From a text; `path` is named in messages. A plan without figures and claims is a recipe, too.
+Result<Recipe> parseRecipe(const Registry& registry, const std::string& text, const std::string& path,
+                           const PlanChanges& changes);
 Result<Recipe> readRecipe(const Registry& registry, const std::string& path, const PlanChanges& changes);
 
 /// The part of the plan that the calibrated claims need, on the lab preset.

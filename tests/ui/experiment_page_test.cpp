@@ -34,6 +34,7 @@ struct Page : Window {
     EXPECT_TRUE(writeWhole("plan", path.toStdString(), plan));
     window->setPage(1);
     page.open(path);
+    EXPECT_TRUE(waitFor([&] { return !page.experiment().isOpening(); }));
     QObject::connect(&page, &ExperimentPage::refused, [this](const QString& why) { refusal = why.toStdString(); });
   }
   void runToTheEnd() {
@@ -177,6 +178,7 @@ TEST(ExperimentPage, AFormWritesConditionsIntoThePlan) {
   p.named<QLineEdit>("Values of parameter 1")->setText("0, 50");
   choose("Pre-learning of the condition", "2");
   Q_EMIT form->addAsked();
+  EXPECT_TRUE(p.waitFor([&] { return editor->text().contains("pre(2)"); }));
   const auto plan = p.experiment().parse(editor->text().toStdString());
   ASSERT_TRUE(plan) << plan.error().message;
   ASSERT_EQ(plan->conditions.size(), 4u);

@@ -2,6 +2,7 @@
 // Verdicts on lives made by hand, whose means are known.
 #include <cmath>
 
+#include "core/laboratory/thesis_verdicts.h"
 #include "tests/core/laboratory/claim_evidence.h"
 
 namespace surefoot {
@@ -205,6 +206,21 @@ TEST(Claim, PatternsHaveStars) {
   EXPECT_TRUE(fits("", "*"));
   EXPECT_FALSE(fits("pre(2): TRL 50", "pre(3): *"));
   EXPECT_FALSE(fits("TRL 50", "TRL 5"));
+}
+
+TEST(ThesisVerdicts, AreOfSingleConditionsAndOfTheirFalls) {
+  const std::vector<Claim> claims = {
+      {.id = "A", .kind = "reduction", .says = "", .arguments = {{"conditions", kHalf}, {"thesis", -50}}},
+      {.id = "B", .kind = "significant", .says = "", .arguments = {{"conditions", Json::array({"half", "same"})}}},
+      {.id = "C", .kind = "no-difference", .says = "", .arguments = {{"conditions", kSame}}},
+      {.id = "D", .kind = "value", .says = "", .arguments = {{"conditions", kWild}, {"thesis", 3}, {"measure", "minutes"}}},
+      {.id = "E", .kind = "lowest", .says = "", .arguments = {{"conditions", Json::array({"half", "wild"})}}}};
+  const auto verdicts = thesisVerdicts(kRegistry, claims, kEvidence, 1);
+  ASSERT_EQ(verdicts.size(), 2u);
+  EXPECT_EQ(verdicts.at("half").says, "−50 %");
+  EXPECT_EQ(verdicts.at("half").verdict, Verdict::Agrees);
+  EXPECT_EQ(verdicts.at("half").claims, (std::vector<std::string>{"A", "B"}));
+  EXPECT_EQ(verdicts.at("same").verdict, Verdict::Differs) << "one says that it differs, and it does not";
 }
 
 }  // namespace surefoot

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How an experiment comes to its plan: read and tried out on a thread of its own, then taken over at once.
+#include <thread>
+
+#include "core/files/read_file.h"
+#include "core/laboratory/plan_time.h"
+#include "ui/experiment.h"
+#include "ui/symbol_text.h"
+
+namespace surefoot {
+
+namespace {
+
+constexpr std::chrono::milliseconds kPatience(80);  // what takes no longer is there when open() returns
+
+bool isStore(const std::string& path) {
+  const auto head = readHead(path, 15);
+  return head && *head == "SQLite format 3";
+}
+
+}  // namespace
+
+Result<Experiment::Opened> Experiment::prepareText(const std::string& text, const std::string& path) const {
+  auto recipe = parseRecipe(registry_, text, path.empty() ? "plan" : path, {});
+  if (!recipe) return recipe.error();
+  auto stored = planToStore(registry_, recipe->plan);
+  if (!stored) return stored.error();
+  Opened opened{.text = text, .path = path, .plan = {}, .stored = {}, .figures = {}, .claims = {}};
+  opened.figures = standardFigures(*stored);
+  opened.figures.insert(opened.figures.end(), recipe->figures.begin(), recipe->figures.end());
+  opened.claims = std::move(recipe->claims);
+  opened.plan = std::move(recipe->plan);
+  opened.stored = std::move(*stored);
+  const int threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  if (const auto file = parsePlanFile(text, path)) opened.minutes = minutesFor(registry_, *file, threads);
+  return opened;
+}
+
+Result<Experiment::Opened> Experiment::prepareStore(const std::string& path) const {
+  const auto store = Store::open(path);
+  if (!store) return store.error();
+  auto view = viewOf(*store);
+  if (!view) return view.error();
+  Opened opened{.text = {}, .path = path, .plan = {}, .stored = view->findings.plan, .figures = {}, .claims = {}};
+  opened.figures = standardFigures(opened.stored);
+  opened.view = std::make_shared<const LabView>(std::move(*view));
+  return opened;
+}
+
+Status Experiment::open(const std::string& path) {
+  return begin([this, path]() -> Result<Opened> {
+    if (isStore(path)) return prepareStore(path);
+    const auto text = readText(path);
+    if (!text) return text.error();
+    return prepareText(*text, path);
+  });
+}
+
+Status Experiment::setText(const std::string& text) {
+  return begin([this, text, path = path_] { return prepareText(text, path); });
+}
+
+Status Experiment::begin(std::function<Result<Opened>()> prepare) {
+  struct Asked {
+    std::optional<Result<Opened>> made;
+    Status status = Done{};
+    bool waiting = true;  // the caller
+  };
+  auto asked = std::make_shared<Asked>();
+  opening_.start([asked, prepare = std::move(prepare)](const std::atomic<bool>&) { asked->made.emplace(prepare()); },
+                 [this, asked] {
+                   if (*asked->made)
+                     adopt(std::move(**asked->made));
+                   else if (asked->waiting)
+                     asked->status = asked->made->error();
+                   else
+                     Q_EMIT failed(toText(asked->made->error().message));
+                 },
+                 kPatience);
+  asked->waiting = false;
+  return asked->status;
+}
+
+void Experiment::adopt(Opened opened) {
+  reset();
+  text_ = std::move(opened.text);
+  path_ = std::move(opened.path);
+  title_ = opened.stored.title;
+  plan_ = std::move(opened.plan);
+  stored_ = std::move(opened.stored);
+  figures_ = std::move(opened.figures);
+  minutes_ = opened.minutes;
+  results_.begin(std::move(opened.claims), stored_);
+  if (opened.view) {
+    view_ = std::move(opened.view);
+    storePath_ = path_;
+    for (const Evidence& e : view_->evidence) {
+      livesDone_ += static_cast<int>(e.lives.size()) + e.record.diverged;
+      for (const StoredLife& life : e.record.lives) falls_ += life.falls;
+    }
+    share_ = livesPlanned() > 0 ? static_cast<double>(livesDone_) / livesPlanned() : 0;
+    setState(view_->findings.complete ? State::Complete : State::Paused);
+  }
+  Q_EMIT planChanged();
+  if (view_)
+    results_.show(view_);
+  else
+    Q_EMIT resultsChanged();
+  Q_EMIT progressed();
+}
+
+}  // namespace surefoot
