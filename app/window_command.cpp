@@ -88,6 +88,7 @@ int windowCommand(const Registry& registry, const WindowRequest& request, int ar
   for (const ShippedPlan& plan : allShipped(registry))
     setup.plans.push_back({plan.title, plan.path, plan.recipe, plan.recipe ? groupOf(plan) : "", plan.name, plan.shows,
                            plan.answers, plan.minutes});
+  setup.asksOnQuit = !request.json && !request.log;  // then quitting writes what came out
   MainWindow window(session, std::move(setup));
   window.show();
   session.setTurbo(request.turbo);

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keeps the session on the disk while the window is open, so that a crash loses little. The file is named
-// after the process, which holds a lock beside it; one without was left by a crash.
+// Keeps the session on the disk while the window is open, so that a crash loses little, and the last one when it is
+// closed, so that it can go on at the next start. Each process has a file of its own and holds a lock beside it; one
+// whose lock nobody holds was left.
 #pragma once
 
-#include <QLockFile>
 #include <QObject>
 #include <QTimer>
 #include <functional>
 #include <memory>
+
+#include "ui/file_lock.h"
 
 namespace surefoot {
 
@@ -18,34 +20,43 @@ class Autosave final : public QObject {
 
  public:
   /// Once a minute, until it is told otherwise; tables of many megabytes less often, because the learner stands still
-  /// while they are written.
+  /// while they are written. Locks that nobody holds any more are removed.
   Autosave(Session& session, QString folder, QObject* parent = nullptr);
   void setMinutes(int minutes) { timer_.setInterval(minutes * 60'000); }
-  /// What a crash left, the newest; empty: nothing.
+  /// What was left, the newest first: by a crash or an end from outside, else by the last window that was closed.
+  /// Empty: nothing. As long as it is offered, other windows do not offer it.
   QString leftBehind() const;
-  /// Removes one that a crash left.
-  static void forget(const QString& file);
-  /// The session goes on from one that a crash left: it is removed when this process has written one of its own.
+  /// Whether a file was left when its window was closed.
+  static bool isOfLastSession(const QString& file);
+  /// Holds its lock while it is offered here; false: another window was faster.
+  bool claim(const QString& file);
+  /// Removes one that was left.
+  void forget(const QString& file);
+  /// It stays for the next start.
+  void leaveThere() { claimed_.release(); }
+  /// The session goes on from one that was left: it is removed when this process has written one of its own.
   void takeOver(const QString& file);
   /// Writes now, if the life has moved since.
   void save(std::function<void()> then = {});
-  /// The window was closed properly: nothing needs to be kept.
+  /// The window is closed: writes what was learned, to be offered at the next start, then calls `then`. A life that ran
+  /// before and was not saved counts where the one that runs has learned nothing.
+  void keepLast(std::function<void()> then);
+  /// The window was closed; its autosave goes.
   void finish();
   /// The program is ended from outside: writes once more, leaves the file, then calls `then`.
   void leave(std::function<void()> then);
 
  private:
-  QString path() const;
   void tick();
 
   Session& session_;
   int waited_ = 0;  // ticks
-  QString folder_;
+  QString folder_, path_;
   QTimer timer_;
   std::int64_t saved_ = -1;  // steps of the life then
   bool writing_ = false, leaving_ = false, again_ = false;
   QString takenOver_;
-  std::unique_ptr<QLockFile> lock_;
+  FileLock lock_, claimed_;
 };
 
 }  // namespace surefoot

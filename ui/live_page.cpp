@@ -10,6 +10,7 @@
 #include "core/text.h"
 #include "ui/action_key.h"
 #include "ui/action_rows.h"
+#include "ui/compare_strip.h"
 #include "ui/falls_list.h"
 #include "ui/chart_span.h"
 #include "ui/learning_charts.h"
@@ -158,6 +159,8 @@ QString LivePage::worldNote() const {
   if (session_.runFinished()) return tr("the life is complete");
   if (!session_.running())
     return session_.turbo() ? tr("the learner's own, paused; turbo is on") : tr("the learner's own, paused");
+  const QString beginning = session_.beginning();
+  if (!beginning.isEmpty() && !session_.turbo()) return tr("the learner's own; it began %1").arg(beginning);
   const QString speed = session_.factorText();
   if (session_.turbo() && world_->held()) return tr("real time; only this world is held, the learner's own is not");
   if (session_.turbo())
@@ -200,18 +203,26 @@ Panel* LivePage::addPanel(const QString& title, const QString& name, QWidget* co
 
 void LivePage::setComparing(bool comparing) {
   if (comparing == (rival_ != nullptr)) return;
-  if (comparing) {
-    rival_ = new Rival(session_);
-    connect(rival_, &Rival::refused, this, &LivePage::refused);
-    worlds_->addWidget(rival_);
-    worlds_->setSizes({1, 1});
-    world_->setBeside(&rival_->world());
-    rival_->world().setBeside(world_);
-  } else {
-    delete rival_;
-    rival_ = nullptr;
-  }
+  if (comparing && !resting_) makeRival();
+  std::swap(rival_, resting_);
+  Rival& second = rival_ ? *rival_ : *resting_;
+  second.setVisible(comparing);
+  second.strip().setVisible(comparing);
+  if (comparing) worlds_->setSizes({1, 1});
+  second.setResting(!comparing);
+  world_->setBeside(rival_ ? &rival_->world() : nullptr);
+  second.world().setBeside(rival_ ? world_ : nullptr);
   for (LearningChart* chart : findChildren<LearningChart*>()) chart->setSecond(rival_ ? &rival_->session() : nullptr);
+}
+
+void LivePage::makeRival() {
+  resting_ = new Rival(session_);
+  connect(resting_, &Rival::refused, this, &LivePage::refused);
+  connect(resting_, &Rival::told, this, &LivePage::told);
+  connect(resting_, &Rival::newTableAsked, this, &LivePage::newTableAsked);
+  worlds_->addWidget(resting_);
+  if (auto* column = qobject_cast<QVBoxLayout*>(worlds_->parentWidget()->layout()))
+    column->insertWidget(column->indexOf(worlds_), &resting_->strip());
 }
 
 void LivePage::resizeEvent(QResizeEvent* event) {

@@ -4,6 +4,7 @@
 
 #include <QMainWindow>
 #include <QSize>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -39,6 +40,9 @@ class LivePage final : public QMainWindow {
 
  Q_SIGNALS:
   void refused(const QString& sentence);
+  void told(const QString& sentence);
+  /// The second learner's next parameter needs a new table.
+  void newTableAsked(const QString& sentence, const std::function<void()>& startAgain);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -53,6 +57,7 @@ class LivePage final : public QMainWindow {
   QWidget* makeCentre();
   void makeMaps();
   void makeCharts();
+  void makeRival();
   QString actionsNote() const;
   QString fallsNote(const ChartSpan& span) const;
   void toggleFull(QWidget* panel);
@@ -65,7 +70,7 @@ class LivePage final : public QMainWindow {
   class PanelHeader* worldHeader_ = nullptr;
   ParameterForm* form_ = nullptr;
   QSplitter* worlds_ = nullptr;
-  Rival* rival_ = nullptr;
+  Rival *rival_ = nullptr, *resting_ = nullptr;  // one that is out of sight keeps its life
   std::vector<Panel*> panels_;
   Panel *steps_ = nullptr, *rule_ = nullptr, *list_ = nullptr;  // hidden at first
   std::vector<Panel*> needless_;  // were shown, but the task has no falls

@@ -3,13 +3,10 @@
 
 #include <QAbstractButton>
 #include <QApplication>
-#include <QCloseEvent>
-#include <QFileInfo>
 #include <QLabel>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStandardPaths>
-#include <QTimer>
 #include <QVBoxLayout>
 
 #include "ui/autosave.h"
@@ -30,7 +27,8 @@ namespace surefoot {
 MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent)
     : QMainWindow(parent),
       session_(session),
-      appearance_(readPreferences().appearance) {
+      appearance_(readPreferences().appearance),
+      asksOnQuit_(setup.asksOnQuit) {
   setWindowTitle(tr("Surefoot"));
   auto* frame = new QWidget;
   auto* column = new QVBoxLayout(frame);
@@ -79,33 +77,8 @@ MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent)
     troubleShown_ = trouble;
     session_.setLookedAt(isVisible() && !isMinimized());
   });
-  connect(&session_, &Session::refused, messages_, &MessageBar::say);
-  connect(&session_.background(), &Background::busyChanged, this, [this] {
-    if (session_.background().busy()) messages_->tell(tr("It is being made ready; the world goes on meanwhile."));
-  });
   connect(bar_, &RunBar::meaningAsked, this, &MainWindow::showWords);
-  connect(bar_, &RunBar::environmentAsked, this,
-          [this](const std::string& name) { begin([this, name] { return session_.beginEnvironment(name); }); });
-  connect(bar_, &RunBar::agentAsked, this, [this](const QString& name, const QString& title) {
-    messages_->ask(
-        tr("%1 needs a new table, so learning starts again from the beginning, with the same seed.").arg(title),
-        {{tr("Start again"), [this, name] {
-            if (const Status s = session_.setAgent(name.toStdString()); !s) messages_->say(toText(s.error().message));
-          }}});
-  });
-  connect(&session_, &Session::needsNewTable, this, [this](const QString& key, double value) {
-    const auto* entry = session_.configuration().parameters.find(key.toStdString());
-    const auto told = [this](const Status& status) {
-      if (!status) messages_->say(toText(status.error().message));
-    };
-    messages_->ask(
-        tr("%1 = %2 needs a new table. Start again from the beginning, with the same seed, or carry what "
-           "is learned over into it?")
-            .arg(toText(entry->parameter.title), toText(formatValue(entry->parameter, value))),
-        {{tr("Start again"),
-          [this, key, value, told] { told(session_.setParameterAndRestart(key.toStdString(), value)); }},
-         {tr("Carry over"), [this, key, value, told] { session_.carryOver(key.toStdString(), value, told); }}});
-  });
+  askQuestions();
   messages_->raise();
   refresh();
   setMinimumSize(1120, 700);
@@ -144,14 +117,15 @@ void MainWindow::refreshStatus() {
 }
 
 void MainWindow::refresh() {
-  const QString name = sessionPath_.isEmpty() ? QString() : QFileInfo(sessionPath_).completeBaseName();
-  setWindowTitle(session_.runFinished() ? tr("Surefoot: the life is complete")
-                 : name.isEmpty()       ? tr("Surefoot")
-                                        : tr("Surefoot: %1").arg(name));
+  refreshTitle();
   run_.run->setText(session_.running() ? tr("&Pause") : tr("&Run"));
   run_.run->setEnabled(!session_.runFinished() && pages_->currentIndex() == 0);
   run_.run->setToolTip(session_.runFinished() ? tr("The life is complete; restart it to run again")
                                               : tr("Run or pause"));
+  const QString beginning = session_.beginning();
+  run_.restart->setToolTip(beginning.isEmpty()
+                               ? tr("Start the life again with the same seed")
+                               : tr("Start the life again with the same seed and the same start: %1").arg(beginning));
   const QSignalBlocker blocker(run_.turbo);
   run_.turbo->setChecked(session_.turbo());
 }
@@ -160,22 +134,6 @@ void MainWindow::restoreSettings() {
   const QSettings settings;
   restoreGeometry(settings.value("geometry").toByteArray());
   live_->restoreLayout(settings.value("layout").toByteArray());
-}
-
-void MainWindow::closeForNow() {
-  if (closing_) return;
-  closing_ = true;
-  constexpr int kPatience = 5000;  // [ms]
-  QTimer::singleShot(kPatience, this, &QWidget::close);
-  autosave_->leave([this] { close(); });
-}
-
-void MainWindow::closeEvent(QCloseEvent* event) {
-  QSettings settings;
-  settings.setValue("geometry", saveGeometry());
-  settings.setValue("layout", live_->layoutState());
-  autosave_->finish();
-  event->accept();
 }
 
 }  // namespace surefoot

@@ -5,6 +5,7 @@
 #include <QMainWindow>
 #include <QPointer>
 #include <functional>
+#include <map>
 
 #include "ui/experiment.h"
 #include "ui/run_bar.h"
@@ -21,6 +22,7 @@ class ExperimentPage;
 class LivePage;
 class MessageBar;
 class Session;
+class SessionName;
 class PreLearningDialog;
 class StatusLine;
 class WordsDialog;
@@ -32,6 +34,7 @@ enum class SavedAs;
 struct WindowSetup {
   std::vector<PlanSource> plans;  ///< to choose from on the Experiment page
   QString folder;                 ///< for results and what must survive a crash; empty: the user's data folder
+  bool asksOnQuit = true;         ///< whether to save what was learned; where quitting writes the results: no
 };
 
 class MainWindow final : public QMainWindow {
@@ -45,7 +48,7 @@ class MainWindow final : public QMainWindow {
   void setPage(int page);
   /// Whatever it is: a session, a Q-function, a journal, a plan, results.
   void openFile(const QString& path);
-  void saveTo(SavedAs what, const QString& path);
+  void saveTo(SavedAs what, const QString& path, const std::function<void()>& then = {});
   /// The program is ended from outside: the session is kept for the next start, then the window closes.
   void closeForNow();
 
@@ -68,13 +71,24 @@ class MainWindow final : public QMainWindow {
   void askForSeed();
   void begin(const std::function<Status()>& what);
   void openWithDialog();
-  void saveSession();
-  void saveSessionAs();
-  void saveWithDialog(SavedAs what, const QString& title, const QString& name, const QString& ending);
+  void saveSession(const std::function<void()>& then = {});
+  void saveSessionAs(const std::function<void()>& then = {});
+  void saveWithDialog(SavedAs what, const QString& title, const QString& name, const QString& ending,
+                      const std::function<void()>& then = {});
+  void saveKept();
   void exportWithDialog(QWidget* view, const QString& title);
-  void setSessionPath(const QString& path);
   void remember(const QString& path);
   void offerToRestore();
+  void restore(const QString& file);
+  void askQuestions();
+  void askForAgent(const QString& name, const QString& title);
+  void askForNewTable(const QString& key, double value);
+  void askBeforeEnding(const std::function<void()>& goOn);
+  bool askBeforeQuit();
+  void quit();
+  void tellHowItBegan();
+  QString sessionName() const;
+  void refreshTitle();
   QWidget* makeTabs();
   QWidget* makePlaceholder(const QString& title, const QString& words);
   void usePreferences(const Preferences& preferences);
@@ -98,15 +112,14 @@ class MainWindow final : public QMainWindow {
   std::vector<QAbstractButton*> tabs_;
   std::vector<QAction*> shortcuts_, liveActions_;
   QMenu *recent_ = nullptr, *ownLayouts_ = nullptr;
-  QPointer<PreLearningDialog> preLearning_;  // with its pool; of the environment that it was opened in
-  std::string preLearningIn_;
+  std::map<std::string, QPointer<PreLearningDialog>> preLearning_;  // by environment: each keeps its pool
   QActionGroup* appearances_ = nullptr;
   Appearance appearance_;
   Autosave* autosave_ = nullptr;
   QPointer<WordsDialog> words_;
-  QString sessionPath_;  // where Save writes; empty: not saved yet
+  SessionName* name_ = nullptr;
   QString troubleShown_;
-  bool closing_ = false;
+  bool asksOnQuit_ = true, closing_ = false;
 };
 
 }  // namespace surefoot

@@ -32,15 +32,15 @@ void MainWindow::askForSeed() {
 }
 
 void MainWindow::showPreLearning() {
-  const std::string& environment = session_.configuration().names.environment;
-  if (preLearning_ && preLearningIn_ != environment) delete preLearning_;
-  preLearningIn_ = environment;
-  if (!preLearning_) {
-    preLearning_ = new PreLearningDialog(session_, this);
-    connect(preLearning_, &PreLearningDialog::transferred, messages_, &MessageBar::tell);
+  for (const auto& [environment, dialog] : preLearning_)
+    if (dialog) dialog->hide();
+  auto& dialog = preLearning_[session_.configuration().names.environment];
+  if (!dialog) {
+    dialog = new PreLearningDialog(session_, this);
+    connect(dialog, &PreLearningDialog::transferred, messages_, &MessageBar::tell);
   }
-  preLearning_->show();
-  preLearning_->raise();
+  dialog->show();
+  dialog->raise();
 }
 
 void MainWindow::showShortcuts() {

@@ -7,7 +7,6 @@
 
 #include "core/files/read_file.h"
 #include "ui/ask_for_file.h"
-#include "ui/autosave.h"
 #include "ui/experiment_page.h"
 #include "ui/exporting.h"
 #include "ui/main_window.h"
@@ -30,7 +29,6 @@ bool belongsToExperiments(const QString& path) {
 void MainWindow::begin(const std::function<Status()>& what) {
   if (const Status s = what(); !s) return messages_->say(toText(s.error().message));
   setPage(0);
-  setSessionPath({});
 }
 
 void MainWindow::openWithDialog() {
@@ -48,7 +46,6 @@ void MainWindow::openFile(const QString& path) {
   session_.open(path.toStdString(), [this, path](const Status& status) {
     if (!status) return messages_->say(toText(status.error().message));
     setPage(0);
-    setSessionPath(path.endsWith(QStringLiteral(".surefoot")) ? path : QString());
     remember(path);
   });
 }
@@ -61,31 +58,29 @@ void MainWindow::remember(const QString& path) {
   settings.setValue("recent", files.mid(0, kMostRecent));
 }
 
-void MainWindow::setSessionPath(const QString& path) {
-  sessionPath_ = path;
-  refresh();
+void MainWindow::saveSession(const std::function<void()>& then) {
+  const QString& path = session_.file().path;
+  path.isEmpty() ? saveSessionAs(then) : saveTo(SavedAs::Session, path, then);
 }
 
-void MainWindow::saveSession() {
-  sessionPath_.isEmpty() ? saveSessionAs() : saveTo(SavedAs::Session, sessionPath_);
+void MainWindow::saveSessionAs(const std::function<void()>& then) {
+  saveWithDialog(SavedAs::Session, tr("Save the session"), "session.surefoot", "surefoot", then);
 }
 
-void MainWindow::saveSessionAs() {
-  saveWithDialog(SavedAs::Session, tr("Save the session"), "session.surefoot", "surefoot");
-}
-
-void MainWindow::saveWithDialog(SavedAs what, const QString& title, const QString& name, const QString& ending) {
+void MainWindow::saveWithDialog(SavedAs what, const QString& title, const QString& name, const QString& ending,
+                                const std::function<void()>& then) {
   askForNewFile(this, title, name, QStringLiteral("*.") + ending, ending,
-                [this, what](const QString& path) { saveTo(what, path); });
+                [this, what, then](const QString& path) { saveTo(what, path, then); });
 }
 
-void MainWindow::saveTo(SavedAs what, const QString& path) {
-  session_.save(what, path.toStdString(), [this, what, path](const Status& s) {
+void MainWindow::saveTo(SavedAs what, const QString& path, const std::function<void()>& then) {
+  session_.save(what, path.toStdString(), [this, what, path, then](const Status& s) {
     if (!s) return messages_->say(toText(s.error().message));
     remember(path);
-    if (what == SavedAs::Session) setSessionPath(path);
+    if (what == SavedAs::Session && session_.written()) session_.setFile({path, *session_.written()});
     messages_->tell(tr("%1 is written. Without a window: %2")
                         .arg(QFileInfo(path).fileName(), suggestedCommand(what, path, session_)));
+    if (then) then();
   });
 }
 
@@ -98,21 +93,6 @@ void MainWindow::exportWithDialog(QWidget* view, const QString& title) {
                   const Status s = exportView(*view, path.toStdString());
                   s ? messages_->tell(tr("%1 is written.").arg(path)) : messages_->say(toText(s.error().message));
                 });
-}
-
-void MainWindow::offerToRestore() {
-  const QString left = autosave_->leftBehind();
-  if (left.isEmpty()) return;
-  messages_->ask(tr("The last session was not closed. Its last minutes may be missing."),
-                 {{tr("Restore it"),
-                   [this, left] {
-                     session_.open(left.toStdString(), [this, left](const Status& s) {
-                       if (s) return autosave_->takeOver(left);
-                       messages_->say(toText(s.error().message) + ' ' + tr("It is set aside as %1.damaged.").arg(left));
-                       QFile::rename(left, left + QStringLiteral(".damaged"));
-                     });
-                   }},
-                  {tr("Forget it"), [this, left] { autosave_->forget(left); }}});
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

@@ -16,6 +16,7 @@
 #include "ui/panel.h"
 #include "ui/plain_text.h"
 #include "ui/session.h"
+#include "ui/session_name.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
 #include "ui/world_view.h"
@@ -88,7 +89,8 @@ void MainWindow::makeActions() {
   connect(run_.run, &QAction::triggered, &session_, [this] { session_.setRunning(!session_.running()); });
   connect(run_.step, &QAction::triggered, &session_, &Session::stepOnce);
   connect(run_.restart, &QAction::triggered, this, [this] {
-    if (const Status s = session_.restart(); !s) messages_->say(toText(s.error().message));
+    if (const Status s = session_.restart(); !s) return messages_->say(toText(s.error().message));
+    tellHowItBegan();
   });
   connect(run_.turbo, &QAction::toggled, &session_, &Session::setTurbo);
   liveActions_ = {run_.run, run_.step, run_.restart, run_.turbo, run_.faster, run_.slower, run_.back, run_.live};
@@ -111,9 +113,9 @@ void MainWindow::makeFileMenu() {
   connect(recent_, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
   file->addSeparator();
   item(file, tr("&Save"), tr("Save the session: it goes on where it was"), QKeySequence::Save,
-       &MainWindow::saveSession);
+       [this] { saveSession(); });
   item(file, tr("Save &as …"), tr("Save the session under another name"),
-       QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), &MainWindow::saveSessionAs);
+       QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] { saveSessionAs(); });
   item(file, tr("Save the Q-&function …"), tr("What was learned, to load it elsewhere"), {},
        [this] { saveWithDialog(SavedAs::QFunction, tr("Save the Q-function"), "learned.safetensors", "safetensors"); });
   item(file, tr("Save the &journal …"), tr("A small text by which the life can be lived again"), {},
@@ -137,7 +139,7 @@ void MainWindow::makeEditMenu() {
     edit->addAction(action);
   edit->actions()[0]->setShortcut(QKeySequence::Undo);
   edit->actions()[1]->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
-  edit->actions()[0]->setToolTip(tr("Take the last change of a parameter back"));
+  edit->actions()[0]->setToolTip(tr("Take the last change back; bring the life before back"));
   edit->actions()[1]->setToolTip(tr("Make the change again"));
   for (QAction* action : edit->actions()) shortcuts_.push_back(action);
   edit->addSeparator();
@@ -165,6 +167,11 @@ void MainWindow::makeMenus() {
 
   QMenu* run = menuBar()->addMenu(tr("&Run"));
   for (QAction* action : {run_.run, run_.step, run_.restart}) run->addAction(action);
+  QAction* empty =
+      addAction(run, tr("Restart with an &empty table"), tr("Start the life again with the same seed, from nothing"),
+                QKeySequence(Qt::SHIFT | Qt::Key_R));
+  connect(empty, &QAction::triggered, this, [this] { begin([this] { return session_.restartEmpty(); }); });
+  liveActions_.push_back(empty);
   run->addSeparator();
   for (QAction* action : {run_.turbo, run_.faster, run_.slower}) run->addAction(action);
   run->addSeparator();
@@ -219,6 +226,8 @@ QWidget* MainWindow::makeTabs() {
   auto* row = new QHBoxLayout(box);
   row->setContentsMargins(0, 0, 2, 0);
   row->setSpacing(0);
+  name_ = new SessionName(box);
+  row->addWidget(name_);
   for (const QString& title : {tr("Live"), tr("Experiment"), tr("Lessons")}) {
     auto* tab = new PageTab(title, box);
     const int page = static_cast<int>(tabs_.size());

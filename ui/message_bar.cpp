@@ -3,46 +3,34 @@
 
 #include <QApplication>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QPainter>
-#include <QPushButton>
+#include <QVBoxLayout>
 
+#include "ui/message_row.h"
 #include "ui/theme.h"
 
 namespace surefoot {
 
-MessageBar::MessageBar(QWidget* parent)
-    : QWidget(parent),
-      text_(new QLabel),
-      answers_{new QPushButton, new QPushButton},
-      dismiss_(new QPushButton(tr("Dismiss"))) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(15, 4, 12, 5);
-  row->setSpacing(8);
-  text_->setTextFormat(Qt::PlainText);
-  text_->setWordWrap(true);
-  row->addWidget(text_, 1);
-  for (std::size_t i = 0; i < answers_.size(); ++i) {
-    row->addWidget(answers_[i]);
-    connect(answers_[i], &QPushButton::clicked, this, [this, i] {
-      const auto then = std::move(then_[i]);
-      dismiss();
-      if (then) then();
-    });
-  }
-  row->addWidget(dismiss_);
-  connect(dismiss_, &QPushButton::clicked, this, &MessageBar::dismiss);
+MessageBar::MessageBar(QWidget* parent) : QWidget(parent), rows_(new QVBoxLayout(this)), remark_(new MessageRow(this)) {
+  rows_->setContentsMargins(0, 0, 0, 0);
+  rows_->setSpacing(0);
+  remark_->addButton(tr("Dismiss"), [this] { dismissRemark(); });
+  remark_->hide();
+  rows_->addWidget(remark_);
   leaving_.setSingleShot(true);
-  connect(&leaving_, &QTimer::timeout, this, &MessageBar::dismiss);
+  connect(&leaving_, &QTimer::timeout, this, &MessageBar::dismissRemark);
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget* old, QWidget* now) {
+    if (now && isAncestorOf(now) && old && !isAncestorOf(old)) before_ = old;
+  });
   parent->installEventFilter(this);
   hide();
 }
 
 void MessageBar::place() {
-  const int h = std::max(36, sizeHint().height());
-  setGeometry(0, parentWidget()->height() - kStatusLine - h, parentWidget()->width(), h);
+  const int w = parentWidget()->width();
+  const int h = std::max(36, rows_->hasHeightForWidth() ? rows_->heightForWidth(w) : sizeHint().height());
+  setGeometry(0, parentWidget()->height() - kStatusLine - h, w, h);
 }
 
 bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
@@ -50,39 +38,67 @@ bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
+void MessageBar::say(const QString& sentence) {
+  leaving_.stop();
+  remark_->setGood(false);
+  remark_->setSentence(sentence);
+  remark_->show();
+  refresh();
+}
+
 void MessageBar::tell(const QString& sentence) {
-  constexpr int kStays = 8000;  // [ms]
-  say(sentence);
-  good_ = true;
+  constexpr int kStays = 8000, kSameMoment = 500;  // [ms]
+  const bool goesOn = leaving_.isActive() && !remark_->isHidden() && remark_->age() < kSameMoment;
+  say(goesOn && sentence != remark_->sentence() ? remark_->sentence() + ' ' + sentence : sentence);
+  remark_->setGood(true);
   leaving_.start(kStays);
 }
 
-void MessageBar::say(const QString& sentence) {
-  leaving_.stop();
-  good_ = false;
-  text_->setText(sentence);
-  setAccessibleName(sentence);
-  for (QPushButton* answer : answers_) answer->hide();
-  then_ = {};
-  dismiss_->setText(tr("Dismiss"));
-  dismiss_->setAccessibleName(dismiss_->text());
-  place();
-  show();
-  raise();
+void MessageBar::ask(const QString& sentence, std::vector<Answer> answers, Question kind) {
+  remove(kind);
+  auto* row = new MessageRow(this);
+  row->setSentence(sentence);
+  for (Answer& answer : answers)
+    row->addButton(answer.text, [this, kind, then = std::move(answer.then)] {
+      const auto afterwards = then;  // it goes with its row
+      remove(kind);
+      refresh();
+      if (afterwards) afterwards();
+    });
+  if (kind != Question::Lasting)
+    row->addButton(tr("Cancel"), [this, kind] {
+      remove(kind);
+      refresh();
+    });
+  questions_[kind] = row;
+  rows_->addWidget(row);
+  row->show();
+  refresh();
 }
 
-void MessageBar::ask(const QString& sentence, std::vector<Answer> answers) {
-  say(sentence);
-  for (std::size_t i = 0; i < std::min(answers.size(), answers_.size()); ++i) {
-    then_[i] = std::move(answers[i].then);
-    answers_[i]->setText(answers[i].text);
-    answers_[i]->setAccessibleName(answers[i].text);
-    answers_[i]->show();
-  }
-  dismiss_->setText(tr("Cancel"));
-  dismiss_->setAccessibleName(dismiss_->text());
-  before_ = QApplication::focusWidget();
-  answers_[0]->setFocus(Qt::OtherFocusReason);
+void MessageBar::remove(Question kind) {
+  const auto found = questions_.find(kind);
+  if (found == questions_.end()) return;
+  MessageRow* row = found->second;
+  questions_.erase(found);
+  if (row->isAncestorOf(QApplication::focusWidget()) && before_) before_->setFocus();
+  rows_->removeWidget(row);
+  row->hide();
+  row->deleteLater();
+}
+
+void MessageBar::refresh() {
+  QStringList sentences;
+  if (!remark_->isHidden()) sentences << remark_->sentence();
+  for (const auto& [kind, row] : questions_) sentences << row->sentence();
+  setAccessibleName(sentences.join(' '));
+  const bool hadFocus = isAncestorOf(QApplication::focusWidget());
+  if (sentences.isEmpty() && hadFocus && before_) before_->setFocus();
+  setVisible(!sentences.isEmpty());
+  if (sentences.isEmpty()) return;
+  rows_->invalidate();
+  place();
+  raise();
 }
 
 // Escape, wherever in the bar the focus is, before it is anyone's shortcut.
@@ -95,28 +111,36 @@ bool MessageBar::event(QEvent* event) {
 }
 
 void MessageBar::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape) return dismiss();
-  QWidget::keyPressEvent(event);
+  if (event->key() != Qt::Key_Escape) return QWidget::keyPressEvent(event);
+  dismissRemark();
+  cancel();
+  if (isAncestorOf(QApplication::focusWidget()) && before_) before_->setFocus();
+}
+
+bool MessageBar::cancel() {
+  for (const Question kind : {Question::Passing, Question::Quit}) {
+    if (!asks(kind)) continue;
+    remove(kind);
+    refresh();
+    return true;
+  }
+  return false;
 }
 
 void MessageBar::dismissRemark() {
-  if (!then_[0]) dismiss();
+  leaving_.stop();
+  if (remark_->isAncestorOf(QApplication::focusWidget()) && before_) before_->setFocus();
+  remark_->hide();
+  refresh();
 }
 
 void MessageBar::dismiss() {
-  then_ = {};
-  const bool hadFocus = isAncestorOf(QApplication::focusWidget());
-  if (hadFocus && before_) before_->setFocus();
-  before_ = nullptr;
-  hide();
+  remove(Question::Passing);
+  dismissRemark();
 }
 
 void MessageBar::paintEvent(QPaintEvent*) {
-  const Theme& t = themeOf(*this);
-  QPainter p(this);
-  p.fillRect(rect(), t.fill);
-  p.fillRect(QRect(0, 0, 3, height()), good_ ? t.outline : t.caution);
-  p.fillRect(QRect(0, 0, width(), 1), t.hairline);
+  QPainter(this).fillRect(rect(), themeOf(*this).fill);
 }
 
 }  // namespace surefoot

@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One sentence at the foot of the panels, with what can be done about it. No dialog boxes; nothing below it moves.
+// Sentences at the foot of the panels, with what can be done about them. No dialog boxes; nothing below it moves.
+//
+// A question never takes the keyboard: the focus stays where the person was, and no key that was meant for something
+// else presses an answer. Its answers are reached by the mouse, by Tab, or by Alt and a letter; none of
+// them is a default.
 #pragma once
 
 #include <QPointer>
 #include <QTimer>
 #include <QWidget>
-#include <array>
 #include <functional>
+#include <map>
 #include <vector>
 
 class QLabel;
-class QPushButton;
+class QVBoxLayout;
 
 namespace surefoot {
+
+class MessageRow;
 
 class MessageBar final : public QWidget {
   Q_OBJECT
@@ -23,18 +29,27 @@ class MessageBar final : public QWidget {
   explicit MessageBar(QWidget* parent);
   /// Shows a sentence with only Dismiss.
   void say(const QString& sentence);
-  /// The same for good news, which goes away by itself.
+  /// The same for good news, which goes away by itself. What is told in the same moment stands behind it.
   void tell(const QString& sentence);
   /// A button that answers a question, and what it does.
   struct Answer {
     QString text;
     std::function<void()> then;
   };
-  /// Shows a question with one or two answers; it takes the focus, and Escape is Cancel.
-  void ask(const QString& sentence, std::vector<Answer> answers);
+  enum class Question {
+    Passing,  ///< about the life as it is: withdrawn when that changes; the next one takes its place
+    Quit,     ///< stays until it is answered or cancelled
+    Lasting   ///< stays until it is answered
+  };
+  /// Shows a question beside what is there already; Escape in the bar is Cancel.
+  void ask(const QString& sentence, std::vector<Answer> answers, Question kind = Question::Passing);
+  bool asks(Question kind) const { return questions_.count(kind) > 0; }
+  /// Takes remarks and passing questions away.
   void dismiss();
   /// Unless it is a question.
   void dismissRemark();
+  /// Takes a question back that can be cancelled; false: there is none.
+  bool cancel();
 
  protected:
   void paintEvent(QPaintEvent*) override;
@@ -44,14 +59,14 @@ class MessageBar final : public QWidget {
 
  private:
   void place();
+  void remove(Question kind);
+  void refresh();
 
-  QPointer<QWidget> before_;  // had the focus before a question took it
-  QLabel* text_;
-  std::array<QPushButton*, 2> answers_;
-  QPushButton* dismiss_;
+  QPointer<QWidget> before_;  // had the focus before Tab led into the bar
+  QVBoxLayout* rows_;
+  MessageRow* remark_;
+  std::map<Question, MessageRow*> questions_;
   QTimer leaving_;
-  bool good_ = false;
-  std::array<std::function<void()>, 2> then_;
 };
 
 }  // namespace surefoot

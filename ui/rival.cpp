@@ -1,26 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/rival.h"
 
-#include <QComboBox>
-#include <QHBoxLayout>
-#include <QPainter>
+#include <QDialog>
 #include <QVBoxLayout>
 
+#include "core/experiment/q_file.h"
 #include "core/text.h"
-#include "ui/combo.h"
+#include "ui/compare_strip.h"
+#include "ui/parameter_form.h"
 #include "ui/symbol_text.h"
-#include "ui/theme.h"
 #include "ui/world_view.h"
 
 namespace surefoot {
 
 namespace {
-constexpr int kCombos = 36, kHead = kCombos + 32;  // [px]
 
 /// Something else than what the first one does.
 std::string otherPolicy(const std::string& policy) {
   return policy == "softmax" ? "epsilon-greedy" : "softmax";
 }
+
+std::map<std::string, double> valuesOf(const Parameters& parameters) {
+  std::map<std::string, double> values;
+  for (const auto& entry : parameters.all()) values[entry.parameter.key] = entry.value;
+  return values;
+}
+
 }  // namespace
 
 Rival::Rival(Session& first, QWidget* parent)
@@ -28,87 +33,191 @@ Rival::Rival(Session& first, QWidget* parent)
       first_(first),
       policy_(otherPolicy(first.configuration().names.policy)),
       agent_(first.configuration().names.agent),
+      firstHad_(valuesOf(first.configuration().parameters)),
       session_(std::make_unique<Session>(first.registry(), configurationLikeFirst(), false)),
-      agents_(new Combo(tr("Learning rule of the second"), this)),
-      policies_(new Combo(tr("Policy of the second"), this)) {
+      lineage_(first.lineage()),
+      keptBeside_(lineage_) {
   world_ = new WorldView(*session_, this);
   world_->setAccessibleName(tr("World of the second"));
-  for (const auto& entry : first.registry().agents)
-    if (entry.name != "scripted" || first.task().handMade) agents_->addItem(toText(entry.title), toText(entry.name));
-  for (const auto& entry : first.registry().policies) policies_->addItem(toText(entry.title), toText(entry.name));
-  agents_->setCurrentIndex(agents_->findData(toText(agent_)));
-  policies_->setCurrentIndex(policies_->findData(toText(policy_)));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  auto* head = new QHBoxLayout;
-  head->setContentsMargins(12, 4, 12, 4);
-  agents_->setFixedSize(118, 28);
-  policies_->setFixedSize(112, 28);
-  head->addWidget(agents_);
-  head->addWidget(policies_);
-  head->addStretch(1);
-  column->addLayout(head);
-  column->addSpacing(kHead - kCombos);
   column->addWidget(world_, 1);
-  for (QComboBox* combo : {agents_, policies_}) connect(combo, &QComboBox::activated, this, &Rival::choose);
+  strip_ = new CompareStrip(*this);
   connect(&first_, &Session::stateChanged, this, &Rival::follow);
   connect(&first_, &Session::configurationChanged, this, &Rival::followParameters);
-  connect(&first_, &Session::lifeReplaced, this, &Rival::startAgain);
-  connect(session_.get(), &Session::frame, this, [this] { update(0, 0, width(), kHead); });
+  connect(&first_, &Session::lifeReplaced, this, &Rival::firstReplaced);
   connect(session_.get(), &Session::refused, this, &Rival::refused);
+  connect(session_.get(), &Session::needsNewTable, this, &Rival::askForNewTable);
+  connect(session_.get(), &Session::configurationChanged, this, &Rival::changed);
+  connect(session_.get(), &Session::lifeKept, this, [this] {
+    if (auto kept = session_->lastKept()) beside_[keptBeside_] = std::move(kept);
+  });
   follow();
 }
 
-Configuration Rival::configurationLikeFirst() const {
+Rival::~Rival() {
+  delete strip_;
+}
+
+CompareStrip& Rival::strip() {
+  return *strip_;
+}
+
+Configuration Rival::configurationLikeFirst() {
   Names names = first_.configuration().names;
   names.agent = agent_;
   names.policy = policy_;
-  auto own = first_.configurationUnder(names);
-  return own ? std::move(*own) : first_.configuration();
+  auto like = first_.configurationUnder(names);
+  Configuration own = like ? std::move(*like) : first_.configuration();
+  for (const auto& [key, value] : own_)
+    if (own.parameters.find(key)) static_cast<void>(static_cast<bool>(own.parameters.set(key, value)));
+  own.start.reset();
+  own.beganWith = {};
+  if (start_ == Start::File && file_) beginWith(own, file_);
+  if (start_ == Start::Same && fits(own)) {
+    own.start = first_.began().start;
+    own.beganWith = first_.began().beganWith;
+  }
+  return own;
+}
+
+/// Whether the second can begin with what the first began with: it has the same tables, and what it was is still known.
+bool Rival::fits(const Configuration& own) const {
+  const Configuration& began = first_.began();
+  if (!began.start || own.names.agent != began.names.agent || own.names.features != began.names.features) return false;
+  for (const auto& entry : began.parameters.all()) {
+    const Parameters::Entry* mine = own.parameters.find(entry.parameter.key);
+    if (entry.parameter.when == When::NewTable && (!mine || mine->value != entry.value)) return false;
+  }
+  return true;
 }
 
 void Rival::startAgain() {
-  if (const Status s = session_->begin(configurationLikeFirst()); !s) Q_EMIT refused(toText(s.error().message));
+  Configuration own = configurationLikeFirst();
+  const bool empty = !own.start;
+  const QString began = first_.beginning();
+  if (const Status s = session_->begin(std::move(own)); !s) return Q_EMIT refused(toText(s.error().message));
   follow();
+  if (start_ == Start::Same && empty && !began.isEmpty())
+    Q_EMIT told(
+        tr("The second cannot have the same start (%1): its tables are other ones. It begins empty.").arg(began));
+}
+
+/// The second begins anew with the first; a life of the first that was brought back brings the one beside it back.
+void Rival::firstReplaced() {
+  if (resting_) {
+    startsLate_ = true;
+    return;
+  }
+  keptBeside_ = std::exchange(lineage_, first_.lineage());
+  const auto beside = beside_.find(lineage_);
+  if (keptBeside_ == lineage_ || beside == beside_.end() || !beside->second->aside) return startAgain();
+  std::shared_ptr<KeptLife> kept = beside->second;
+  beside_.erase(beside);
+  session_->bringBack(kept);
+  beside_[keptBeside_] = std::move(kept);
+  agent_ = session_->configuration().names.agent;
+  policy_ = session_->configuration().names.policy;
+  follow();
+  Q_EMIT changed();
 }
 
 void Rival::follow() {
   if (session_->turbo() != first_.turbo()) session_->setTurbo(first_.turbo());
   if (session_->pace() != first_.pace()) session_->setPace(first_.pace());
-  if (session_->running() != first_.running()) session_->setRunning(first_.running());
+  const bool runs = first_.running() && !resting_;
+  if (session_->running() != runs) session_->setRunning(runs);
 }
 
 void Rival::followParameters() {
+  if (resting_) return;
+  const auto had = std::exchange(firstHad_, valuesOf(first_.configuration().parameters));
   for (const auto& entry : first_.configuration().parameters.all()) {
-    const Parameters::Entry* own = session_->configuration().parameters.find(entry.parameter.key);
-    if (own && own->value != entry.value && entry.parameter.when != When::NewTable)
-      static_cast<void>(static_cast<bool>(session_->setParameter(entry.parameter.key, entry.value)));
+    const std::string& key = entry.parameter.key;
+    const Parameters::Entry* own = session_->configuration().parameters.find(key);
+    const auto before = had.find(key);
+    const bool was = before != had.end() && own && own->value == before->second;
+    if (was && own->value != entry.value && entry.parameter.when != When::NewTable)
+      static_cast<void>(static_cast<bool>(session_->setParameter(key, entry.value)));
   }
 }
 
-void Rival::choose() {
-  const std::string agent = agents_->currentData().toString().toStdString();
-  policy_ = policies_->currentData().toString().toStdString();
-  if (agent == agent_) return session_->setPolicy(policy_);
-  agent_ = agent;
-  startAgain();
+void Rival::choose(const std::string& agent, const std::string& policy) {
+  policy_ = policy;
+  if (agent == agent_) {
+    session_->setPolicy(policy_);
+  } else {
+    agent_ = agent;
+    startAgain();
+  }
+  Q_EMIT changed();
 }
 
-void Rival::paintEvent(QPaintEvent*) {
-  const Theme& t = themeOf(*this);
-  QPainter p(this);
-  p.fillRect(rect(), t.paper);
-  const CurvePoint now = session_->latest();
-  const QString falls = toText(countText(static_cast<double>(now.falls)));
-  p.setFont(textFont(24, 500));
-  p.setPen(t.fallText);
-  const double baseline = kHead - 6;
-  drawSymbol(p, 14, baseline, falls);
-  const double right = 14 + symbolWidth(p.font(), falls) + 8;
-  p.setFont(textFont(11));
-  p.setPen(t.quiet);
-  drawSymbol(p, right, baseline, tr("falls in %1 episodes").arg(toText(countText(static_cast<double>(now.episode)))));
+void Rival::setStart(Start start) {
+  start_ = start;
+  startAgain();
+  Q_EMIT changed();
+}
+
+void Rival::startWith(const QString& path) {
+  const auto read = std::make_shared<Result<std::shared_ptr<const TensorFile>>>(Error{"cancelled"});
+  reading_.start([read, name = path.toStdString()](const std::atomic<bool>&) { *read = readQFile(name); },
+                 [this, read] {
+                   if (!*read) return Q_EMIT refused(toText(read->error().message));
+                   file_ = **read;
+                   setStart(Start::File);
+                 });
+}
+
+QString Rival::ownParameters() const {
+  QStringList list;
+  for (const auto& entry : session_->configuration().parameters.all()) {
+    const Parameters::Entry* firsts = first_.configuration().parameters.find(entry.parameter.key);
+    if (firsts && firsts->value != entry.value)
+      list << toText(entry.parameter.title + " " + formatValue(entry.parameter, entry.value));
+  }
+  constexpr int kMost = 4;
+  if (list.size() > kMost) list = list.mid(0, kMost) << QStringLiteral("…");
+  return list.join(QStringLiteral(", "));
+}
+
+void Rival::showParameters() {
+  if (!parameters_) {
+    parameters_ = new QDialog(this);
+    parameters_->setWindowTitle(tr("Parameters of the second"));
+    auto* column = new QVBoxLayout(parameters_);
+    column->setContentsMargins(0, 0, 0, 0);
+    auto* form = new ParameterForm(*session_);
+    column->addWidget(form);
+    connect(form, &ParameterForm::refused, this, &Rival::refused);
+    connect(session_.get(), &Session::configurationChanged, parameters_, [this] {  // what differs stays so
+      own_.clear();
+      for (const auto& entry : session_->configuration().parameters.all()) {
+        const Parameters::Entry* firsts = first_.configuration().parameters.find(entry.parameter.key);
+        if (firsts && firsts->value != entry.value) own_[entry.parameter.key] = entry.value;
+      }
+    });
+  }
+  parameters_->show();
+  parameters_->raise();
+}
+
+void Rival::askForNewTable(const QString& key, double value) {
+  const auto* entry = session_->configuration().parameters.find(key.toStdString());
+  Q_EMIT newTableAsked(tr("%1 = %2 needs a new table: the second starts again from the beginning.")
+                           .arg(toText(entry->parameter.title), toText(formatValue(entry->parameter, value))),
+                       [this, key = key.toStdString(), value] {
+                         own_[key] = value;
+                         startAgain();
+                       });
+}
+
+void Rival::setResting(bool resting) {
+  resting_ = resting;
+  if (resting) return session_->setRunning(false);
+  followParameters();
+  follow();
+  if (std::exchange(startsLate_, false) && lineage_ != first_.lineage()) firstReplaced();
 }
 
 }  // namespace surefoot

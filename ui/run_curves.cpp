@@ -44,18 +44,28 @@ void RunCurves::update(const std::string& agent, const std::string& policy, cons
 }
 
 void RunCurves::archive() {
-  const int number = live_.number;
   if (!live_.points.empty() && live_.points.back().episode >= kLeastEpisodes) {
     earlier_.push_back(std::move(live_));
     if (earlier_.size() > kMostEarlier) earlier_.erase(earlier_.begin());
   }
   live_ = {};
-  live_.number = number + 1;
+  live_.number = ++newest_;
+}
+
+void RunCurves::bringBack(int number) {
+  if (live_.number == number) return;
+  live_ = {};
+  live_.number = number;
+  const auto found = std::find_if(earlier_.begin(), earlier_.end(), [&](const auto& c) { return c.number == number; });
+  if (found == earlier_.end()) return;
+  live_ = std::move(*found);
+  earlier_.erase(found);
 }
 
 void RunCurves::forget() {
   earlier_.clear();
   live_ = {};
+  newest_ = live_.number;
   ++environment_;
 }
 

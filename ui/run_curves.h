@@ -43,6 +43,8 @@ class RunCurves {
               const std::vector<Change>& changes);
   /// The life that ran becomes an earlier one; one too short to say anything is forgotten.
   void archive();
+  /// An earlier life runs again: its curve is the live one. One that is not among the earlier ones has no points yet.
+  void bringBack(int number);
   /// In another environment there is nothing to compare with.
   void forget();
   /// Takes earlier lives out by their numbers, and gives them back; those of another environment do not come back.
@@ -54,6 +56,7 @@ class RunCurves {
 
  private:
   std::string began_;
+  int newest_ = 1;  // number of a life
   RunCurve live_;
   std::vector<RunCurve> earlier_;
   int environment_ = 0;  // counts them

@@ -8,6 +8,7 @@
 
 #include "core/schedule.h"
 #include "core/text.h"
+#include "ui/beginning.h"
 
 namespace surefoot {
 
@@ -27,6 +28,8 @@ Session::Session(const Registry& registry, Configuration configuration, bool kee
   curvesIn_ = configuration_.names.environment;
   auto life = makeLifeOf(configuration_);
   assert(life && "the configuration was checked before");
+  bytesOfLife_ = (*life)->agent().values().bytes();
+  curves_.setBegan(beginningOf(began_));
   learner_ = std::make_unique<LearnerThread>(std::move(*life));
   makeViewer();
   timer_.setTimerType(Qt::PreciseTimer);
@@ -243,38 +246,6 @@ void Session::stepOnce() {
   if (playback_ && playback_->rate == 0) return lookBack(+1);
   if (running_) setRunning(false);
   learner_->send(SingleStep{});
-}
-
-void Session::adopt(std::unique_ptr<Life> life) {
-  const bool wasFinished = runFinished();
-  if (curvesIn_ == configuration_.names.environment)
-    curves_.archive();
-  else
-    curves_.forget();
-  curvesIn_ = configuration_.names.environment;
-  hovered_.clear();
-  pinned_.clear();
-  falls_.clear();
-  fallsToCome_.clear();
-  numbers_ = {};
-  valuesThen_.clear();
-  recording_.clear();
-  backToLive();
-  Q_EMIT fallsArrived();
-  makeViewer();
-  learner_->send(ReplaceLife{std::move(life)});
-  ++lifeSent_;
-  // Until it has been heard of: the environment as it is set up.
-  shown_ = {};
-  shown_.state.assign(viewer_->environment().state().begin(), viewer_->environment().state().end());
-  shown_.pose = viewer_->pose();
-  shown_.q.assign(task().actions.size(), 0.0);
-  if (wasFinished) setRunning(true);
-  Q_EMIT lifeReplaced();
-}
-
-Status Session::restart() {
-  return beginAgain(configuration_);
 }
 
 std::unique_ptr<Life> Session::finish() {

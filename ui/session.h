@@ -15,6 +15,7 @@
 #include "core/experiment/configuration.h"
 #include "core/experiment/learner_thread.h"
 #include "ui/background.h"
+#include "ui/kept_life.h"
 #include "ui/playback.h"
 #include "ui/run_curves.h"
 #include "ui/viewer.h"
@@ -42,6 +43,10 @@ class Session final : public QObject {
 
   const Registry& registry() const { return registry_; }
   const Configuration& configuration() const { return configuration_; }
+  /// What the life began with: its start, too.
+  const Configuration& began() const { return began_; }
+  /// "pre-learned (scenario 2)", "with walks.safetensors"; empty: with an empty table.
+  QString beginning() const;
   const Environment& environment() const { return viewer_->environment(); }
   const Task& task() const { return viewer_->environment().task(); }
 
@@ -106,11 +111,24 @@ class Session final : public QObject {
   void hold(std::optional<double> target);
   /// Puts the learner's world into a state: a new episode begins there.
   Status place(const std::vector<double>& state);
-  // What begins a new life: where the tables are large, it is made while the old one goes on, and comes when it is
-  // ready; then background() is busy, and what went wrong is said by `refused`.
+  /// How far the life has come; whether anything was learned in it, and since it was saved.
+  LifeProgress progress() const;
+  bool learned() const;
+  bool unsaved() const;
+  /// Where Save writes the life.
+  const LifeFile& file() const { return file_; }
+  void setFile(LifeFile file);
+  /// How far the life had come when save() wrote it last; nothing if that was another one.
+  const std::optional<LifeProgress>& written() const { return written_; }
 
-  /// A new life with the present configuration and the same seed; the old one stays as a faint curve.
+  // What begins a new life: where the tables are large, it is made while the old one goes on, and comes when it is
+  // ready; then background() is busy, and what went wrong is said by `refused`. A life that has learned anything is
+  // kept: undo brings it back as it was, and redo the new one. Where there is no memory for this, the window is asked.
+
+  /// A new life with the present configuration, the same seed and the same start; the old one stays as a faint curve.
   Status restart();
+  /// The same with an empty table.
+  Status restartEmpty();
   /// Changes a parameter of the running life, or, if it needs a new table, asks for a restart first (needsNewTable).
   Status setParameter(const std::string& key, double value);
   /// The same, with the new life at once.
@@ -139,6 +157,22 @@ class Session final : public QObject {
   void carryOver(const std::string& key, double value, Then then);
   Background& background() { return background_; }
   QUndoStack& undo() { return undo_; }
+  /// Use this instead of undo().push(): a life that could be brought back by redo stays within reach of undo.
+  void push(QUndoCommand* command);
+  /// Called before a life ends for good that was not saved; it ends when `goOn` is called. Not set: it ends.
+  using GoOn = std::function<void()>;
+  void setAskBeforeEnding(std::function<void(const GoOn& goOn)> ask) { askBeforeEnding_ = std::move(ask); }
+  /// Memory for lives that undo can bring back [bytes].
+  void setMostKept(std::size_t bytes) { mostKept_ = bytes; }
+  /// Lives within reach of undo and redo of which something is not saved.
+  std::vector<std::shared_ptr<KeptLife>> unsavedBefore() const;
+  /// The life that gave way last, if it is kept; which life runs, as undo and redo tell them apart.
+  std::shared_ptr<KeptLife> lastKept() const { return kept_.empty() ? nullptr : kept_.back().lock(); }
+  std::uint64_t lineage() const { return lineage_; }
+  /// Exchanges the life that runs and one that is kept.
+  void bringBack(std::shared_ptr<KeptLife>& kept) { exchange(kept); }
+  /// Writes one of them.
+  void saveKept(const KeptLife& kept, const std::string& path, Then then);
 
   /// Ends the learner's thread; the life as it is.
   std::unique_ptr<Life> finish();
@@ -153,6 +187,9 @@ class Session final : public QObject {
   void playbackChanged();
   void configurationChanged();
   void lifeReplaced();
+  void lifeKept();         ///< the life before is within reach of undo
+  void lifeBroughtBack();  ///< … and was brought back by undo or redo
+  void fileChanged();
   void parametersReplaced();         ///< another agent: other parameters
   void refused(const QString& why);  ///< a life that was begun could not be made
   void needsNewTable(const QString& key, double value);
@@ -171,6 +208,7 @@ class Session final : public QObject {
   struct Beginning {
     Configuration configuration;
     std::unique_ptr<Life> life;
+    std::optional<LifeFile> file{};  // that it was read from
   };
   using Make = std::function<Result<Beginning>(const std::atomic<bool>& interrupted)>;
   using Adopt = std::function<Status(Beginning)>;
@@ -180,11 +218,24 @@ class Session final : public QObject {
   Make makeOfFile(const std::string& path) const;
   Make makeOfJournal(const std::string& path) const;
   Status beginWithLife(Beginning made);
+  void finishOrAsk(std::function<void()> finish);
   Status apply(const std::string& key, double value);
   void makeViewer();
   Result<std::unique_ptr<Life>> makeLifeOf(const Configuration& configuration) const;
   Parameters baseOf(const Names& names) const;
-  void adopt(std::unique_ptr<Life> life);
+  void adopt(std::unique_ptr<Life> life, std::shared_ptr<KeptLife> before);
+  void begun(ReplaceLife replacement);
+  friend class AnotherLife;
+  bool canKeep() const;
+  std::shared_ptr<KeptLife> putAside();
+  std::shared_ptr<KeptLife> putAsideIfLearned();
+  void keep(const std::shared_ptr<KeptLife>& kept);
+  void keepForUndo(std::shared_ptr<KeptLife> before);
+  void letGo(KeptLife& kept);
+  void forgetChanges();
+  void exchange(std::shared_ptr<KeptLife>& kept);
+  void saveRedone();
+  void undoOnceMore(bool redo);
 
   const Registry& registry_;
   Configuration configuration_;  // as it is now
@@ -214,6 +265,14 @@ class Session final : public QObject {
   std::int64_t stepsBefore_ = 0, fallsBefore_ = 0;
   double speedSeconds_ = 0.0;
   std::uint64_t lifeSent_ = 1, lifeShown_ = 0;
+  LifeFile file_;
+  LifeProgress progressKnown_;  // of the life that runs, until its first snapshot
+  std::optional<LifeProgress> written_;
+  std::size_t bytesOfLife_ = 0, mostKept_ = 600u << 20;
+  std::uint64_t lineage_ = 1, lineages_ = 1;  // changes that were made to one life are not undone in another
+  std::vector<std::weak_ptr<KeptLife>> kept_;
+  std::function<void(const GoOn&)> askBeforeEnding_;
+  bool undoAgain_ = false;
 };
 
 }  // namespace surefoot

@@ -11,16 +11,16 @@ namespace {
 /// One parameter, changed by hand. Changes of one that follow each other are one.
 class Edit final : public QUndoCommand {
  public:
-  using Apply = std::function<Status(const std::string&, double)>;
+  using Apply = std::function<bool(const std::string&, double, bool redo)>;  // false: it was of another life
   Edit(Apply apply, const Parameter& parameter, double before, double after)
       : QUndoCommand(QString::fromStdString(parameter.title)),
         apply_(std::move(apply)),
         key_(parameter.key),
         before_(before),
         after_(after) {}
-  void undo() override { static_cast<void>(static_cast<bool>(apply_(key_, before_))); }
+  void undo() override { setObsolete(!apply_(key_, before_, false)); }
   void redo() override {
-    if (done_) static_cast<void>(static_cast<bool>(apply_(key_, after_)));
+    if (done_) setObsolete(!apply_(key_, after_, true));
     done_ = true;  // the first time it was done already
   }
   int id() const override { return 1; }
@@ -67,7 +67,7 @@ class RemovedRuns final : public QUndoCommand {
 }  // namespace
 
 void Session::removeEarlierRuns(std::vector<int> numbers) {
-  if (!numbers.empty()) undo_.push(new RemovedRuns(curves_, std::move(numbers), [this] { Q_EMIT curvesChanged(); }));
+  if (!numbers.empty()) push(new RemovedRuns(curves_, std::move(numbers), [this] { Q_EMIT curvesChanged(); }));
 }
 
 Status Session::setParameter(const std::string& key, double value) {
@@ -76,8 +76,13 @@ Status Session::setParameter(const std::string& key, double value) {
   const Parameters::Entry before = *found;
   const Status s = apply(key, value);
   if (s && before.parameter.when != When::NewTable && before.value != value)
-    undo_.push(new Edit([this](const std::string& k, double v) { return apply(k, v); }, before.parameter, before.value,
-                        value));
+    push(new Edit(
+        [this, of = lineage_](const std::string& k, double v, bool redo) {
+          if (of != lineage_) return undoOnceMore(redo), false;
+          static_cast<void>(static_cast<bool>(apply(k, v)));
+          return true;
+        },
+        before.parameter, before.value, value));
   return s;
 }
 
@@ -140,6 +145,7 @@ void Session::setScenario(const std::string& name) {
   if (!entry) return;
   configuration_.names.scenario = name;
   base_ = baseOf(configuration_.names);
+  saveRedone();
   undo_.beginMacro(QString::fromStdString((*entry)->title));
   for (const auto& [key, value] : (*entry)->values)
     if (!setParameter(key, value)) break;

@@ -37,20 +37,48 @@ std::string bytesOf(const Life& life, const Configuration& began, const Configur
 
 }  // namespace
 
+namespace {
+
+/// Writes a life; what it learned may need more memory than there is.
+Status write(const Life& life, const Configuration& began, const Configuration& now, SavedAs what,
+             const std::string& path) {
+  if (life.changesLeftOut() && what == SavedAs::Journal)
+    return Error{"More was changed than a journal holds; save the session instead."};
+  if (life.diverged() && what != SavedAs::Journal)
+    return Error{"The action values diverged; there is nothing worth keeping."};
+  try {
+    return writeWhole("file", path, bytesOf(life, began, now, what));
+  } catch (const std::bad_alloc&) {
+    return Error{path + ": there is not enough memory to write it; nothing is lost."};
+  }
+}
+
+}  // namespace
+
 // Written on the learner's thread, between two steps: the life stands still meanwhile.
 void Session::save(SavedAs what, const std::string& path, Then then) {
-  learner_->send(
-      Visit{[this, what, path, then = std::move(then), began = began_, now = configuration_](const Life& life) {
-        Status status = Done{};
-        if (life.changesLeftOut() && what == SavedAs::Journal)
-          status = Error{"More was changed than a journal holds; save the session instead."};
-        else if (life.diverged() && what != SavedAs::Journal)
-          status = Error{"The action values diverged; there is nothing worth keeping."};
-        else
-          status = writeWhole("file", path, bytesOf(life, began, now, what));
-        QMetaObject::invokeMethod(
-            this, [then, status] { then(status); }, Qt::QueuedConnection);
-      }});
+  learner_->send(Visit{[this, what, path, then = std::move(then), began = began_, now = configuration_,
+                        of = lifeSent_](const Life& life) {
+    const Status status = write(life, began, now, what, path);
+    QMetaObject::invokeMethod(
+        this,
+        [this, then, status, of, written = LifeProgress{life.log().totals().episodes, life.steps()}] {
+          written_.reset();
+          if (of == lifeSent_) written_ = written;
+          then(status);
+        },
+        Qt::QueuedConnection);
+  }});
+}
+
+void Session::saveKept(const KeptLife& kept, const std::string& path, Then then) {
+  learner_->send(Visit{[this, path, then = std::move(then), aside = kept.aside, began = kept.began,
+                        now = kept.configuration](const Life&) {
+    const Status status = aside && aside->life ? write(*aside->life, began, now, SavedAs::Session, path)
+                                               : Status(Error{"The life is not kept any more."});
+    QMetaObject::invokeMethod(
+        this, [then, status] { then(status); }, Qt::QueuedConnection);
+  }});
 }
 
 void Session::open(const std::string& path, const Then& then) {
@@ -70,7 +98,10 @@ Session::Make Session::makeOfFile(const std::string& path) const {
         auto resumed = resume(registry_, *file, {});
         if (!resumed) return resumed.error();
         resumed->life->keepInputs();
-        return Beginning{std::move(resumed->configuration), std::move(resumed->life)};
+        const Life& life = *resumed->life;
+        const bool named = path.ends_with(".surefoot");  // another name may be another program's
+        LifeFile from{named ? QString::fromStdString(path) : QString(), {life.log().totals().episodes, life.steps()}};
+        return Beginning{std::move(resumed->configuration), std::move(resumed->life), std::move(from)};
       }
       auto learned = configurationOf(registry_, **file);
       if (!learned) return learned.error();
@@ -102,23 +133,33 @@ Status Session::whenMade(Make make, Adopt adopt, const Then& then) {
     Status status = Done{};
   };
   const auto work = std::make_shared<Work>();
+  const auto finish = [this, work, adopt = std::move(adopt), then] {
+    work->status = work->made ? adopt(std::move(*work->made)) : Status(work->made.error());
+    if (then) return then(work->status);
+    if (work->returned && !work->status) Q_EMIT refused(QString::fromStdString(work->status.error().message));
+  };
   background_.start(
       [work, make = std::move(make)](const std::atomic<bool>& interrupted) { work->made = make(interrupted); },
-      [this, work, adopt = std::move(adopt), then] {
-        work->status = work->made ? adopt(std::move(*work->made)) : Status(work->made.error());
-        if (then) return then(work->status);
-        if (work->returned && !work->status) Q_EMIT refused(QString::fromStdString(work->status.error().message));
-      },
-      kPatience);
+      [this, work, finish] { work->made ? finishOrAsk(finish) : finish(); }, kPatience);
   work->returned = true;
   return work->status;
 }
 
+void Session::finishOrAsk(std::function<void()> finish) {
+  if (unsaved() && !canKeep() && askBeforeEnding_)
+    askBeforeEnding_(finish);
+  else
+    finish();
+}
+
 Status Session::beginAgain(Configuration configuration) {
   return whenMade(makeOf(std::move(configuration)), [this](Beginning made) -> Status {
+    auto before = putAsideIfLearned();
+    if (before) lineage_ = ++lineages_;
     began_ = configuration_ = std::move(made.configuration);
-    adopt(std::move(made.life));
+    adopt(std::move(made.life), before);
     Q_EMIT configurationChanged();
+    keepForUndo(std::move(before));
     return Done{};
   });
 }
@@ -135,6 +176,7 @@ Session::Make Session::makeOfJournal(const std::string& path) const {
     if (!made) return made;
     Life& life = *made->life;
     while (life.steps() < journal->steps && !life.finished() && !interrupted) life.step();
+    made->file = LifeFile{{}, {life.log().totals().episodes, life.steps()}};  // the journal is as good as a copy
     return made;
   };
 }
@@ -144,18 +186,20 @@ Status Session::begin(Configuration configuration) {
 }
 
 Status Session::beginWithLife(Beginning made) {
-  Configuration& began = made.configuration;
-  const std::unique_ptr<Life>& life = made.life;
-  began_ = began;
-  configuration_ = std::move(began);
+  auto before = putAsideIfLearned();
+  lineage_ = ++lineages_;
+  began_ = std::move(made.configuration);
+  configuration_ = began_;
   configuration_.commands.clear();
-  configuration_.parameters = life->parameters();
-  configuration_.names.policy = life->policyName();
+  configuration_.parameters = made.life->parameters();
+  configuration_.names.policy = made.life->policyName();
   base_ = baseOf(configuration_.names);
-  undo_.clear();
-  adopt(std::move(made.life));
+  if (!before && unsavedBefore().empty()) forgetChanges();
+  adopt(std::move(made.life), before);
+  if (made.file) setFile(std::move(*made.file));
   Q_EMIT parametersReplaced();
   Q_EMIT configurationChanged();
+  keepForUndo(std::move(before));
   return Done{};
 }
 

@@ -45,6 +45,7 @@ QStringList StatusLine::segments() const {
                 .arg(toText(fixedText(
                     100.0 * static_cast<double>(*v->memory[0].occupied) / static_cast<double>(v->memory[0].slots), 0)));
   list << tr("seed %1").arg(session_.configuration().seed);
+  if (const QString beginning = session_.beginning(); !beginning.isEmpty()) list << tr("began %1").arg(beginning);
   return list;
 }
 

@@ -158,7 +158,13 @@ void LearnerThread::obey() {
     commands.swap(mailbox_);
     mail_ = false;
   }
-  for (Command& command : commands) carryOut(command);
+  for (Command& command : commands) {
+    try {
+      carryOut(command);
+    } catch (const std::bad_alloc&) {  // the others are carried out all the same
+      outOfMemory_ = true;
+    }
+  }
   snapshotWanted_ = true;  // what was asked for shows at once, paused or not
 }
 
@@ -176,22 +182,32 @@ void LearnerThread::carryOut(Command& command) {
     void operator()(SingleStep&) const {
       if (!t.running_ && !t.life_->finished()) t.step();
     }
-    void operator()(ReplaceLife& c) const {
-      t.life_ = std::move(c.life);
-      ++t.lifeNumber_;
-      t.curve_ = curveOf(*t.life_);
-      t.curvePolicy_ = t.life_->policyName();
-      t.fallsByHand_ = 0;
-      t.fallenPose_.clear();
-      t.stateBefore_.clear();
-      t.environment_.reset();
-      t.hand_.hold(std::nullopt);
-      t.outOfMemory_ = false;
-      t.stepTime_ = stepTimeOf(*t.life_);
-      t.valuesWanted_ = true;
-    }
+    void operator()(ReplaceLife& c) const { t.replace(c); }
   };
   std::visit(Visitor{*this}, command);
+}
+
+void LearnerThread::replace(ReplaceLife& c) {
+  if (!c.life && !(c.back && c.back->life)) return;
+  if (c.before)
+    *c.before = {std::move(life_), std::move(curve_), std::move(curvePolicy_), std::move(fallenPose_), fallsByHand_};
+  LifeAside next;
+  if (c.life)
+    next = {.life = nullptr, .curve = curveOf(*c.life), .curvePolicy = c.life->policyName(), .fallenPose = {}};
+  else
+    next = std::exchange(*c.back, {});
+  life_ = c.life ? std::move(c.life) : std::move(next.life);
+  ++lifeNumber_;
+  curve_ = std::move(next.curve);
+  curvePolicy_ = std::move(next.curvePolicy);
+  fallenPose_ = std::move(next.fallenPose);
+  fallsByHand_ = next.fallsByHand;
+  stateBefore_.clear();
+  environment_.reset();
+  hand_.hold(std::nullopt);
+  outOfMemory_ = false;
+  stepTime_ = stepTimeOf(*life_);
+  valuesWanted_ = true;
 }
 
 void LearnerThread::answer() {

@@ -47,8 +47,19 @@ struct Visit {
   std::function<void(const Life&)> look;
 };                     ///< called on the learner's thread, between two steps
 struct SingleStep {};  ///< one step of a paused life
+/// A life that was taken out of the thread, with what the thread knows of it: it can go on there later, bit for bit.
+/// Filled and emptied on the learner's thread; others may only hold it and let it go.
+struct LifeAside {
+  std::unique_ptr<Life> life;  ///< null before the thread has come to it, and when the life runs again
+  LearningCurve curve;
+  std::string curvePolicy;
+  std::vector<double> fallenPose;
+  std::int64_t fallsByHand = 0;
+};
 struct ReplaceLife {
-  std::unique_ptr<Life> life;
+  std::unique_ptr<Life> life{};         ///< a new one …
+  std::shared_ptr<LifeAside> back{};    ///< … or one that was put aside
+  std::shared_ptr<LifeAside> before{};  ///< where the life before goes; null: it ends
 };
 
 using Command = std::variant<SetParameter, SetPolicy, SetRunning, SetPace, SetTurbo, SetHand, Place, Visit, SingleStep,
@@ -85,6 +96,7 @@ class LearnerThread {
   void wait();
   void obey();
   void carryOut(Command& command);
+  void replace(ReplaceLife& command);
   void stepFlatOut();
   void stepInPace();
   void step();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A monkey at the window: random clicks, drags, wheels, keys and numbers, the same ones every time. It must not crash,
-// and no single input may hold the window up. SUREFOOT_MONKEY is the number of inputs, SUREFOOT_MONKEY_SEED which ones.
+// no single input may hold the window up, and none may end a life that learned something unsaved without undo or a
+// question. SUREFOOT_MONKEY is the number of inputs, SUREFOOT_MONKEY_SEED which ones.
 #include <QAbstractButton>
 #include <QApplication>
 #include <QComboBox>
@@ -15,6 +16,7 @@
 #include "core/random.h"
 #include "tests/ui/window_setup.h"
 #include "ui/live_page.h"
+#include "ui/message_bar.h"
 #include "ui/theme.h"
 
 namespace surefoot {
@@ -120,6 +122,32 @@ class Monkey {
   Random random_;
 };
 
+/// Sees to it that every life that learned something unsaved is within reach of undo when another one takes its place.
+class Witness {
+ public:
+  explicit Witness(Window& w) : session_(*w.session) {
+    QObject::connect(&session_, &Session::frame, w.window.get(), [this] { note(); });
+    QObject::connect(&session_, &Session::lifeReplaced, w.window.get(), [this] {
+      if (unsaved_) ++ended_;
+      note();
+    });
+    for (auto signal : {&Session::lifeKept, &Session::lifeBroughtBack})
+      QObject::connect(&session_, signal, w.window.get(), [this] {
+        if (ended_ > 0) --ended_, ++kept_;
+      });
+    note();
+  }
+  int ended() const { return ended_; }  ///< for good
+  int kept() const { return kept_; }
+
+ private:
+  void note() { unsaved_ = session_.unsaved(); }
+
+  Session& session_;
+  bool unsaved_ = false;
+  int ended_ = 0, kept_ = 0;
+};
+
 int fromEnvironment(const char* name, int otherwise) {
   bool good = false;
   const int value = qEnvironmentVariableIntValue(name, &good);
@@ -132,6 +160,7 @@ TEST(Monkey, DoesNotBreakTheWindow) {
   Window w;
   Monkey monkey(*w.window, static_cast<std::uint64_t>(fromEnvironment("SUREFOOT_MONKEY_SEED", 1)));
   const int inputs = fromEnvironment("SUREFOOT_MONKEY", 400);
+  Witness witness(w);
   qint64 longest = 0;
   QString slowest;
   QTimer closer;  // a menu has an event loop of its own, which would wait for ever
@@ -149,8 +178,15 @@ TEST(Monkey, DoesNotBreakTheWindow) {
       slowest = monkey.last;
     }
     for (auto* dialog : w.window->findChildren<QDialog*>()) dialog->close();
+    ASSERT_EQ(witness.ended(), 0) << "a life that was not saved is gone: " << monkey.last.toStdString();
+    if (i % 50 == 0 && w.session->unsaved()) {
+      w.window->close();
+      ASSERT_TRUE(w.window->isVisible()) << "quitting asks";
+      w.window->messages().cancel();
+    }
     if (w.window->isFullScreen()) w.window->showNormal();
   }
+  std::printf("lives kept for undo: %d\n", witness.kept());
   std::printf("longest wait for the window: %lld ms (%s)\n", static_cast<long long>(longest), qPrintable(slowest));
   w.key(Qt::Key_Escape);
   w.window->setPage(0);

@@ -62,11 +62,13 @@ sleep 4; stop 7-experiment
 mkdir "$home/charts"
 xdotool key alt+x; sleep 0.4; xdotool key h; answer "$home/charts"
 waitFor '[ -s "$home/charts/falls.png" ] && [ -s "$home/charts/falls.csv" ]' "the charts were not exported"
-xdotool key ctrl+q
+xdotool key ctrl+q; stop 8-quit
+xdotool key alt+d  # what was learned is not saved
 waitFor '! kill -0 $pid 2>/dev/null' "Ctrl+Q does not end the program"
 wait $pid; code=$?
 [ $code = 0 ] || fail "exit code $code: $(cat "$home/errors")"
 [ -s "$home/errors" ] && fail "something was printed: $(cat "$home/errors")"
 grep -q "Softmax" "$home/charts/falls.csv" || fail "the chart's table does not name the conditions"
+ls "$home"/data/*/*/last-session-*.surefoot >/dev/null 2>&1 || fail "the session is not kept for the next start"
 ls "$home"/data/*/*/autosave-* 2>/dev/null && fail "an autosave is left behind"
 echo "passed"

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/compare_strip.h"
+
+#include <QGridLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+#include <QSignalBlocker>
+
+#include "core/text.h"
+#include "ui/ask_for_file.h"
+#include "ui/combo.h"
+#include "ui/compared_falls.h"
+#include "ui/rival.h"
+#include "ui/run_names.h"
+#include "ui/symbol_text.h"
+#include "ui/theme.h"
+
+namespace surefoot {
+
+namespace {
+
+QString count(std::int64_t number) {
+  return toText(countText(static_cast<double>(number)));
+}
+
+QString beganAs(const Session& session) {
+  const QString beginning = session.beginning();
+  return beginning.isEmpty() ? CompareStrip::tr("began empty") : CompareStrip::tr("began %1").arg(beginning);
+}
+
+}  // namespace
+
+CompareStrip::CompareStrip(Rival& rival)
+    : rival_(rival),
+      agents_(new Combo(tr("Learning rule of the second"), this)),
+      policies_(new Combo(tr("Policy of the second"), this)),
+      starts_(new Combo(tr("Start of the second"), this)),
+      parameters_(new QPushButton(tr("Parameters …"), this)),
+      first_(new QLabel),
+      own_(new QLabel),
+      falls_(new QLabel) {
+  for (QLabel* label : {first_, own_, falls_}) {
+    label->setTextFormat(Qt::PlainText);
+    label->setWordWrap(true);
+  }
+  own_->setForegroundRole(QPalette::PlaceholderText);
+  falls_->setAccessibleName(tr("Falls of both"));
+  parameters_->setAccessibleName(tr("Parameters of the second"));
+  parameters_->setToolTip(tr("What is changed there holds for the second only"));
+  for (QComboBox* combo :
+       {static_cast<QComboBox*>(agents_), static_cast<QComboBox*>(policies_), static_cast<QComboBox*>(starts_)}) {
+    combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    combo->setMinimumContentsLength(6);
+  }
+  auto* grid = new QGridLayout(this);
+  grid->setContentsMargins(12, 6, 12, 6);
+  grid->setHorizontalSpacing(6);
+  grid->setVerticalSpacing(3);
+  grid->addWidget(new QLabel(tr("First")), 0, 0);
+  grid->addWidget(first_, 0, 1, 1, 4);
+  grid->addWidget(new QLabel(tr("Second")), 1, 0);
+  int column = 1;
+  for (QWidget* choice : {static_cast<QWidget*>(policies_), static_cast<QWidget*>(agents_),
+                          static_cast<QWidget*>(starts_), static_cast<QWidget*>(parameters_)})
+    grid->addWidget(choice, 1, column++);
+  grid->addWidget(own_, 2, 1, 1, 4);
+  grid->addWidget(new QLabel(tr("Falls")), 3, 0);
+  grid->addWidget(falls_, 3, 1, 1, 4);
+  makeChoices();
+  for (Session* session : {&rival_.first(), &rival_.session()}) {
+    connect(session, &Session::valuesArrived, this, &CompareStrip::refreshFalls);
+    connect(session, &Session::configurationChanged, this, &CompareStrip::refresh);
+    connect(session, &Session::lifeReplaced, this, &CompareStrip::refresh);
+  }
+  connect(&rival_.first(), &Session::parametersReplaced, this, &CompareStrip::fillAgents);
+  connect(&rival_, &Rival::changed, this, &CompareStrip::refresh);
+  refresh();
+}
+
+void CompareStrip::makeChoices() {
+  for (const auto& entry : rival_.first().registry().policies)
+    policies_->addItem(toText(entry.title), toText(entry.name));
+  fillAgents();
+  starts_->addItem(tr("same start"), static_cast<int>(Rival::Start::Same));
+  starts_->addItem(tr("empty"), static_cast<int>(Rival::Start::Empty));
+  starts_->addItem(tr("a file …"), static_cast<int>(Rival::Start::File));
+  const auto chosen = [this] {
+    rival_.choose(agents_->currentData().toString().toStdString(), policies_->currentData().toString().toStdString());
+  };
+  connect(agents_, &QComboBox::activated, this, chosen);
+  connect(policies_, &QComboBox::activated, this, chosen);
+  connect(starts_, &QComboBox::activated, this, &CompareStrip::chooseStart);
+  connect(parameters_, &QPushButton::clicked, &rival_, &Rival::showParameters);
+}
+
+void CompareStrip::fillAgents() {
+  const QSignalBlocker blocker(agents_);
+  agents_->clear();
+  for (const auto& entry : rival_.first().registry().agents)
+    if (entry.name != "scripted" || rival_.first().task().handMade)
+      agents_->addItem(toText(entry.title), toText(entry.name));
+  agents_->setCurrentIndex(agents_->findData(toText(rival_.agent())));
+}
+
+void CompareStrip::chooseStart(int index) {
+  const auto start = static_cast<Rival::Start>(starts_->itemData(index).toInt());
+  refresh();  // until it has begun
+  if (start != Rival::Start::File) return rival_.setStart(start);
+  askForFile(this, tr("What the second begins with"), tr("Q-functions (*.safetensors *.surefoot);;All files (*)"),
+             [this](const QString& path) { rival_.startWith(path); });
+}
+
+QString CompareStrip::first() const {
+  Session& session = rival_.first();
+  RunCurve now;
+  now.agent = session.configuration().names.agent;
+  now.pieces = {{.policy = session.configuration().names.policy, .points = {}}};
+  return toText(nameOf(now, session.registry())) + QStringLiteral(", ") + beganAs(session);
+}
+
+QString CompareStrip::falls() const {
+  const RunCurve &a = rival_.first().curves().live(), &b = rival_.session().curves().live();
+  const auto episodes = fallsAtEqualEpisodes(a, b);
+  if (!episodes) return tr("no episode is over yet in both");
+  QString text =
+      tr("after %1 episodes %2 : %3").arg(count(episodes->at), count(episodes->first), count(episodes->second));
+  const auto steps = fallsAtEqualSteps(a, b);
+  if (const auto& stepTime = rival_.first().task().stepTime; stepTime && steps)
+    text += tr("; after %1 min %2 : %3")
+                .arg(toText(fixedText(static_cast<double>(steps->at) * *stepTime / 60, 1)), count(steps->first),
+                     count(steps->second));
+  return text;
+}
+
+void CompareStrip::refreshFalls() {
+  falls_->setText(falls());
+}
+
+void CompareStrip::refresh() {
+  first_->setText(first());
+  const auto select = [](QComboBox& combo, const QVariant& value) {
+    const QSignalBlocker blocker(&combo);
+    combo.setCurrentIndex(combo.findData(value));
+  };
+  select(*agents_, toText(rival_.agent()));
+  select(*policies_, toText(rival_.policy()));
+  select(*starts_, static_cast<int>(rival_.start()));
+  const QString own = rival_.ownParameters();
+  own_->setText(own.isEmpty() ? beganAs(rival_.session()) : tr("%1; its own: %2").arg(beganAs(rival_.session()), own));
+  refreshFalls();
+}
+
+void CompareStrip::paintEvent(QPaintEvent*) {
+  const Theme& t = themeOf(*this);
+  QPainter p(this);
+  p.fillRect(rect(), t.paper);
+  p.fillRect(QRect(0, height() - 1, width(), 1), t.hairline);
+}
+
+}  // namespace surefoot

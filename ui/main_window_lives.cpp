@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of the window that sees to it that no life is lost: the questions before one ends, the name of the session
+// and its mark, what happens on quitting and after it.
+#include <QCloseEvent>
+#include <QFileInfo>
+#include <QSettings>
+#include <QTimer>
+
+#include "core/text.h"
+#include "ui/ask_for_file.h"
+#include "ui/autosave.h"
+#include "ui/live_page.h"
+#include "ui/main_window.h"
+#include "ui/message_bar.h"
+#include "ui/session.h"
+#include "ui/session_name.h"
+#include "ui/symbol_text.h"
+
+namespace surefoot {
+
+namespace {
+QString count(std::int64_t number) {
+  return toText(countText(static_cast<double>(number)));
+}
+}  // namespace
+
+void MainWindow::askQuestions() {
+  connect(&session_, &Session::refused, messages_, &MessageBar::say);
+  connect(&session_.background(), &Background::busyChanged, this, [this] {
+    if (session_.background().busy()) messages_->tell(tr("It is being made ready; the world goes on meanwhile."));
+  });
+  connect(run_.live, &QAction::triggered, messages_, &MessageBar::cancel);
+  connect(bar_, &RunBar::environmentAsked, this,
+          [this](const std::string& name) { begin([this, name] { return session_.beginEnvironment(name); }); });
+  connect(bar_, &RunBar::agentAsked, this, &MainWindow::askForAgent);
+  connect(&session_, &Session::needsNewTable, this, &MainWindow::askForNewTable);
+  connect(&session_, &Session::lifeKept, this,
+          [this] { messages_->tell(tr("The life before is kept: Ctrl+Z brings it back.")); });
+  connect(&session_, &Session::lifeBroughtBack, this,
+          [this] { messages_->tell(tr("This life is back as it was; the other one is kept for undo and redo.")); });
+  connect(live_, &LivePage::told, messages_, &MessageBar::tell);
+  connect(live_, &LivePage::newTableAsked, this, [this](const QString& sentence, const std::function<void()>& go) {
+    messages_->ask(sentence, {{tr("Start again"), go}});
+  });
+  session_.setAskBeforeEnding([this](const Session::GoOn& goOn) { askBeforeEnding(goOn); });
+  for (auto signal : {&Session::fileChanged, &Session::lifeReplaced})
+    connect(&session_, signal, this, &MainWindow::refresh);
+  connect(&session_, &Session::frame, this, [this] {
+    if (name_->text() != sessionName() + (session_.unsaved() ? "*" : "")) refreshTitle();
+  });
+}
+
+void MainWindow::askForAgent(const QString& name, const QString& title) {
+  messages_->ask(
+      tr("%1 needs a new table, so learning starts again from the beginning, with the same seed.").arg(title),
+      {{tr("Start again"), [this, name] {
+          if (const Status s = session_.setAgent(name.toStdString()); !s) messages_->say(toText(s.error().message));
+        }}});
+}
+
+void MainWindow::askForNewTable(const QString& key, double value) {
+  const auto* entry = session_.configuration().parameters.find(key.toStdString());
+  const auto told = [this](const Status& status) {
+    if (!status) messages_->say(toText(status.error().message));
+  };
+  messages_->ask(
+      tr("%1 = %2 needs a new table. Start again from the beginning, with the same seed, or carry what "
+         "is learned over into it?")
+          .arg(toText(entry->parameter.title), toText(formatValue(entry->parameter, value))),
+      {{tr("Start again"),
+        [this, key, value, told] { told(session_.setParameterAndRestart(key.toStdString(), value)); }},
+       {tr("Carry over"), [this, key, value, told] { session_.carryOver(key.toStdString(), value, told); }}});
+}
+
+void MainWindow::askBeforeEnding(const std::function<void()>& goOn) {
+  messages_->ask(tr("This life has %1 episodes, is not saved, and there is not enough memory to keep it for undo.")
+                     .arg(count(session_.progress().episodes)),
+                 {{tr("Save it first"), [this, goOn] { saveSession(goOn); }}, {tr("End it"), goOn}});
+}
+
+void MainWindow::tellHowItBegan() {
+  if (const QString beginning = session_.beginning(); !beginning.isEmpty())
+    messages_->tell(tr("The life begins again with the same start: %1. Run › Restart with an empty table begins from "
+                       "nothing.")
+                        .arg(beginning));
+}
+
+QString MainWindow::sessionName() const {
+  const QString& path = session_.file().path;
+  return path.isEmpty() ? tr("untitled session") : QFileInfo(path).completeBaseName();
+}
+
+// The mark has its place in the title only while it is shown: a title without one is compared by scripts.
+void MainWindow::refreshTitle() {
+  const bool finished = session_.runFinished(), named = !session_.file().path.isEmpty();
+  const bool unsaved = session_.unsaved(), marked = unsaved && !finished;
+  if (!marked) setWindowModified(false);
+  setWindowTitle(finished          ? tr("Surefoot: the life is complete")
+                 : named || marked ? tr("Surefoot: %1").arg(sessionName()) + (marked ? "[*]" : "")
+                                   : tr("Surefoot"));
+  if (marked) setWindowModified(true);
+  const QString since =
+      unsaved
+          ? tr("%1 episodes are not saved").arg(count(session_.progress().episodes - session_.file().saved.episodes))
+          : tr("nothing is unsaved");
+  name_->say(sessionName(), unsaved, named ? session_.file().path + '\n' + since : since);
+}
+
+void MainWindow::closeForNow() {
+  if (closing_) return;
+  closing_ = true;
+  constexpr int kPatience = 5000;  // [ms]
+  QTimer::singleShot(kPatience, this, &QWidget::close);
+  autosave_->leave([this] { close(); });
+}
+
+/// Whether there is something to be asked.
+bool MainWindow::askBeforeQuit() {
+  if (!asksOnQuit_) return false;
+  if (session_.unsaved()) {
+    const std::int64_t episodes = session_.progress().episodes - session_.file().saved.episodes;
+    messages_->ask(session_.file().path.isEmpty()
+                       ? tr("What this life learned in %1 episodes is not saved.").arg(count(episodes))
+                       : tr("What %1 learned in %2 episodes is not saved.").arg(sessionName(), count(episodes)),
+                   {{tr("Save"), [this] { saveSession([this] { close(); }); }}, {tr("Don't save"), [this] { quit(); }}},
+                   MessageBar::Question::Quit);
+    return true;
+  }
+  const auto before = session_.unsavedBefore();
+  if (before.empty()) return false;
+  messages_->ask(tr("A life before this one, of %1 episodes, is kept for Ctrl+Z only and is not saved.")
+                     .arg(count(before.back()->progress.episodes)),
+                 {{tr("Save"), [this] { saveKept(); }}, {tr("Don't save"), [this] { quit(); }}},
+                 MessageBar::Question::Quit);
+  return true;
+}
+
+void MainWindow::saveKept() {
+  askForNewFile(this, tr("Save the session"), "session.surefoot", "*.surefoot", "surefoot",
+                [this](const QString& path) {
+                  const auto before = session_.unsavedBefore();
+                  if (before.empty()) return static_cast<void>(close());
+                  const auto kept = before.back();
+                  session_.saveKept(*kept, path.toStdString(), [this, kept, path](const Status& s) {
+                    if (!s) return messages_->say(toText(s.error().message));
+                    remember(path);
+                    kept->file = {path, kept->progress};
+                    close();
+                  });
+                });
+}
+
+/// What was learned stays for the next start, whatever was answered.
+void MainWindow::quit() {
+  if (closing_) return;
+  closing_ = true;
+  constexpr int kPatience = 60'000;  // [ms]
+  QTimer::singleShot(kPatience, this, &QWidget::close);
+  autosave_->keepLast([this] { close(); });
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  const bool learned = session_.learned() || !session_.unsavedBefore().empty();
+  if (!closing_ && learned) {
+    event->ignore();
+    if (!askBeforeQuit()) quit();
+    return;
+  }
+  QSettings settings;
+  settings.setValue("geometry", saveGeometry());
+  settings.setValue("layout", live_->layoutState());
+  autosave_->finish();
+  event->accept();
+}
+
+void MainWindow::offerToRestore() {
+  const QString left = autosave_->leftBehind();
+  if (left.isEmpty() || !autosave_->claim(left)) return;
+  const auto restored = [this, left] { restore(left); };
+  if (Autosave::isOfLastSession(left))
+    return messages_->ask(tr("The last session can go on where it was closed."),
+                          {{tr("Go on with it"), restored}, {tr("Begin anew"), [this] { autosave_->leaveThere(); }}},
+                          MessageBar::Question::Lasting);
+  messages_->ask(tr("The last session was not closed. Its last minutes may be missing."),
+                 {{tr("Restore it"), restored},
+                  {tr("Forget it"),
+                   [this, left] {
+                     autosave_->forget(left);
+                     offerToRestore();
+                   }}},
+                 MessageBar::Question::Lasting);
+}
+
+void MainWindow::restore(const QString& file) {
+  session_.open(file.toStdString(), [this, file](const Status& s) {
+    if (s) {
+      session_.setFile({});  // it has no file of its own yet
+      setPage(0);
+      return autosave_->takeOver(file);
+    }
+    messages_->say(toText(s.error().message) + ' ' + tr("It is set aside as %1.damaged.").arg(file));
+    QFile::rename(file, file + QStringLiteral(".damaged"));
+    offerToRestore();
+  });
+}
+
+}  // namespace surefoot

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/message_row.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QPushButton>
+
+#include "ui/theme.h"
+
+namespace surefoot {
+
+MessageRow::MessageRow(QWidget* parent) : QWidget(parent), row_(new QHBoxLayout(this)), text_(new QLabel) {
+  row_->setContentsMargins(15, 4, 12, 5);
+  row_->setSpacing(8);
+  text_->setWordWrap(true);
+  text_->setTextFormat(Qt::PlainText);
+  row_->addWidget(text_, 1);
+}
+
+QString MessageRow::sentence() const {
+  return text_->text();
+}
+
+void MessageRow::setSentence(const QString& sentence) {
+  text_->setText(sentence);
+  setAccessibleName(sentence);
+  shown_.start();
+}
+
+/// Alt and the first letter that neither the menu bar nor another answer has.
+QKeySequence MessageRow::freeKey(const QString& text) {
+  for (const QChar c : text.toUpper()) {
+    if (c < 'A' || c > 'Z' || taken_.contains(c)) continue;
+    taken_ += c;
+    return QKeySequence(Qt::ALT | static_cast<Qt::Key>(c.unicode()));
+  }
+  return {};
+}
+
+void MessageRow::addButton(const QString& text, std::function<void()> then) {
+  auto* button = new QPushButton(text);
+  button->setAccessibleName(text);
+  button->setAutoDefault(false);
+  button->setShortcut(freeKey(text));
+  button->setToolTip(button->shortcut().toString(QKeySequence::NativeText));
+  button->setFocusPolicy(Qt::TabFocus);  // a click leaves the focus where the person was
+  row_->addWidget(button);
+  connect(button, &QPushButton::clicked, this, [then = std::move(then)] { then(); });
+}
+
+void MessageRow::setGood(bool good) {
+  good_ = good;
+  update();
+}
+
+void MessageRow::paintEvent(QPaintEvent*) {
+  const Theme& t = themeOf(*this);
+  QPainter p(this);
+  p.fillRect(rect(), t.fill);
+  p.fillRect(QRect(0, 0, 3, height()), good_ ? t.outline : t.caution);
+  p.fillRect(QRect(0, 0, width(), 1), t.hairline);
+}
+
+}  // namespace surefoot
