@@ -13,12 +13,6 @@ QString shownName(const std::string& name) {
   return QString::fromStdString(name).replace(minus, QStringLiteral("\\1−"));
 }
 
-QString plainTip(const QString& text) {
-  return text.isEmpty() ? text
-                        : QStringLiteral("<span>%1</span>")
-                              .arg(text.toHtmlEscaped().replace('\n', QStringLiteral("<br>")));
-}
-
 std::string groupOf(const std::string& name) {
   const auto colon = name.find(": ");
   return colon == std::string::npos ? "" : name.substr(0, colon);

@@ -11,8 +11,6 @@ namespace surefoot {
 
 /// The name with a true minus before its numbers.
 QString shownName(const std::string& name);
-/// A text from outside as a tooltip shows it to the letter, in lines.
-QString plainTip(const QString& text);
 /// What stands before ": "; empty: the name has no group.
 std::string groupOf(const std::string& name);
 /// "pre-learned on scenario 2"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/figure_view.h"
+#include "ui/plain_text.h"
 
 #include <QHelpEvent>
 #include <QPaintEvent>
@@ -81,7 +82,7 @@ bool FigureView::event(QEvent* event) {
   if (text.isEmpty())
     QToolTip::hideText();
   else
-    QToolTip::showText(help->globalPos(), plainTip(text), this);
+    QToolTip::showText(help->globalPos(), tipText(text), this);
   return true;
 }
 

@@ -10,6 +10,7 @@
 #include "core/text.h"
 #include "ui/condition_name.h"
 #include "ui/experiment.h"
+#include "ui/plain_text.h"
 #include "ui/symbol_text.h"
 #include "ui/table_parts.h"
 #include "ui/theme.h"
@@ -113,14 +114,14 @@ void FindingsTable::fillRow(int row, const Finding& f) {
   auto* name = put(*this, row, Name, shownName(f.name), strong, true);
   name->setData(kNameRole, toText(f.name));
   name->setData(kPolicyRole, toText(experiment_.policyOf(f.name)));
-  name->setToolTip(plainTip(shownName(f.name)));
+  name->setToolTip(tipText(shownName(f.name)));
   auto* lives = put(*this, row, Lives, QString::number(f.lives));
   lives->setData(Qt::ForegroundRole, soFar ? QVariant(QBrush(themeOf(*this).caution)) : QVariant());
-  lives->setToolTip(soFar ? tr("So far: not all lives of this condition, or of what it is compared with") : QString());
+  lives->setToolTip(tipText(soFar ? tr("So far: not all lives of this condition, or of what it is compared with") : QString()));
   QStringList warnings;
   for (const std::string& w : f.warnings) warnings << toText(w);
   put(*this, row, Falls, f.lives > 0 ? valueText(f.falls.value, 1) : QString(), strong)
-      ->setToolTip(plainTip(warnings.join('\n')));
+      ->setToolTip(tipText(warnings.join('\n')));
   const bool interval = f.lives > 0 && known(f.falls);
   put(*this, row, PlusMinus,
       interval ? QStringLiteral("± ") + valueText((f.falls.high - f.falls.low) / 2, 1)
@@ -139,7 +140,7 @@ void FindingsTable::fillRow(int row, const Finding& f) {
   verdict->setText(soFar ? tr("%1 so far").arg(verdictText(thesis->verdict)) : verdictText(thesis->verdict));
   QStringList claims;
   for (const std::string& id : thesis->claims) claims << toText(id);
-  verdict->setToolTip(plainTip(tr("Claims %1 of the thesis; all of them stand under \"The thesis's claims\"")
+  verdict->setToolTip(tipText(tr("Claims %1 of the thesis; all of them stand under \"The thesis's claims\"")
                                   .arg(claims.join(QStringLiteral(", ")))));
 }
 

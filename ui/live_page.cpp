@@ -89,7 +89,7 @@ void LivePage::makeCharts() {
   };
   noteReward();
   connect(&session_, &Session::lifeReplaced, this, noteReward);
-  connect(&session_, &Session::lifeReplaced, this, &LivePage::followTask);
+  connect(&session_, &Session::parametersReplaced, this, &LivePage::followTask);
   Panel* falls = addPanel(tr("Falls"), "falls", cumulative, Qt::RightDockWidgetArea);
   const auto noteFalls = [this, span, falls] { falls->header().setNote(fallsNote(*span)); };
   connect(span, &ChartSpan::changed, this, noteFalls);

@@ -5,7 +5,9 @@
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
+#include <QSet>
 
+#include "ui/plain_text.h"
 #include "ui/theme.h"
 
 namespace surefoot {
@@ -28,22 +30,25 @@ void MessageRow::setSentence(const QString& sentence) {
   shown_.start();
 }
 
-/// Alt and the first letter that neither the menu bar nor another answer has.
-QKeySequence MessageRow::freeKey(const QString& text) {
+/// Alt and the first letter that neither the menu bar nor an answer of any row of the bar has.
+QKeySequence MessageRow::freeKey(const QString& text) const {
+  QSet<QKeySequence> taken;
+  for (const char menu : {'F', 'E', 'V', 'R', 'X', 'H'}) taken << QKeySequence(Qt::ALT | static_cast<Qt::Key>(menu));
+  for (const QPushButton* other : parentWidget()->findChildren<QPushButton*>())
+    if (other->isVisibleTo(parentWidget())) taken << other->shortcut();
   for (const QChar c : text.toUpper()) {
-    if (c < 'A' || c > 'Z' || taken_.contains(c)) continue;
-    taken_ += c;
-    return QKeySequence(Qt::ALT | static_cast<Qt::Key>(c.unicode()));
+    const QKeySequence key(Qt::ALT | static_cast<Qt::Key>(c.unicode()));
+    if (c >= 'A' && c <= 'Z' && !taken.contains(key)) return key;
   }
   return {};
 }
 
-void MessageRow::addButton(const QString& text, std::function<void()> then) {
+void MessageRow::addButton(const QString& text, std::function<void()> then, bool withKey) {
   auto* button = new QPushButton(text);
   button->setAccessibleName(text);
   button->setAutoDefault(false);
-  button->setShortcut(freeKey(text));
-  button->setToolTip(button->shortcut().toString(QKeySequence::NativeText));
+  if (withKey) button->setShortcut(freeKey(text));
+  button->setToolTip(tipText(button->shortcut().toString(QKeySequence::NativeText)));
   button->setFocusPolicy(Qt::TabFocus);  // a click leaves the focus where the person was
   row_->addWidget(button);
   connect(button, &QPushButton::clicked, this, [then = std::move(then)] { then(); });

@@ -21,7 +21,7 @@ class MessageRow final : public QWidget {
   QString sentence() const;
   void setSentence(const QString& sentence);
   /// A button at the right end, which no key presses but its own (Alt and a letter), unless Tab led to it.
-  void addButton(const QString& text, std::function<void()> then);
+  void addButton(const QString& text, std::function<void()> then, bool withKey = true);
   /// Good news has a quiet stripe.
   void setGood(bool good);
   /// Since its sentence was set [ms].
@@ -33,9 +33,8 @@ class MessageRow final : public QWidget {
  private:
   QHBoxLayout* row_;
   QLabel* text_;
-  QKeySequence freeKey(const QString& text);
+  QKeySequence freeKey(const QString& text) const;
 
-  QString taken_ = QStringLiteral("FEVRXH");  // letters of the menu bar, and of the buttons so far
   QElapsedTimer shown_;
   bool good_ = false;
 };

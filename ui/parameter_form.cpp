@@ -176,7 +176,7 @@ void ParameterForm::refresh() {
   const std::set<std::string> inForce(keys.begin(), keys.end());
   for (const Section& section : sections_)
     for (const auto& [parameter, place, row] : section.rows) {
-      if (!row) continue;
+      if (!row || !c.parameters.find(row->key())) continue;  // its rows are those of the task before
       row->show(c.parameters.get(row->key()), session_.base(row->key()), session_.changedAt(row->key()));
       row->setInForce(inForce.contains(row->key()));
     }

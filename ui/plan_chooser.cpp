@@ -16,6 +16,7 @@
 
 #include "core/laboratory/plan_time.h"
 #include "ui/condition_name.h"
+#include "ui/plain_text.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
 
@@ -67,7 +68,7 @@ QSize PlanChooser::minimumSizeHint() const {
 
 void PlanChooser::setCurrent(const QString& title) {
   setItemText(0, title);
-  setToolTip(plainTip(title));
+  setToolTip(tipText(title));
 }
 
 void PlanChooser::addOwn(const QString& title, const QString& path) {
@@ -134,7 +135,7 @@ void PlanChooser::fill() {
       const QString time = s.minutes > 0 ? tr("about %1").arg(toText(roundedTime(s.minutes))) : QString();
       auto* item = new QTreeWidgetItem(head, {numbersOf(s), toText(s.title), time});
       item->setData(0, kSource, static_cast<int>(i));
-      item->setToolTip(Title, plainTip(toText(s.title)));
+      item->setToolTip(Title, tipText(toText(s.title)));
       item->setTextAlignment(Time, Qt::AlignRight | Qt::AlignVCenter);
     }
   }

@@ -75,6 +75,9 @@ TEST(Keyboard, AQuestionIsAnsweredAndCancelled) {
   EXPECT_EQ(w.session->configuration().names.agent, "sarsa");
   ask();
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+  EXPECT_EQ(w.session->configuration().names.agent, "sarsa") << "a key that was meant for something else";
+  for (auto* answer : w.window->messages().findChildren<QPushButton*>())
+    if (answer->isVisible() && answer->text() == "Start again") press(answer, Qt::Key_Space);
   EXPECT_EQ(w.session->configuration().names.agent, "sarsa-2q");
 }
 

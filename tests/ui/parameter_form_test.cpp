@@ -143,7 +143,9 @@ TEST(ParameterForm, AChangeMovesNothing) {
   QTest::keyClick(number, Qt::Key_Return);
   QTest::qWait(20);
   for (const ParameterRow* row : w.window->findChildren<ParameterRow*>())
-    if (row->isVisible()) EXPECT_EQ(row->geometry(), before[row->key()]) << row->key();
+    if (row->isVisible()) {
+      EXPECT_EQ(row->geometry(), before[row->key()]) << row->key();
+    }
   EXPECT_TRUE(w.named<QToolButton>("Reset Discount to its default")->isVisible());
   EXPECT_TRUE(w.named<QToolButton>("Reset Discount to its default")->toolTip().contains("0.98"));
 }

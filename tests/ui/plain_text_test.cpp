@@ -47,7 +47,9 @@ TEST(PlainText, NoLabelOfTheWindowTakesHtml) {
   for (QLabel* label : w.window->findChildren<QLabel*>()) {
     label->ensurePolished();
     const bool ours = label->textFormat() == Qt::RichText;  // the sentence of results, whose names are escaped
-    if (!ours) EXPECT_EQ(label->textFormat(), Qt::PlainText) << label->text().toStdString();
+    if (!ours) {
+      EXPECT_EQ(label->textFormat(), Qt::PlainText) << label->text().toStdString();
+    }
     labels += label->text() == kHostile;
   }
   EXPECT_EQ(labels, 1) << "the bar shows what it was told";
@@ -65,8 +67,9 @@ TEST(PlainText, RecentFilesAreShownWithTheirAmpersands) {
   for (QMenu* menu : w.window->findChildren<QMenu*>()) {
     Q_EMIT menu->aboutToShow();
     for (const QAction* action : menu->actions())
-      if (action->text().contains("surefoot") && action->text().contains("/tmp"))
+      if (action->text().contains("surefoot") && action->text().contains("/tmp")) {
         EXPECT_EQ(action->text(), "/tmp/a&&b <i>.surefoot");
+      }
   }
   QSettings().remove("recent");
 }
