@@ -67,7 +67,7 @@ QStringList FigurePainter::barHead() const {
   if (any([](const FigureSeries& s) { return !s.marked.empty() && s.marked[0]; }))
     head << QObject::tr("✕ differs from the reference, p < .01");
   if (any([](const FigureSeries& s) { return s.thesis.has_value(); })) head << QObject::tr("◇ the thesis");
-  if (any([](const FigureSeries& s) { return !s.complete(); })) head << QObject::tr("▯ so far: lives are missing");
+  if (any([](const FigureSeries& s) { return !s.complete(); })) head << QObject::tr("open bars: so far, lives are missing");
   return head;
 }
 

@@ -129,6 +129,7 @@ void FlatStyle::drawSpinBox(const QStyleOptionSpinBox& option, QPainter& painter
   const Theme& t = themeOf(option.palette);
   const bool enabled = option.state & State_Enabled;
   drawPlate(painter, option, t.panel, enabled ? t.outline : t.hairline);
+  if (option.buttonSymbols == QAbstractSpinBox::NoButtons) return;
   for (const bool up : {true, false}) {
     const QRectF place = subControlRect(CC_SpinBox, &option, up ? SC_SpinBoxUp : SC_SpinBoxDown, widget);
     const bool possible =

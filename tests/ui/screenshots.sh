@@ -12,7 +12,7 @@ trap 'kill $(jobs -p) 2>/dev/null; rm -rf "$home"' EXIT
 # shot NAME WIDTH HEIGHT APPEARANCE(1 light, 2 dark)
 shot() {
   local name=$1 width=$2 height=$3
-  rm -rf "$home"/*
+  rm -rf "$home"/* "$home"/.local
   mkdir -p "$home/config/Surefoot"
   printf '[General]\nappearance=%s\n' "$4" >"$home/config/Surefoot/Surefoot.conf"
   exec 3>"$home/display"
@@ -28,7 +28,7 @@ shot() {
   local keys
   for keys in "Down Down" "Up"; do
     sleep 2
-    "${environment[@]}" xdotool mousemove --window "$window" 800 50 click 1
+    "${environment[@]}" xdotool mousemove --window "$window" 886 50 click 1
     sleep 0.3
     "${environment[@]}" xdotool key $keys Return
     sleep 0.3
@@ -42,7 +42,7 @@ shot() {
 
 # begin [ARGUMENT …]: the window in a home of its own; sets environment, window, pid and server.
 begin() {
-  rm -rf "$home"/*
+  rm -rf "$home"/* "$home"/.local
   mkdir -p "$home/config/Surefoot"
   printf '[General]\nappearance=1\n' >"$home/config/Surefoot/Surefoot.conf"
   exec 3>"$home/display"
