@@ -54,6 +54,7 @@ void addFileOptions(CLI::App& app, TrainOptions& o) {
   addOption(app, "--checkpoint", o.checkpoint, "write the whole life to this file, again and again", "FILE");
   addOption(app, "--every", o.every, "simulated minutes between two checkpoints [10]", "T");
   addOption(app, "--resume", o.resume, "go on from a checkpoint", "FILE");
+  app.add_flag("--other-version", o.otherVersion, "with --resume: even if a version lived it whose lives are others");
 }
 
 /// The first word that no option or command knows, with the nearest that one does.

@@ -39,6 +39,7 @@ struct TrainRequest {
   std::int64_t checkpointEvery = 0;           ///< steps
   std::shared_ptr<const TensorFile> resumed;  ///< the life goes on from here
   NewLimits limits;                           ///< for a life that goes on
+  Versions versions = Versions::Same;         ///< likewise
   std::optional<std::int64_t> mostSteps;      ///< of a life that is lived anew, where nothing else ends it
 };
 struct WindowRequest : TrainRequest {};
@@ -88,6 +89,7 @@ struct ExperimentRequest {
   std::string out;
   LabOptions lab{};
   bool resume = false, dryRun = false, json = false;
+  bool otherVersion = false;  ///< go on with a store whose lives another version lived
 };
 
 /// `surefoot reproduce`: recipes of the thesis.
@@ -96,6 +98,7 @@ struct ReproduceRequest {
   std::string out;
   PlanChanges changes{};
   LabOptions lab{};
+  bool otherVersion = false;  ///< go on with stores whose lives another version lived
 };
 
 /// `surefoot export`
@@ -109,6 +112,7 @@ struct ExportRequest {
 struct MergeRequest {
   std::vector<std::string> parts;
   std::optional<std::string> out;
+  bool otherVersion = false;  ///< join lives of several versions
 };
 
 /// `surefoot statistics`

@@ -10,6 +10,7 @@
 #include "app/exit_code.h"
 #include "app/interrupt.h"
 #include "app/progress_line.h"
+#include "app/requests.h"
 
 namespace surefoot {
 
@@ -50,6 +51,10 @@ Result<Store> openStore(const Registry& registry, const ExperimentRequest& reque
   if (!there) return there.error();
   if (const Status s = checkSamePlan(*there, *stored, request.out); !s) return s.error();
   if (const Status s = checkSameShard(*there, *stored, request.out); !s) return s.error();
+  const auto lives = store->lives();
+  if (!lives) return lives.error();
+  if (const Status s = checkLivesVersion(*lives, request.out); !s && !request.otherVersion)
+    return orOtherVersion(s.error());
   const int planned = there->conditions.front().lives;
   if (request.plan.lives < planned)
     return Error{fmt::format("--lives: {} holds {} lives a condition; going on, there can only be more, not {}.",
@@ -95,6 +100,7 @@ int experimentCommand(const Registry& registry, const ExperimentRequest& request
   if (request.dryRun) return tellPlan(request);
   auto store = openStore(registry, request);
   if (!store) return fail(store.error());
+  tellNote(*store);
 
   LabOptions lab = request.lab;
   lab.interrupted = &watchForInterrupt();
@@ -115,6 +121,7 @@ int experimentCommand(const Registry& registry, const ExperimentRequest& request
                              {"of", result->livesPlanned},
                              {"complete", result->complete()},
                              {"pre_learnings_at_cap", result->preLearningsAtCap},
+                             {"kept_in_hand", result->livesKept},
                              {"content_hash", fmt::format("{:016x}", *hash)}}
                      .dump() +
                  "\n");
@@ -127,9 +134,11 @@ int experimentCommand(const Registry& registry, const ExperimentRequest& request
                  "surefoot: %d Q-functions did not reach the reward of their pre-learning before its cap; they are "
                  "used as they are.\n",
                  result->preLearningsAtCap);
+  if (!result->keeping) std::fprintf(stderr, "surefoot: %s\n", result->keeping.error().message.c_str());
   if (!result->complete())
-    return fail({fmt::format("interrupted; {} of {} lives are in {}, and --resume does the rest.", result->livesThere,
-                             result->livesPlanned, request.out),
+    return fail({fmt::format("interrupted; {} of {} lives are in {}{}, and --resume does the rest.", result->livesThere,
+                             result->livesPlanned, request.out,
+                             result->livesKept > 0 ? ", those in hand are kept beside it" : ""),
                  ErrorKind::Interrupted});
   return kDone;
 }

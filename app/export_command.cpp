@@ -11,6 +11,7 @@ int exportCommand(const ExportRequest& request) {
   if (!request.csv) return fail({"--csv: the folder to write to is needed."});
   const auto store = Store::open(request.store);
   if (!store) return fail(store.error());
+  tellNote(*store);
   const Status written = exportCsv(*store, *request.csv, "--csv", request.forSpreadsheets);
   return written ? kDone : fail(written.error());
 }

@@ -40,6 +40,8 @@ LaboratoryLine::LaboratoryLine(CLI::App& app)
   addOption(*experiment_, "--shard", o.shard, "do part I of N only, for `surefoot merge`", "I/N");
   addAssignments(*experiment_, o.assignments, "a parameter of every condition; may be repeated");
   experiment_->add_flag("--resume", o.resume, "do what is missing in the store; begin it if it is not there");
+  experiment_->add_flag("--other-version", o.otherVersion,
+                        "with --resume: even if a version lived it whose lives are others");
   experiment_->add_flag("--dry-run", o.dryRun, "tell what would be done");
   experiment_->add_flag("--json", o.json, "tell progress and result as lines of JSON");
 
@@ -53,6 +55,8 @@ LaboratoryLine::LaboratoryLine(CLI::App& app)
       ->type_name("FOLDER")
       ->capture_default_str();
   addOption(*reproduce_, "--jobs", r.jobs, "threads [all cores]", "N");
+  reproduce_->add_flag("--other-version", r.otherVersion,
+                       "go on even if a version lived what is there whose lives are others");
 
   export_->add_option("STORE", exportOptions_.store, "a store of results")->type_name("");
   addOption(*export_, "--csv", exportOptions_.csv, "the folder to write to; its files must not exist yet", "FOLDER");
@@ -60,6 +64,7 @@ LaboratoryLine::LaboratoryLine(CLI::App& app)
 
   merge_->add_option("PARTS", mergeOptions_.parts, "the stores of all shards")->type_name("");
   addOption(*merge_, "--out", mergeOptions_.out, "the store to write, which must not exist yet", "FILE");
+  merge_->add_flag("--other-version", mergeOptions_.otherVersion, "even if the parts hold lives of several versions");
 
   statistics_->add_option("STORE", statisticsOptions_.store, "a store of results")->type_name("");
   CLI::Option* json = statistics_->add_flag("--json", statisticsOptions_.json, "as JSON");
@@ -96,6 +101,7 @@ Result<Request> makeReproduceRequest(const ReproduceOptions& o) {
   if (o.list.empty())
     return Error{fmt::format("LIST: what to reproduce is needed: {}, or all.", fmt::join(shippedRecipes(), ", "))};
   ReproduceRequest request{.recipes = {}, .out = o.out};
+  request.otherVersion = o.otherVersion;
   auto recipes = findRecipes(o.list);
   if (!recipes) return recipes.error();
   request.recipes = std::move(*recipes);
@@ -110,6 +116,8 @@ Result<Request> makeReproduceRequest(const ReproduceOptions& o) {
 
 Result<Request> makeExperimentRequest(const Registry& registry, const ExperimentOptions& o) {
   ExperimentRequest request{.out = o.out, .resume = o.resume, .dryRun = o.dryRun, .json = o.json};
+  request.otherVersion = o.otherVersion;
+  if (o.otherVersion && !o.resume) return Error{"--other-version: it goes with --resume."};
   if (o.plan.empty())
     return Error{fmt::format("PLAN: a plan is needed, a file or one of {}.", joinWords(shippedPlans(), "or"))};
   PlanChanges changes;

@@ -20,7 +20,7 @@ struct ExperimentOptions {
   std::string out = "results.sqlite";
   std::optional<std::string> lives, seed, jobs, shard;
   std::vector<std::string> assignments;
-  bool resume = false, dryRun = false, json = false;
+  bool resume = false, dryRun = false, json = false, otherVersion = false;
 };
 
 /// The options of `reproduce`, as they were written.
@@ -28,6 +28,7 @@ struct ReproduceOptions {
   std::vector<std::string> list;
   std::string out = "reproduction", lives = "thesis";
   std::optional<std::string> jobs;
+  bool otherVersion = false;
 };
 
 class LaboratoryLine {

@@ -20,6 +20,10 @@ int fail(const Error& error) {
   return exitCode(error.kind);
 }
 
+void tellNote(const Store& store) {
+  if (!store.note().empty()) fail(Error{store.note(), ErrorKind::File});  // the sentence only; it goes on
+}
+
 int print(const std::string& text) {
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return kDone;
   if (errno == EPIPE) return kDone;  // `… | head` has read what it wanted

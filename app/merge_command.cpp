@@ -8,6 +8,8 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "core/experiment/lives_version.h"
+#include "core/files/read_file.h"
 
 namespace surefoot {
 
@@ -36,6 +38,42 @@ Status checkParts(const std::vector<StoredPlan>& plans, const std::vector<std::s
   return Done{};
 }
 
+/// All lives come from programs that live the same; none from one that did not note which.
+Status checkVersions(const std::vector<Store>& parts) {
+  std::optional<int> version;
+  for (const Store& part : parts) {
+    const auto lives = part.lives();
+    if (!lives) return lives.error();
+    for (const StoredLife& l : *lives) {
+      if (l.livesVersion == kLivesVersionUnknown || version.value_or(l.livesVersion) != l.livesVersion)
+        return fileError(part.path(),
+                         l.livesVersion == kLivesVersionUnknown
+                             ? "it does not say which lives the version of Surefoot lived that wrote it, so they may "
+                               "not belong to the others. --other-version joins them all the same."
+                             : fmt::format("a version of Surefoot wrote it that lives lives {}, and {} was written by "
+                                           "one of lives {}. --other-version joins them all the same.",
+                                           l.livesVersion, parts[0].path(), *version));
+      version = l.livesVersion;
+    }
+  }
+  return Done{};
+}
+
+/// The Q-functions that lives begin with, from the first part that holds them.
+Status addQFunctions(const std::vector<Store>& parts, StoredPlan& plan) {
+  for (const StoredCondition& c : plan.conditions) {
+    const auto json = nlohmann::json::parse(c.configuration, nullptr, false);
+    const auto content = json.value("/began_with/content"_json_pointer, nlohmann::json());
+    for (const Store& part : parts) {
+      if (!content.is_string() || plan.qFunctions.contains(content)) break;
+      auto q = part.qFunction(content);
+      if (!q) return q.error();
+      if (*q) plan.qFunctions[content] = std::move(*q);
+    }
+  }
+  return Done{};
+}
+
 Result<Store> join(const MergeRequest& request, const std::string& path) {
   std::vector<Store> parts;
   std::vector<StoredPlan> plans;
@@ -53,12 +91,15 @@ Result<Store> join(const MergeRequest& request, const std::string& path) {
       return Error{
           fmt::format("{}: it holds {} of its {} lives; finish it with --resume first.", file, lives->size(), planned),
           ErrorKind::File};
+    tellNote(*part);
     parts.push_back(std::move(*part));
     plans.push_back(std::move(*plan));
   }
   if (const Status s = checkParts(plans, request.parts); !s) return s.error();
+  if (const Status s = checkVersions(parts); !s && !request.otherVersion) return s.error();
   StoredPlan whole = plans[0];
   whole.shard = whole.shards = 1;
+  if (const Status s = addQFunctions(parts, whole); !s) return s.error();
   auto store = Store::create(path, whole);
   if (!store) return store;
   for (const Store& part : parts)
@@ -85,6 +126,8 @@ int mergeCommand(const MergeRequest& request) {
     return store->contentHash();
   }();
   if (hash) std::filesystem::create_hard_link(meanwhile, *request.out, failed);  // which replaces nothing
+  if (failed && failed != std::errc::file_exists && Store::missing(*request.out))
+    std::filesystem::rename(meanwhile, *request.out, failed);  // a file system without second names
   std::filesystem::remove(meanwhile, ignored);
   if (hash && !failed)
     return print(fmt::format("{}: {} parts, content {:016x}\n", *request.out, request.parts.size(), *hash));

@@ -7,6 +7,7 @@
 #include "app/interrupt.h"
 #include "app/report.h"
 #include "core/experiment/journal.h"
+#include "core/experiment/lives_version.h"
 
 namespace surefoot {
 
@@ -25,15 +26,20 @@ int replayCommand(const Registry& registry, const ReplayRequest& request) {
   const int printed =
       print(request.json ? resultAsJson(journal->configuration, lives) : resultAsTable(journal->configuration, lives));
   if (printed != kDone) return printed;
+  const bool other = journal->livesVersion != kLivesVersion;
   if (*options.interrupted && life->steps < journal->steps)
     return fail({fmt::format("interrupted at step {} of {}.", life->steps, journal->steps), ErrorKind::Interrupted});
   if (request.verify && !journal->sameAs(*life))
     return fail(
         {fmt::format("{}: {} episodes, {} falls, hash {:016x}; the journal says {}, {}, {:016x}, so it is not the "
-                     "same life.",
+                     "same life{}.",
                      request.file, life->totals.episodes, life->totals.falls, life->hash, journal->episodes,
-                     journal->falls, journal->hash),
+                     journal->falls, journal->hash,
+                     other ? ", which another version of Surefoot lived" : ""),
          ErrorKind::Mismatch});
+  if (other && !journal->sameAs(*life))
+    std::fprintf(stderr, "surefoot: %s was lived by another version of Surefoot, and this is not the same life.\n",
+                 request.file.c_str());
   return kDone;
 }
 

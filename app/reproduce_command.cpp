@@ -45,7 +45,7 @@ int reproduceCommand(const Registry& registry, const ReproduceRequest& request) 
       };
     }
     auto result =
-        reproduce(registry, path, request.out, request.changes, lab,
+        reproduce(registry, path, request.out, request.changes, lab, request.otherVersion,
                   [&](const Figure& figure, const std::string& folder) { return drawer.draw(figure, folder); });
     line.reset();
     if (!result) return fail(result.error());

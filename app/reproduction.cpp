@@ -6,6 +6,7 @@
 #include <chrono>
 #include <filesystem>
 
+#include "app/requests.h"
 #include "core/files/whole_file.h"
 #include "core/laboratory/thesis_marks.h"
 
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 
 /// Runs what is missing of a plan into a store, and reads all of it.
 Result<std::vector<Evidence>> runAndRead(const Registry& registry, const Plan& plan, const StoredPlan& stored,
-                                         const std::string& path, const LabOptions& lab) {
+                                         const std::string& path, const LabOptions& lab, bool otherVersion) {
   auto store = Store::missing(path) ? Store::create(path, stored) : Store::openToWrite(path);
   if (!store) return store.error();
   const auto there = store->plan();
@@ -27,8 +28,12 @@ Result<std::vector<Evidence>> runAndRead(const Registry& registry, const Plan& p
     return Error{fmt::format("{}: it holds {} lives a condition and {} are asked for; name another folder.", path,
                              there->conditions[0].lives, plan.lives),
                  ErrorKind::File};
+  const auto lives = store->lives();
+  if (!lives) return lives.error();
+  if (const Status s = checkLivesVersion(*lives, path); !s && !otherVersion) return orOtherVersion(s.error());
   const auto result = runPlan(registry, plan, *store, lab);
   if (!result) return result.error();
+  if (!result->keeping) std::fprintf(stderr, "surefoot: %s\n", result->keeping.error().message.c_str());
   if (!result->complete())
     return Error{fmt::format("interrupted; {} of {} lives are in {}, and the same command goes on.", result->livesThere,
                              result->livesPlanned, path),
@@ -50,7 +55,7 @@ Result<std::vector<Judgement>> judgeAll(const Registry& registry, const Recipe& 
 }  // namespace
 
 Result<Reproduced> reproduce(const Registry& registry, const std::string& recipePath, const std::string& folder,
-                             const PlanChanges& changes, const LabOptions& lab,
+                             const PlanChanges& changes, const LabOptions& lab, bool otherVersion,
                              const std::function<Status(const Figure&, const std::string& folder)>& draw) {
   const auto start = std::chrono::steady_clock::now();
   const auto recipe = readRecipe(registry, recipePath, changes);
@@ -62,7 +67,8 @@ Result<Reproduced> reproduce(const Registry& registry, const std::string& recipe
 
   const auto stored = planToStore(registry, recipe->plan);
   if (!stored) return stored.error();
-  const auto evidence = runAndRead(registry, recipe->plan, *stored, own + "/results.sqlite", lab);
+  const auto evidence = runAndRead(registry, recipe->plan, *stored, own + "/results.sqlite", lab,
+                                   otherVersion);
   if (!evidence) return evidence.error();
   Reproduced done{.name = recipe->name,
                   .title = recipe->plan.title,
@@ -88,7 +94,8 @@ Result<Reproduced> reproduce(const Registry& registry, const std::string& recipe
     if (!onLab) return onLab.error();
     const auto labStored = planToStore(registry, onLab->plan);
     if (!labStored) return labStored.error();
-    const auto labEvidence = runAndRead(registry, onLab->plan, *labStored, own + "/results-lab.sqlite", lab);
+    const auto labEvidence = runAndRead(registry, onLab->plan, *labStored, own + "/results-lab.sqlite", lab,
+                                        otherVersion);
     if (!labEvidence) return labEvidence.error();
     auto labJudgements = judgeAll(registry, *onLab, *labEvidence);
     if (!labJudgements) return labJudgements.error();

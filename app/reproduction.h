@@ -27,7 +27,7 @@ struct Reproduced {
 /// Runs a recipe into FOLDER/NAME, going on where it was left: store, a CSV a figure, pictures where `draw` makes them,
 /// claims.json.
 Result<Reproduced> reproduce(const Registry& registry, const std::string& recipePath, const std::string& folder,
-                             const PlanChanges& changes, const LabOptions& lab,
+                             const PlanChanges& changes, const LabOptions& lab, bool otherVersion,
                              const std::function<Status(const Figure&, const std::string& folder)>& draw);
 
 /// {id, recipe, preset, thesis, ours, low, high, p, verdict, …} of every claim.

@@ -84,4 +84,8 @@ Result<ProbabilitiesRequest> makeProbabilitiesRequest(const Registry& registry, 
   return ProbabilitiesRequest{*q, o.policy, *assignments, o.json};
 }
 
+Error orOtherVersion(const Error& error) {
+  return {error.message + " --other-version goes on all the same.", error.kind};
+}
+
 }  // namespace surefoot

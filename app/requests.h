@@ -23,7 +23,7 @@ struct TrainOptions {
   std::vector<std::string> assignments;
   std::optional<std::string> seed, minutes, episodes, until, lives, jobs, log, load;
   std::vector<std::string> at;
-  bool json = false, turbo = false;
+  bool json = false, turbo = false, otherVersion = false;
   std::optional<std::string> from;
   std::optional<std::string> save, journal, checkpoint, every, resume;  ///< `train` only
 };
@@ -43,6 +43,9 @@ Result<std::int64_t> parseCount(const std::string& option, const std::string& te
 
 /// A key of a policy that is not the chosen one would have no effect: a slip worth a word.
 Status checkPolicyKeys(const Registry& registry, const std::string& policy, const std::vector<Assignment>& assignments);
+
+/// An error about lives of another version, with what can be done about it.
+Error orOtherVersion(const Error& error);
 
 Result<TrainRequest> makeTrainRequest(const Registry& registry, const TrainOptions& options, bool window);
 Result<ProbabilitiesRequest> makeProbabilitiesRequest(const Registry& registry, const ProbabilitiesOptions& options);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "app/commands.h"
 #include "app/exit_code.h"
@@ -56,7 +57,7 @@ int resampleCommand(const Registry& registry, const ResampleRequest& request) {
     return fail({"the function cannot be fitted in this representation; take more tiles or more memory."});
   Json origin = old->file->about.value("learned", Json::object());
   if (!origin.is_object()) origin = Json::object();
-  origin["resampled_from"] = request.file;
+  origin["resampled_from"] = std::filesystem::path(request.file).filename().string();
   origin["resample_error"] = error.rms;
   const Status written = file->commit(qFileOf(**agent, old->task(), *configuration, origin).write());
   if (!written) return fail(written.error());

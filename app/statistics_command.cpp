@@ -10,6 +10,7 @@ int statisticsCommand(const StatisticsRequest& request) {
   if (!store) return fail(store.error());
   const auto findings = findingsOf(*store);
   if (!findings) return fail(findings.error());
+  tellNote(*store);
   if (request.csv) return print(findingsAsCsv(*findings));
   if (request.latex) return print(findingsAsLatex(*findings));
   return print(request.json ? findingsAsJson(*findings).dump(2) + "\n" : findingsAsTable(*findings));

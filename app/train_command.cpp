@@ -25,7 +25,7 @@ Result<std::vector<LifeResult>> run(const Registry& registry, const TrainRequest
   }
   if (request.resumed)
     options.make = [&](int) -> Result<std::unique_ptr<Life>> {
-      auto resumed = resume(registry, request.resumed, request.limits);
+      auto resumed = resume(registry, request.resumed, request.limits, request.versions);
       if (!resumed) return resumed.error();
       return std::move(resumed->life);
     };

@@ -24,10 +24,12 @@ Result<LivedBefore> ofJournal(const Registry& registry, const std::string& text,
 /// A session holds the life itself; its journal says how that came about.
 Result<LivedBefore> ofSession(const Registry& registry, std::shared_ptr<const TensorFile> file,
                               const std::string& path) {
-  const auto resumed = resume(registry, std::move(file), {});
+  const auto resumed = resume(registry, std::move(file), {}, Versions::Any);
   if (!resumed) return resumed.error();
   const Life& life = *resumed->life;
-  auto lived = ofJournal(registry, journalOf(resumed->configuration, summarise(life, 0, 0.0)), path);
+  LifeResult result = summarise(life, 0, 0.0);
+  std::erase_if(result.changes, [](const Change& c) { return c.key == kOtherLives; });  // it is lived anew
+  auto lived = ofJournal(registry, journalOf(resumed->configuration, result), path);
   if (!lived) return lived;
   for (const CommandText& command : resumed->configuration.commands)  // those that were still to come
     if (command.step >= life.steps()) lived->configuration.commands.push_back(command);

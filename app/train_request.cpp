@@ -161,7 +161,10 @@ Result<TrainRequest> makeResumeRequest(const Registry& registry, const TrainOpti
   auto file = readQFile(*o.resume);
   if (!file) return file.error();
   request.limits = {request.configuration.minutes, request.configuration.episodes};
-  auto resumed = resume(registry, *file, request.limits);  // a look, so that a misfit is told before the run
+  if (const Status same = checkLivesVersion(**file); !same && !o.otherVersion) return orOtherVersion(same.error());
+  request.versions = o.otherVersion ? Versions::Any : Versions::Same;
+  // A look, so that a misfit is told before the run.
+  auto resumed = resume(registry, *file, request.limits, request.versions);
   if (!resumed) return resumed.error();
   if (request.log && !resumed->keepRows)
     return Error{
@@ -204,6 +207,7 @@ Result<TrainRequest> makeTrainRequest(const Registry& registry, const TrainOptio
   request.json = o.json, request.turbo = o.turbo;
   request.log = o.log, request.save = o.save, request.journal = o.journal, request.checkpoint = o.checkpoint;
 
+  if (o.otherVersion && !o.resume) return Error{"--other-version: it goes with --resume FILE."};
   if (o.resume)
     if (const Status s = checkResume(o); !s) return s.error();
   const auto assignments = parseAssignments(o.assignments);

@@ -29,8 +29,11 @@ class Experiment final : public QObject {
   void choose(const std::string& condition);
 
   const std::vector<PlanSource>& sources() const { return sources_; }
-  /// Loads a plan, a recipe or a store of results. What ran is given up; what it lived is kept in its store. What takes
-  /// long goes on behind this call: isOpening() until planChanged() or failed() tells the end.
+  ~Experiment() override;
+
+  /// Loads a plan, a recipe or a store of results. What ran is stopped; what it lived is kept in its store, and lives
+  /// in hand beside it. What takes long goes on behind this call: isOpening() until planChanged() or failed() tells the
+  /// end.
   Status open(const std::string& path);
   bool isOpening() const { return opening_.busy(); }
   /// About how long the plan takes [min]; 0: nobody knows.
@@ -45,7 +48,7 @@ class Experiment final : public QObject {
   const std::string& path() const { return path_; }
   const std::string& title() const { return title_; }
 
-  /// Empty until something is opened; of a store of results without its plan it holds no configurations to run.
+  /// Empty until something is opened. That of a store of results is made from what the store keeps; it has no text.
   const std::optional<Plan>& plan() const { return plan_; }
   const StoredPlan& storedPlan() const { return stored_; }
   const std::vector<FigureSpec>& figures() const { return figures_; }
@@ -72,16 +75,22 @@ class Experiment final : public QObject {
   const Figure* figureAt(const FigureSpec& spec) const { return results_.figure(spec.name); }
 
   State state() const { return state_; }
-  bool canRun() const { return plan_.has_value() && state_ != State::Complete; }
-  /// Runs what is missing; into a store of its own beside the program's data.
-  Status run();
-  /// Gives up the lives in hand; run() goes on.
+  /// Whether something is missing; run() tells why it cannot be done.
+  bool canRun() const { return (plan_ || !whyNot_.empty()) && state_ != State::Complete; }
+  /// Whether there is a plan's text to begin again with.
+  bool canStartAgain() const { return !text_.empty() && (livesDone_ > 0 || thread_); }
+  /// Runs what is missing, or goes on after a pause: into the store that was opened, else into one of its own beside
+  /// the program's data.
+  /// `otherVersion`: also beside lives of a version that lives others; else these are refused, and needsConsent().
+  Status run(bool otherVersion = false);
+  bool needsConsent() const { return needsConsent_; }
+  /// Lives stand still where they are; run() goes on.
   void pause();
-  /// Forgets what was lived; the store stays on the disk.
+  /// Forgets what was lived; the store stays on the disk, and what is in hand beside it.
   void reset();
 
   int livesDone() const { return livesDone_; }
-  int livesPlanned() const;
+  int livesPlanned() const { return surefoot::livesPlanned(stored_); }
   double share() const { return share_; }
   /// Those of lives in hand count, too.
   std::int64_t falls() const { return falls_; }
@@ -116,11 +125,16 @@ class Experiment final : public QObject {
     std::vector<Claim> claims;
     std::shared_ptr<const LabView> view{};
     double minutes = 0;
+    int lives = 0;
+    std::int64_t falls = 0;
+    std::string whyNot{}, note{};
   };
   Result<Opened> prepareStore(const std::string& path) const;
   Result<Opened> prepareText(const std::string& text, const std::string& path) const;
   Status begin(std::function<Result<Opened>()> prepare);
   void adopt(Opened opened);
+  Status openToRun(bool otherVersion);
+  void leave();
   std::string placeForResults() const;
   void setState(State state);
   std::vector<FigureSpec> standardFigures(const StoredPlan& plan) const;
@@ -135,14 +149,22 @@ class Experiment final : public QObject {
   std::vector<FigureSpec> figures_;
   ExperimentResults results_;
   std::unique_ptr<LaboratoryThread> thread_;
+  struct Leaving {
+    std::string store;
+    std::unique_ptr<LaboratoryThread> thread;
+  };
+  std::vector<Leaving> leaving_;  // stopped, and keeping what they have in hand
+  std::string whyNot_;            // why a store cannot be gone on with
   std::shared_ptr<const LabView> view_;  // the newest; results_ shows it soon
   State state_ = State::Ready;
+  bool needsConsent_ = false;
   QTimer timer_;
   QElapsedTimer running_;
-  double before_ = 0, share_ = 0, shareAtStart_ = 0;
+  double before_ = 0, share_ = 0;
+  double shareBefore_ = 0, shareAtStart_ = 0;  // when the threads began; when they were last let go
   double minutes_ = 0;
   int livesDone_ = 0;
-  std::int64_t falls_ = 0, fallsAtStart_ = 0;
+  std::int64_t falls_ = 0;
   Background opening_;  // last: it is waited for first
 };
 

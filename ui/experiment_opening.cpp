@@ -41,8 +41,17 @@ Result<Experiment::Opened> Experiment::prepareStore(const std::string& path) con
   if (!store) return store.error();
   auto view = viewOf(*store);
   if (!view) return view.error();
+  const auto lives = store->lives();
+  if (!lives) return lives.error();
   Opened opened{.text = {}, .path = path, .plan = {}, .stored = view->findings.plan, .figures = {}, .claims = {}};
+  if (auto plan = planFromStore(registry_, *store))
+    opened.plan = std::move(*plan);
+  else
+    opened.whyNot = plan.error().message;
   opened.figures = standardFigures(opened.stored);
+  opened.lives = static_cast<int>(lives->size());
+  for (const StoredLife& life : *lives) opened.falls += life.falls;
+  opened.note = store->note();
   opened.view = std::make_shared<const LabView>(std::move(*view));
   return opened;
 }
@@ -90,16 +99,15 @@ void Experiment::adopt(Opened opened) {
   stored_ = std::move(opened.stored);
   figures_ = std::move(opened.figures);
   minutes_ = opened.minutes;
+  whyNot_ = std::move(opened.whyNot);
   results_.begin(std::move(opened.claims), stored_);
   if (opened.view) {
     view_ = std::move(opened.view);
     storePath_ = path_;
-    for (const Evidence& e : view_->evidence) {
-      livesDone_ += static_cast<int>(e.lives.size()) + e.record.diverged;
-      for (const StoredLife& life : e.record.lives) falls_ += life.falls;
-    }
+    livesDone_ = opened.lives;
+    falls_ = opened.falls;
     share_ = livesPlanned() > 0 ? static_cast<double>(livesDone_) / livesPlanned() : 0;
-    setState(view_->findings.complete ? State::Complete : State::Paused);
+    setState(livesDone_ >= livesPlanned() ? State::Complete : State::Paused);
   }
   Q_EMIT planChanged();
   if (view_)
@@ -107,6 +115,7 @@ void Experiment::adopt(Opened opened) {
   else
     Q_EMIT resultsChanged();
   Q_EMIT progressed();
+  if (!opened.note.empty()) Q_EMIT failed(toText(opened.note));
 }
 
 }  // namespace surefoot

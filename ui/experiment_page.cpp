@@ -70,7 +70,9 @@ ExperimentPage::ExperimentPage(Session& session, std::vector<PlanSource> sources
           [this] { editor_->addConfiguration(session_.configuration()); });
   connect(&experiment_, &Experiment::failed, this, &ExperimentPage::refused);
   connect(&experiment_, &Experiment::leftBehind, this, [this](const QString& store) {
-    Q_EMIT refused(tr("What was lived so far is kept. It stands in the list of experiments, and here: %1").arg(store));
+    Q_EMIT refused(tr("What was lived so far is kept and can be gone on with. It stands in the list of experiments, and "
+                      "here: %1")
+                       .arg(store));
     source_->addOwn(tr("%1 (%2 of %3 lives)")
                         .arg(toText(experiment_.title()))
                         .arg(experiment_.livesDone())
@@ -170,11 +172,14 @@ void ExperimentPage::runOrPause() {
     return;
   }
   if (experiment_.state() == Experiment::State::Running) return experiment_.pause();
-  if (const Status s = experiment_.run(); !s) Q_EMIT refused(toText(s.error().message));
+  const Status s = experiment_.run();
+  if (!s && experiment_.needsConsent()) return Q_EMIT otherVersionFound(toText(s.error().message));
+  if (!s) Q_EMIT refused(toText(s.error().message));
 }
 
 void ExperimentPage::startAgain() {
-  if (experiment_.plan()) static_cast<void>(static_cast<bool>(experiment_.setText(std::string(experiment_.text()))));
+  if (experiment_.canStartAgain())
+    static_cast<void>(static_cast<bool>(experiment_.setText(std::string(experiment_.text()))));
 }
 
 void ExperimentPage::refresh() {
@@ -182,9 +187,9 @@ void ExperimentPage::refresh() {
   auto* run = static_cast<BarButton*>(run_);
   run->setIcon(running ? Icon::Pause : Icon::Run);
   run->setEnabled(running || (experiment_.canRun() && !experiment_.isOpening()));
-  run->setTip(running ? tr("Pause: lives in hand are given up, the others kept") : tr("Run the experiment"));
-  stop_->setEnabled(experiment_.plan().has_value() && experiment_.livesDone() > 0);
-  edit_->setEnabled(experiment_.plan().has_value());
+  run->setTip(running ? tr("Pause: lives stand still where they are") : tr("Run the experiment"));
+  stop_->setEnabled(experiment_.canStartAgain() && !experiment_.isOpening());
+  edit_->setEnabled(!experiment_.text().empty());
   summary_->setText(summaryOf(experiment_));
   lives_->setEnabled(!experiment_.text().empty() && !experiment_.isOpening());
   const QSignalBlocker quiet(lives_);

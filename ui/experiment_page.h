@@ -45,6 +45,8 @@ class ExperimentPage final : public QWidget {
 
  Q_SIGNALS:
   void refused(const QString& sentence);
+  /// A store of another version: whether to go on with it all the same is a person's to say.
+  void otherVersionFound(const QString& why);
   void told(const QString& sentence);
   /// Names in the status line, as the page shows it.
   void statusChanged(const QString& left, const QString& right);

@@ -66,10 +66,15 @@ void FigurePainter::chooseRanges() {
       if (s.thesis) include(*s.thesis);
     }
   if (low > high) low = 0, high = 1;  // nothing to show
+  const auto below = [](const FigureSeries& s) {
+    return std::any_of(s.y.begin(), s.y.end(), [](const Interval& v) { return v.value < 0; });
+  };
+  // An interval of falls may reach below 0, where no falls are.
+  if (low < 0 && std::none_of(figure_.series.begin(), figure_.series.end(), below)) low = 0;
   if (low > 0 && low < 0.5 * high) low = 0;
   const double step = niceAbove(std::max(high - low, 1e-9) / 6);
   yLeast_ = std::floor(low / step) * step;
-  yMost_ = std::ceil(high / step * 1.0001) * step;
+  yMost_ = std::ceil(high / step - 1e-9) * step;
   if (yMost_ <= yLeast_) yMost_ = yLeast_ + step;
   xMost_ = right > xLeast_ ? right : xLeast_ + 1;
 }

@@ -26,6 +26,8 @@ class FigurePainter {
   /// A panel's header says the title already.
   void setTitleShown(bool shown) { titleShown_ = shown; }
 
+  /// What the y axis shows, from its lowest to its highest tick.
+  std::pair<double, double> yRange() const { return {yLeast_, yMost_}; }
   /// The smallest in which everything can be read, to the last bar and the last name of the list [px].
   QSizeF fullSize() const;
   /// How far bars can be moved to the left [px]; 0: all are there.

@@ -144,7 +144,8 @@ void FigurePainter::paintBar(QPainter& p, const Theme& t, const QRectF& plot, do
   p.setBrush(s.complete() ? colour : wash);
   p.drawRect(s.complete() ? bar : bar.adjusted(0.5, 0.5, -0.5, 0));
   if (std::isfinite(v.low) && std::isfinite(v.high)) {
-    const double cap = std::min(5.0, width / 3), low = yOf(v.low, plot), high = yOf(v.high, plot);
+    const double cap = std::min(5.0, width / 3), high = yOf(v.high, plot);
+    const double low = std::min(yOf(v.low, plot), plot.bottom());
     // Ink outside the bar, the paper's colour inside.
     const auto whisker = [&](const QPen& pen) {
       p.setPen(pen);

@@ -38,9 +38,10 @@ std::optional<LearningChart::Read> LearningChart::read() const {
     const bool isLast = point == &list[i].curve->points.back();
     if (isLast && toPixel(*span_.cursor(), 0).x() > toPixel(xOf(*point), 0).x() + 12) continue;
     if (!isLast && xOf(point[1]) - *span_.cursor() < *span_.cursor() - xOf(*point)) ++point;
-    const double distance = mouseY_         ? std::abs(toPixel(0, yOf(*point)).y() - *mouseY_)
-                            : i == readRun_ ? 0.0
-                                            : 1.0 + static_cast<double>(list.size() - i);  // else the one that runs
+    const bool chosen = i == readRun_.value_or(list.size() - 1);  // at first the one that runs
+    const double distance = mouseY_  ? std::abs(toPixel(0, yOf(*point)).y() - *mouseY_)
+                            : chosen ? 0.0
+                                     : 1.0 + static_cast<double>(list.size() - i);
     if (distance < least) least = distance, nearest = Read{list[i], *point, i};
   }
   return nearest;
@@ -112,7 +113,8 @@ void LearningChart::replayNear(double pixel) {
 /// By the keyboard: what is shown follows where the cursor leaves it.
 void LearningChart::moveCursor(int steps) {
   const double span = span_.to() - span_.from();
-  const double now = std::clamp(span_.cursor().value_or(steps > 0 ? span_.from() : span_.to()), span_.from(), span_.to());
+  const double edge = steps > 0 ? span_.from() : span_.to();
+  const double now = std::clamp(span_.cursor().value_or(edge), span_.from(), span_.to());
   const double next = now + steps * kStep * span;
   if (next < span_.from() || next > span_.to()) span_.pan(steps * kStep);
   mouseY_.reset();

@@ -216,7 +216,10 @@ void LearningChart::drawCursor(QPainter& p, const Theme& t) const {
   const QString text = reading();
   const double w = symbolWidth(p.font(), text) + 12, h = lineHeight(p.font()) + 4;
   const bool high = dot.y() < plot_.top() + h + 12;
-  const double left = std::clamp(x + 8 + w < plot_.right() ? x + 8 : x - 8 - w, 2.0, std::max(2.0, width() - w - 2));
+  const double right = x + 8, before = x - 8 - w;
+  const double left = right + w <= plot_.right() ? right
+                      : before >= plot_.left()   ? before
+                                                 : std::max(2.0, std::min(right, width() - w - 2));
   const QRectF box(left, high ? dot.y() + 8 : dot.y() - h - 8, w, h);
   p.fillRect(box, t.panel);
   p.setPen(QPen(t.outline, 1));

@@ -140,7 +140,7 @@ class LearningChart final : public QChartView, public CsvSource {
   QRectF plot_;
   double yLeast_ = 0, yMost_ = 1;
   std::optional<double> mouseY_;             // of the cursor, where the mouse moves it [px]
-  std::size_t readRun_ = 0;                  // of runs(), where the keyboard moves it
+  std::optional<std::size_t> readRun_;       // of runs(), where the keyboard chose one
   std::optional<double> pressed_, dragged_;  // a part is being selected [px]
 };
 

@@ -62,19 +62,22 @@ LivePage::LivePage(Session& session, QWidget* parent) : QMainWindow(parent), ses
   actions->header().addWidget(new ActionKey(session_));
   makeMaps();
   makeCharts();
-
-  steps_ = addPanel(tr("This step"), "step", new StepView(session_), Qt::BottomDockWidgetArea);
-  steps_->header().setNote(tr("what the last one taught"));
-  rule_ = addPanel(tr("Rule of thumb"), "rule", new RuleView(session_), Qt::BottomDockWidgetArea);
-  rule_->header().setNote(tr("TRL's threshold"));
-  list_ = addPanel(tr("List of falls"), "list", new FallsList(session_), Qt::RightDockWidgetArea);
-  list_->header().setNote(tr("a click shows one again"));
+  makeWords();
   const auto note = [this, actions] {
     actions->header().setNote(actionsNote());
     worldHeader_->setNote(worldNote());
   };
   connect(&session_, &Session::frame, this, note);
   connect(&session_, &Session::stateChanged, this, note);
+}
+
+void LivePage::makeWords() {
+  steps_ = addPanel(tr("This step"), "step", new StepView(session_), Qt::BottomDockWidgetArea);
+  steps_->header().setNote(tr("what the last one taught"));
+  rule_ = addPanel(tr("Rule of thumb"), "rule", new RuleView(session_), Qt::BottomDockWidgetArea);
+  rule_->header().setNote(tr("TRL's threshold"));
+  list_ = addPanel(tr("List of falls"), "list", new FallsList(session_), Qt::RightDockWidgetArea);
+  list_->header().setNote(tr("a click shows one again"));
 }
 
 void LivePage::makeCharts() {
@@ -96,8 +99,8 @@ void LivePage::makeCharts() {
   connect(&session_, &Session::valuesArrived, this, noteFalls);
   noteFalls();
   auto* range = new LinkButton(tr("Whole life"));
-  range->setToolTip(tr("Show the whole life, or only as far as it learned. In the chart the wheel or a drag magnifies a "
-                       "part; a double click or Home shows the whole life."));
+  range->setToolTip(tr("Show the whole life, or only as far as it learned. In the chart the wheel or a drag magnifies "
+                       "a part; a double click or Home shows the whole life."));
   reward->header().addWidget(range);
   const auto say = [range, span, header = &reward->header()] {
     const ChartSpan::Shows shows = span->shows();
@@ -121,7 +124,8 @@ QString LivePage::fallsNote(const ChartSpan& span) const {
                           : session_.task().stepTime ? tr("up to minute %1").arg(end)
                                                      : tr("up to episode %1").arg(end);
   const std::int64_t byHand = session_.numbers().fallsByHand;
-  return byHand > 0 ? tr("%1; %2 after a push or placing by hand").arg(counted, toText(countText(static_cast<double>(byHand))))
+  const QString hands = toText(countText(static_cast<double>(byHand)));
+  return byHand > 0 ? tr("%1; %2 after a push or placing by hand").arg(counted, hands)
                     : tr("%1; click a mark to replay it").arg(counted);
 }
 
@@ -220,6 +224,7 @@ void LivePage::makeRival() {
   connect(resting_, &Rival::refused, this, &LivePage::refused);
   connect(resting_, &Rival::told, this, &LivePage::told);
   connect(resting_, &Rival::newTableAsked, this, &LivePage::newTableAsked);
+  new ViewMenu(resting_->world());
   worlds_->addWidget(resting_);
   if (auto* column = qobject_cast<QVBoxLayout*>(worlds_->parentWidget()->layout()))
     column->insertWidget(column->indexOf(worlds_), &resting_->strip());

@@ -58,6 +58,7 @@ class LivePage final : public QMainWindow {
   void makeMaps();
   void makeCharts();
   void makeRival();
+  void makeWords();
   QString actionsNote() const;
   QString fallsNote(const ChartSpan& span) const;
   void toggleFull(QWidget* panel);

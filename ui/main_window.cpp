@@ -62,6 +62,12 @@ MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent)
   connect(live_, &LivePage::refused, messages_, &MessageBar::say);
   connect(experiment_, &ExperimentPage::refused, messages_, &MessageBar::say);
   connect(experiment_, &ExperimentPage::told, messages_, &MessageBar::tell);
+  connect(experiment_, &ExperimentPage::otherVersionFound, this, [this](const QString& why) {
+    messages_->ask(why, {{tr("Go on all the same"), [this] {
+                            if (const Status s = experiment_->experiment().run(true); !s)
+                              messages_->say(toText(s.error().message));
+                          }}});
+  });
   connect(experiment_, &ExperimentPage::statusChanged, this, [this](const QString& left, const QString& right) {
     experimentLeft_ = left;
     experimentRight_ = right;

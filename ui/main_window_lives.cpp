@@ -26,6 +26,7 @@ QString count(std::int64_t number) {
 
 void MainWindow::askQuestions() {
   connect(&session_, &Session::refused, messages_, &MessageBar::say);
+  connect(&session_, &Session::remarked, messages_, &MessageBar::say);
   connect(&session_.background(), &Background::busyChanged, this, [this] {
     if (session_.background().busy()) messages_->tell(tr("It is being made ready; the world goes on meanwhile."));
   });

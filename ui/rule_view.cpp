@@ -87,7 +87,8 @@ QStringList RuleView::lines() const {
     list << tr("It began with something learned: there are no limits to tell.");
   else if (r->goal)
     list << tr("Lower limit %1, upper limit %2.")
-                .arg(r->lower ? oneDecimal(*r->lower) : tr("not yet"), r->upper ? oneDecimal(*r->upper) : tr("not yet"));
+                .arg(r->lower ? oneDecimal(*r->lower) : tr("not yet"),
+                     r->upper ? oneDecimal(*r->upper) : tr("not yet"));
   return list << inForce();
 }
 

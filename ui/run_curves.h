@@ -23,7 +23,7 @@ struct RunCurve {
   int number = 1;       ///< of the life since the window was opened
   int environment = 0;  ///< counts those that the window was in
   std::vector<CurvePoint> points;
-  /// The same points, cut where the policy changed: there, between two episodes, the last piece ends and the next begins.
+  /// The same points, cut where the policy changed: there, between two of them, one piece ends and the next begins.
   std::vector<CurvePiece> pieces;
   std::int64_t fallsBefore = 0;  ///< those of which the curve does not know when they were
   std::string began{};  ///< how its life began: "pre-learned (scenario 2)"; empty: with an empty table

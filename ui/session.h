@@ -191,6 +191,7 @@ class Session final : public QObject {
   void lifeBroughtBack();  ///< … and was brought back by undo or redo
   void fileChanged();
   void parametersReplaced();         ///< another agent: other parameters
+  void remarked(const QString& remark);  ///< about the file of a life that has begun
   void refused(const QString& why);  ///< a life that was begun could not be made
   void needsNewTable(const QString& key, double value);
 
@@ -209,6 +210,7 @@ class Session final : public QObject {
     Configuration configuration;
     std::unique_ptr<Life> life;
     std::optional<LifeFile> file{};  // that it was read from
+    std::string remark{};            // about that file
   };
   using Make = std::function<Result<Beginning>(const std::atomic<bool>& interrupted)>;
   using Adopt = std::function<Status(Beginning)>;

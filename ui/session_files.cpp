@@ -95,13 +95,15 @@ Session::Make Session::makeOfFile(const std::string& path) const {
       auto file = readQFile(path);
       if (!file) return file.error();
       if ((*file)->about.value("kind", "") == "checkpoint") {
-        auto resumed = resume(registry_, *file, {});
+        auto resumed = resume(registry_, *file, {}, Versions::Any);
         if (!resumed) return resumed.error();
         resumed->life->keepInputs();
         const Life& life = *resumed->life;
         const bool named = path.ends_with(".surefoot");  // another name may be another program's
         LifeFile from{named ? QString::fromStdString(path) : QString(), {life.log().totals().episodes, life.steps()}};
-        return Beginning{std::move(resumed->configuration), std::move(resumed->life), std::move(from)};
+        const Status same = checkLivesVersion(**file);
+        return Beginning{std::move(resumed->configuration), std::move(resumed->life), std::move(from),
+                         same ? "" : same.error().message + " It goes on with those of this one."};
       }
       auto learned = configurationOf(registry_, **file);
       if (!learned) return learned.error();
@@ -200,6 +202,7 @@ Status Session::beginWithLife(Beginning made) {
   Q_EMIT parametersReplaced();
   Q_EMIT configurationChanged();
   keepForUndo(std::move(before));
+  if (!made.remark.empty()) Q_EMIT remarked(QString::fromStdString(made.remark));
   return Done{};
 }
 

@@ -16,7 +16,8 @@ void Session::takeFalls() {
   for (Fall& fall : learner_->takeFalls()) fresh.push_back(std::move(fall));
   std::erase_if(fresh, [this](const Fall& f) { return f.life != lifeSent_; });
   // The learner is ahead of what the window shows; a fall is listed when the counter has come to it.
-  const auto ahead = std::find_if(fresh.begin(), fresh.end(), [this](const Fall& f) { return f.number > numbers_.falls; });
+  const auto ahead =
+      std::find_if(fresh.begin(), fresh.end(), [this](const Fall& f) { return f.number > numbers_.falls; });
   fallsToCome_.assign(std::move_iterator(ahead), std::move_iterator(fresh.end()));
   fresh.erase(ahead, fresh.end());
   if (fresh.empty()) return;

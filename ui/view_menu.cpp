@@ -48,7 +48,10 @@ void tell(QWidget& view, const Status& status, const QString& done) {
 
 }  // namespace
 
-ViewMenu::ViewMenu(QWidget& view, std::function<std::string()> csv) : QObject(&view), view_(view), csv_(std::move(csv)) {
+ViewMenu::ViewMenu(QWidget& view, std::function<std::string()> csv)
+    : QObject(&view),
+      view_(view),
+      csv_(std::move(csv)) {
   if (view.focusPolicy() == Qt::NoFocus) {
     view.setFocusPolicy(Qt::TabFocus);
     new FocusRing(&view);
@@ -73,7 +76,8 @@ bool ViewMenu::eventFilter(QObject* watched, QEvent* event) {
       return false;
     case QEvent::KeyPress: {
       const auto& key = static_cast<QKeyEvent&>(*event);
-      const bool asked = key.key() == Qt::Key_Menu || (key.key() == Qt::Key_F10 && key.modifiers() == Qt::ShiftModifier);
+      const bool shiftF10 = key.key() == Qt::Key_F10 && key.modifiers() == Qt::ShiftModifier;
+      const bool asked = key.key() == Qt::Key_Menu || shiftF10;
       if (asked) open(view_.mapToGlobal(view_.rect().center()));
       return asked;
     }

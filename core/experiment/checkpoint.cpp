@@ -6,6 +6,7 @@
 #include <cassert>
 
 #include "core/experiment/configuration_json.h"
+#include "core/experiment/lives_version.h"
 #include "core/experiment/q_file.h"
 
 namespace surefoot {
@@ -54,8 +55,25 @@ std::optional<std::vector<CommandText>> commandsFrom(const Json& json) {
 }
 
 bool isBeginning(const Json& json) {
-  return json.is_object() && json.contains("file") && json["file"].is_string() && json.contains("hash") &&
-         json["hash"].is_string();
+  if (!json.is_object() || !json.contains("file") || !json["file"].is_string()) return false;
+  const char* which = json.contains("content") ? "content" : "hash";  // of the values; of the whole file, formerly
+  return json.contains(which) && json[which].is_string();
+}
+
+int versionOf(const TensorFile& file) {
+  const Json version = file.about.value("lives_version", Json());
+  return version.is_number_integer() ? version.get<int>() : kLivesVersionUnknown;
+}
+
+/// Notes that another version goes on from here, or refuses to.
+Status checkVersion(const TensorFile& file, Versions versions, std::vector<Change>& changes) {
+  const Status same = checkLivesVersion(file);
+  if (same || versions == Versions::Same) return same;
+  const Json learned = file.about.value("learned", Json::object());
+  const Json steps = learned.is_object() ? learned.value("steps", Json(0)) : Json(0);
+  changes.push_back({steps.is_number_integer() ? steps.get<std::int64_t>() : 0, kOtherLives,
+                     std::to_string(versionOf(file)), std::to_string(kLivesVersion)});
+  return Done{};
 }
 
 /// Everything that resume() reads from the description. Objects of it may be missing: then null.
@@ -95,17 +113,26 @@ TensorFile checkpointOf(const Life& life, const Configuration& configuration, bo
   return file;
 }
 
-Result<Resumed> resume(const Registry& registry, std::shared_ptr<const TensorFile> file, const NewLimits& limits) {
+Status checkLivesVersion(const TensorFile& file) {
+  if (versionOf(file) == kLivesVersion) return Done{};
+  const Json program = file.about.value("program", Json());
+  return otherLives(file.name, versionOf(file), program.is_string() ? program.get<std::string>() : "");
+}
+
+Result<Resumed> resume(const Registry& registry, std::shared_ptr<const TensorFile> file, const NewLimits& limits,
+                       Versions versions) {
   if (const Status s = checkKind(*file, {"checkpoint"}); !s) return s.error();
   auto configuration = configurationOf(registry, *file);
   if (!configuration) return configuration.error();
   const Description d(file->about);
-  const auto changes = changesFrom(d.changes);
+  auto changes = changesFrom(d.changes);
   if (!changes || !d.policy.is_string() || !d.keepRows.is_boolean())
     return fileError(file->name, "its description lacks what happened to the life; the file is damaged.");
+  if (const Status s = checkVersion(*file, versions, *changes); !s) return s.error();
   configuration->beganWith = file->about.value("began_with", Json());
   if (!configuration->beganWith.is_null() && !isBeginning(configuration->beganWith))
     return fileError(file->name, "what it says of the file that the life began with is damaged.");
+  configuration->beganWith = withoutFolders(std::move(configuration->beganWith));
   if (limits.minutes) configuration->minutes = limits.minutes;
   if (limits.episodes) configuration->episodes = limits.episodes;
   if (auto commands = commandsFrom(d.commands))

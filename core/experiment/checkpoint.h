@@ -23,6 +23,19 @@ struct NewLimits {
   std::optional<std::int64_t> episodes;
 };
 
-Result<Resumed> resume(const Registry& registry, std::shared_ptr<const TensorFile> file, const NewLimits& limits);
+/// Whose lives may be gone on with (lives_version.h).
+enum class Versions {
+  Same,  ///< only those of this program; others are refused
+  Any    ///< others, too; the life notes at which step, as a change of "lives_version"
+};
+
+Result<Resumed> resume(const Registry& registry, std::shared_ptr<const TensorFile> file, const NewLimits& limits,
+                       Versions versions = Versions::Same);
+
+/// Whether a checkpoint's life was lived by a version of the same lives.
+Status checkLivesVersion(const TensorFile& file);
+
+/// The key of that change.
+inline constexpr const char* kOtherLives = "lives_version";
 
 }  // namespace surefoot

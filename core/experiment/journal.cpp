@@ -5,9 +5,12 @@
 
 #include <charconv>
 #include <cstdio>
+#include <filesystem>
 #include <sstream>
 
+#include "core/experiment/checkpoint.h"
 #include "core/experiment/configuration_json.h"
+#include "core/experiment/lives_version.h"
 #include "core/experiment/q_file.h"
 #include "core/files/read_file.h"
 #include "core/text.h"
@@ -37,17 +40,30 @@ bool isText(const Json& json, const char* key) {
   return json.contains(key) && json[key].is_string();
 }
 
-/// Begins with the file that the life began with, if it is still the same.
+/// Where a file lies that a journal names: journals of earlier days have its whole path, later ones its name.
+std::string placeOf(const std::string& file, const std::string& journal) {
+  std::error_code ignored;
+  const auto beside = std::filesystem::path(journal).parent_path() / std::filesystem::path(file).filename();
+  return std::filesystem::exists(file, ignored) ? file : beside.string();
+}
+
+/// Begins with the file that the life began with, if it still holds the same.
 Status load(const Json& json, const std::string& name, Configuration& c) {
-  if (!json.is_object() || !isText(json, "file") || !isText(json, "hash"))
+  const char* kind = isText(json, "content") ? "content" : "hash";  // of the values; of the whole file, formerly
+  if (!json.is_object() || !isText(json, "file") || !isText(json, kind))
     return fileError(name, "its first line names what was loaded, but not how.");
-  auto file = readQFile(json["file"].get<std::string>());
-  if (!file) return file.error();
+  const std::string place = placeOf(json["file"].get<std::string>(), name);
+  auto file = readQFile(place);
+  if (!file)
+    return fileError(name, fmt::format("the life began with {}, which is looked for beside the journal and in the "
+                                       "current folder: {}",
+                                       shortened(std::filesystem::path(place).filename().string()),
+                                       file.error().message));
+  const std::string now = std::string_view(kind) == "content" ? contentOf(**file) : wholeHashOf(**file);
   beginWith(c, std::move(*file));
-  if (c.beganWith["hash"] == json["hash"]) return Done{};
-  return fileError(name,
-                   fmt::format("the life began with {}, whose hash was {} and now is {}.", c.start->name,
-                               shortened(json["hash"].get<std::string>()), c.beganWith["hash"].get<std::string>()));
+  if (now == json[kind]) return Done{};
+  return fileError(name, fmt::format("the life began with {}, whose hash was {} and now is {}.", c.start->name,
+                                     shortened(json[kind].get<std::string>()), now));
 }
 
 Result<Journal> parseHeader(const Registry& registry, const Json& header, const std::string& name) {
@@ -62,6 +78,7 @@ Result<Journal> parseHeader(const Registry& registry, const Json& header, const 
   if (!configuration) return configuration.error();
   Journal journal{.configuration = std::move(*configuration), .life = header["life"].get<int>(), .steps = 0, .hash = 0};
   journal.configuration.seed = header["seed"].get<std::uint64_t>();
+  if (isInteger(header, "lives_version")) journal.livesVersion = header["lives_version"].get<int>();
   if (header.contains("load") && !header["load"].is_null())
     if (const Status s = load(header["load"], name, journal.configuration); !s) return s.error();
   return journal;
@@ -89,11 +106,15 @@ Status parseEnd(const Json& end, const std::string& name, Journal& journal) {
 std::string journalOf(const Configuration& c, const LifeResult& life) {
   Json header = {{"surefoot_journal", kFormat},
                  {"program", kVersion},
+                 {"lives_version", kLivesVersion},
                  {"configuration", Json(configurationAsJson(c))},
                  {"seed", c.seed},
                  {"life", life.life},
                  {"load", nullptr}};
-  if (c.beganWith.is_object()) header["load"] = {{"file", c.beganWith["file"]}, {"hash", c.beganWith["hash"]}};
+  if (c.beganWith.is_object()) {
+    const char* kind = c.beganWith.contains("content") ? "content" : "hash";
+    header["load"] = {{"file", c.beganWith["file"]}, {kind, c.beganWith[kind]}};
+  }
   std::string text = header.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
   for (const Change& change : life.changes)
     text += Json({{"step", change.step}, {"key", change.key}, {"value", change.after}}).dump() + "\n";
@@ -121,6 +142,10 @@ Result<Journal> parseJournal(const Registry& registry, const std::string& text, 
       return fileError(name, fmt::format("line {} is no command.", number));
     const CommandText command{json["step"].get<std::int64_t>(), json["key"].get<std::string>(),
                               json["value"].get<std::string>()};
+    if (command.key == kOtherLives)
+      return fileError(name, fmt::format("from step {} on the life was lived by another version of Surefoot; it cannot "
+                                         "be lived again.",
+                                         command.step));
     auto& commands = journal->configuration.commands;
     if (!commands.empty() && commands.back().step > command.step)
       return fileError(name, fmt::format("line {} goes back in time.", number));

@@ -20,6 +20,7 @@ struct Journal {
   std::int64_t steps = 0;                ///< of the life when it was left
   std::uint64_t hash = 0;                ///< then
   std::int64_t episodes = 0, falls = 0;  ///< then
+  int livesVersion = 0;                  ///< of the program that lived it (lives_version.h); 0: not noted
 
   /// Whether a life that was lived again came out the same.
   bool sameAs(const LifeResult& lived) const {
@@ -27,8 +28,8 @@ struct Journal {
   }
 };
 
-/// Reads a journal from text; `name` is the file's. A Q-function that the life began with is read, too, and must be the
-/// one that it was.
+/// Reads a journal from text; `name` is the file's. A Q-function that the life began with is read, too, from beside the
+/// journal or the current folder, and must hold the values that it held.
 Result<Journal> parseJournal(const Registry& registry, const std::string& text, const std::string& name);
 Result<Journal> readJournal(const Registry& registry, const std::string& path);
 

@@ -33,7 +33,7 @@ Progress sum(const std::vector<Meter>& meters);
 /// A number of steps that no life takes.
 inline constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
 
-/// Steps a life until it has taken `steps`, is finished, or the pool stops.
+/// Steps a life until it has taken `steps`, is finished, or the pool stops or is paused.
 void live(Life& life, std::int64_t steps, const WorkPool& pool, Meter& meter);
 
 }  // namespace surefoot

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "core/experiment/configuration_json.h"
+#include "core/experiment/lives_version.h"
 #include "core/text.h"
 #include "core/version.h"
 
@@ -58,20 +59,25 @@ std::string checksumOf(const TensorFile& file) {
   return fmt::format("{:016x}", hash.value());
 }
 
-/// 64 bits over the whole file.
-std::string hashOf(const TensorFile& file) {
-  Hash64 hash;
-  add(hash, file.write());
-  return fmt::format("{:016x}", hash.value());
-}
-
 }  // namespace
+
+// A checkpoint holds more than values; what belongs to an estimate has its name.
+std::string contentOf(const TensorFile& file) {
+  const Json estimates = file.about.value("estimates", Json::object());
+  const auto isValue = [&](const Tensor& t) {
+    return !estimates.is_object() || estimates.contains(t.name.substr(0, t.name.find('.')));
+  };
+  TensorFile values;
+  std::copy_if(file.tensors.begin(), file.tensors.end(), std::back_inserter(values.tensors), isValue);
+  return checksumOf(values);
+}
 
 TensorFile qFileOf(Agent& agent, const Task& task, const Configuration& configuration, const Json& origin) {
   TensorFile file;
   file.about = {{"kind", "q-function"},
                 {"format", kFormat},
                 {"program", kVersion},
+                {"lives_version", kLivesVersion},
                 {"configuration", Json(configurationAsJson(configuration))},
                 {"seed", configuration.seed},
                 {"state", stateAsJson(task)},
@@ -139,14 +145,29 @@ Json ancestors(const Json& began, int generations) {
 
 }  // namespace
 
+std::string wholeHashOf(const TensorFile& file) {
+  Hash64 hash;
+  add(hash, file.write());
+  return fmt::format("{:016x}", hash.value());
+}
+
+Json withoutFolders(Json began) {
+  if (!began.is_object()) return began;
+  for (auto& [key, value] : began.items()) {
+    if (value.is_object()) value = withoutFolders(std::move(value));
+    if (value.is_string() && (key == "file" || key == "resampled_from"))
+      value = std::filesystem::path(value.get<std::string>()).filename().string();
+  }
+  return began;
+}
+
 void beginWith(Configuration& configuration, std::shared_ptr<const TensorFile> file) {
-  std::error_code failed;
-  const std::filesystem::path path = std::filesystem::absolute(file->name, failed);
-  configuration.beganWith = {{"file", failed ? file->name : path.lexically_normal().string()}, {"hash", hashOf(*file)}};
+  configuration.beganWith = {{"file", file->name}, {"content", contentOf(*file)}};
   constexpr int kMostAncestors = 8;
   if (file->about.contains("learned")) configuration.beganWith["learned"] = file->about["learned"];
   if (file->about.contains("began_with"))
     configuration.beganWith["began_with"] = ancestors(file->about["began_with"], kMostAncestors);
+  configuration.beganWith = withoutFolders(std::move(configuration.beganWith));
   configuration.start = std::move(file);
 }
 

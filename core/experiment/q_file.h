@@ -23,8 +23,18 @@ void seal(TensorFile& file);
 /// What the reader checks of a file that was parsed already.
 Status checkKind(const TensorFile& file, const std::vector<std::string>& kinds);
 
-/// Every life will begin with what the file holds.
+/// 64 bits over the values in it, in hexadecimal: the same however the file is called, wherever it lies and however it
+/// came about.
+std::string contentOf(const TensorFile& file);
+
+/// The same over the whole file, as journals of earlier days note it.
+std::string wholeHashOf(const TensorFile& file);
+
+/// Every life will begin with what the file holds. What is noted of it are its name without folders, and its content.
 void beginWith(Configuration& configuration, std::shared_ptr<const TensorFile> file);
+
+/// What a file says it began with, without the folders that older files name.
+Json withoutFolders(Json began);
 
 /// The configuration that a file was learned under.
 Result<Configuration> configurationOf(const Registry& registry, const TensorFile& file);

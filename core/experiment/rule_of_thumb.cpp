@@ -97,7 +97,8 @@ RuleText textOf(const RuleOfThumb& rule) {
   const double discount = rounded(rule.discount, kMost), time = rounded(rule.timeReward, kMost);
   int decimals = 1;
   const auto says = [&] {
-    return fixedText(ruleOfThumb(discount, rounded(rule.transitions, decimals), rounded(rule.reward, decimals), time), 1);
+    const double n = rounded(rule.transitions, decimals), reward = rounded(rule.reward, decimals);
+    return fixedText(ruleOfThumb(discount, n, reward, time), 1);
   };
   while (decimals < kMost && says() != text.threshold) ++decimals;
   const bool discounted = rule.discount < 1.0, timed = rule.timeReward != 0.0;

@@ -13,6 +13,11 @@
 
 namespace surefoot {
 
+// Looking again and again instead of being told: a signal's handler may end the wait, and cannot tell anybody.
+void WorkPool::waitWhilePaused() const {
+  while (paused() && !stopping()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+}
+
 Status WorkPool::run(std::int64_t count, const std::function<Status(std::int64_t)>& work,
                      const std::function<void()>& tick) {
   std::atomic<std::int64_t> next{0};
@@ -25,6 +30,8 @@ Status WorkPool::run(std::int64_t count, const std::function<Status(std::int64_t
   const auto toil = [&] {
     try {
       for (std::int64_t i = next++; i < count && !stopping(); i = next++) {
+        waitWhilePaused();
+        if (stopping()) break;
         const Status status = work(i);
         if (status) continue;
         const std::lock_guard lock(mutex);

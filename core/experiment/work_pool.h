@@ -12,8 +12,11 @@ namespace surefoot {
 
 class WorkPool {
  public:
-  /// `interrupted` may be set by anyone at any time, or be null.
-  WorkPool(int jobs, const std::atomic<bool>* interrupted) : jobs_(jobs), interrupted_(interrupted) {}
+  /// `interrupted` and `paused` may be set by anyone at any time, or be null.
+  WorkPool(int jobs, const std::atomic<bool>* interrupted, const std::atomic<bool>* paused = nullptr)
+      : jobs_(jobs),
+        interrupted_(interrupted),
+        paused_(paused) {}
   WorkPool(const WorkPool&) = delete;
 
   /// Calls work(0) … work(count − 1) on the threads, begun in this order; meanwhile tick(), if there is one, about four
@@ -26,9 +29,15 @@ class WorkPool {
     return failed_.load(std::memory_order_relaxed) || (interrupted_ && interrupted_->load(std::memory_order_relaxed));
   }
 
+  /// Work in hand stands still, and no more is begun. Any thread.
+  bool paused() const { return paused_ && paused_->load(std::memory_order_relaxed); }
+  /// Stands still for as long as it is paused, or until everything stops.
+  void waitWhilePaused() const;
+
  private:
   int jobs_;
   const std::atomic<bool>* interrupted_;
+  const std::atomic<bool>* paused_;
   std::atomic<bool> failed_{false};
 };
 

@@ -113,7 +113,7 @@ const Tensor* TensorFile::find(std::string_view wanted) const {
   return found == tensors.end() ? nullptr : &*found;
 }
 
-std::string TensorFile::write() const {
+std::string TensorFile::head() const {
   Json header = {{kMetadata, {{kOurs, textOf(about)}}}};
   std::size_t offset = 0;
   for (const Tensor& t : tensors) {
@@ -126,8 +126,14 @@ std::string TensorFile::write() const {
   const std::uint64_t length = text.size();
   std::string bytes(kLengthBytes, '\0');
   std::memcpy(bytes.data(), &length, kLengthBytes);
-  bytes.reserve(kLengthBytes + text.size() + offset);
-  bytes += text;
+  return bytes + text;
+}
+
+std::string TensorFile::write() const {
+  std::string bytes = head();
+  std::size_t size = bytes.size();
+  for (const Tensor& t : tensors) size += t.bytes.size();
+  bytes.reserve(size);
   for (const Tensor& t : tensors) bytes += t.bytes;
   return bytes;
 }

@@ -51,6 +51,8 @@ class TensorFile {
  public:
   /// The whole file as bytes.
   std::string write() const;
+  /// What stands before the first tensor's bytes: the rest are those of all tensors, in order.
+  std::string head() const;
   /// Reads bytes; `name` is what messages call the file.
   static Result<TensorFile> parse(std::string_view bytes, const std::string& name);
   /// Reads a regular file.

@@ -3,57 +3,27 @@
 
 #include <fmt/format.h>
 
-#include <condition_variable>
 #include <map>
 #include <mutex>
 #include <set>
 
+#include "core/experiment/lives_version.h"
 #include "core/experiment/q_file.h"
 #include "core/files/read_file.h"
+#include "core/laboratory/kept_lives.h"
+#include "core/laboratory/lesson.h"
+#include "core/laboratory/whole_life.h"
+#include "core/version.h"
 
 namespace surefoot {
 
 namespace {
 
-/// A Q-function that lives wait for.
-class Lesson {
- public:
-  Lesson(const PreLearning& preLearning, int qFunction) : what(preLearning), number(qFunction) {}
-
-  const PreLearning& what;
-  const int number;
-  std::atomic<int> uses{0};  // lives that still need it
-
-  void finish(std::shared_ptr<const TensorFile> q, const StoredPreLearning& facts) {
-    const std::lock_guard lock(mutex_);
-    q_ = std::move(q);
-    facts_ = facts;
-    done_.notify_all();
-  }
-  /// nullptr: the pool stopped before it was learned.
-  std::shared_ptr<const TensorFile> wait(const WorkPool& pool) {
-    std::unique_lock lock(mutex_);
-    while (!q_ && !pool.stopping()) done_.wait_for(lock, std::chrono::milliseconds(50));
-    return q_;
-  }
-  const StoredPreLearning& facts() const { return facts_; }
-  void used() {
-    if (--uses > 0) return;
-    const std::lock_guard lock(mutex_);
-    q_.reset();  // a few megabytes, of LEO a hundred
-  }
-
- private:
-  std::mutex mutex_;
-  std::condition_variable done_;
-  std::shared_ptr<const TensorFile> q_;
-  StoredPreLearning facts_;
-};
-
 /// One piece of work: a lesson to learn, or a life to live.
 struct Task {
   Lesson* lesson = nullptr;  // of a life: what it begins with
   int condition = -1, life = 0;
+  std::string name{};  // what it is kept under
 };
 
 class Laboratory {
@@ -63,58 +33,70 @@ class Laboratory {
         plan_(plan),
         store_(store),
         options_(options),
-        pool_(options.jobs, options.interrupted) {}
+        pool_(options.jobs, options.interrupted, options.paused),
+        kept_(store.path()) {}
 
   Result<LabResult> run() {
     if (const Status s = planTasks(); !s) return s.error();
     meters_ = std::vector<Meter>(tasks_.size());
     const int before = result_.livesThere;
     const auto tick = [&] {
-      LabProgress p{.work = sum(meters_), .livesThere = before, .livesPlanned = result_.livesPlanned};
+      LabProgress p{.work = sum(meters_), .livesThere = before, .livesPlanned = result_.livesPlanned, .falls = falls()};
       p.work.livesDone = livesDone_;
-      options_.progress(p);
-      if (!options_.look) return;
+      if (options_.progress) options_.progress(p);
       const std::lock_guard lock(mutex_);
-      options_.look(store_);
+      static_cast<void>(static_cast<bool>(store_.settle()));  // a full disk is told by the next life
+      if (options_.look) options_.look(store_);
     };
     const Status s = pool_.run(
-        static_cast<std::int64_t>(tasks_.size()), [&](std::int64_t i) { return work(i); },
-        options_.progress ? tick : std::function<void()>{});
+        static_cast<std::int64_t>(tasks_.size()), [&](std::int64_t i) { return work(i); }, tick);
+    keepLessons();
     if (!s) return s.error();
     result_.livesThere += livesDone_;
+    result_.livesKept = KeptLives::count(store_.path());
     return result_;
   }
 
  private:
+  const Condition& conditionOf(const Task& task) const {
+    return plan_.conditions[static_cast<std::size_t>(task.condition)];
+  }
+
   /// Life by life over all conditions: these can be compared early, and a Q-function is soon done with.
   Status planTasks() {
     const auto there = store_.lives();
     if (!there) return there.error();
     std::set<std::pair<int, int>> done;
-    for (const StoredLife& l : *there) done.emplace(l.condition, l.life);
+    for (const StoredLife& l : *there) done.emplace(l.condition, l.life), fallsThere_ += l.falls;
     std::vector<Task> lives;
     for (int life = 0; life < plan_.lives; ++life)
       for (int c = 0; c < static_cast<int>(plan_.conditions.size()); ++c) {
         if ((std::int64_t{c} * plan_.lives + life) % options_.shards != options_.shard - 1) continue;
         ++result_.livesPlanned;
+        const Condition& condition = plan_.conditions[static_cast<std::size_t>(c)];
         if (done.contains({c, life}))
           ++result_.livesThere;
         else
-          lives.push_back({lessonFor(plan_.conditions[static_cast<std::size_t>(c)], life), c, life});
+          lives.push_back({lessonFor(condition, life), c, life, KeptLives::nameOf(condition, life)});
       }
     addLessons(std::move(lives));
+    std::set<std::string> names;
+    for (const Task& task : tasks_) names.insert(task.name);
+    kept_.keepOnly(names);
     return Done{};
   }
 
-  /// Lessons stand some lives before the first that needs them, so that few wait, and those for work in hand.
+  /// Lessons stand some lives before the first that needs them, so that few wait, and those for work in hand. Lives
+  /// that were kept need none.
   void addLessons(std::vector<Task> lives) {
     const std::size_t ahead = 2 * static_cast<std::size_t>(options_.jobs);
     std::set<const Lesson*> added;
     std::size_t next = 0;
     for (std::size_t i = 0; i < lives.size(); ++i) {
       for (; next < lives.size() && next <= i + ahead; ++next)
-        if (Lesson* lesson = lives[next].lesson; lesson && added.insert(lesson).second)
-          tasks_.push_back({.lesson = lesson});
+        if (Lesson* lesson = lives[next].lesson;
+            lesson && !kept_.has(lives[next].name) && added.insert(lesson).second)
+          tasks_.push_back({.lesson = lesson, .name = KeptLives::nameOf(lesson->what, lesson->number)});
       tasks_.push_back(lives[i]);
     }
   }
@@ -124,7 +106,7 @@ class Laboratory {
     const int number = condition.preLearning->numberFor(life);
     auto& lesson = lessons_[{condition.preLearning->text, number}];
     if (!lesson) lesson = std::make_unique<Lesson>(*condition.preLearning, number);
-    ++lesson->uses;
+    lesson->wanted();
     return lesson.get();
   }
 
@@ -135,46 +117,122 @@ class Laboratory {
   }
 
   Status learn(Lesson& lesson, Meter& meter) {
+    if (!lesson.take()) return Done{};
+    const std::string name = KeptLives::nameOf(lesson.what, lesson.number);
     const Configuration& c = lesson.what.configuration;
-    auto life = makeLife(registry_, c, lesson.number, false);
-    if (!life) return life.error();
-    surefoot::live(**life, kNever, pool_, meter);
-    if ((*life)->diverged()) return Error{"pre-learning: " + (*life)->divergence(), ErrorKind::Diverged};
-    if (!(*life)->finished()) return Done{};
-    const EpisodeLog& log = (*life)->log();
+    std::unique_ptr<Life> life;
+    if (kept_.has(name)) {
+      const auto file = kept_.read(name);
+      const auto facts = file ? preLearningFrom(file->about.value("pre_learned", Json())) : std::nullopt;
+      if (facts) return taught(lesson, file, *facts, meter);
+      life = takeUp(registry_, file, false);
+    }
+    if (!life) {
+      auto made = makeLife(registry_, c, lesson.number, false);
+      if (!made) return made.error();
+      life = std::move(*made);
+      life->keepInputs();
+    }
+    liveOn(*life, meter, [&] { note(kept_.keep(name, checkpointOf(*life, c, false))); });
+    if (life->diverged()) return Error{"pre-learning: " + life->divergence(), ErrorKind::Diverged};
+    if (!life->finished()) return Done{};
+    const EpisodeLog& log = life->log();
     const bool reached = !c.until || log.averageReward() >= *c.until;
-    lesson.finish(std::make_shared<const TensorFile>(qFileOf(**life, c)), {.qFunction = lesson.number,
-                                                                           .episodes = log.totals().episodes,
-                                                                           .falls = log.totals().falls,
-                                                                           .steps = (*life)->steps(),
-                                                                           .averageReward = log.averageReward(),
-                                                                           .reached = reached,
-                                                                           .hash = (*life)->hash()});
+    return taught(lesson, std::make_shared<const TensorFile>(qFileOf(*life, c)),
+                  {.qFunction = lesson.number,
+                   .episodes = log.totals().episodes,
+                   .falls = log.totals().falls,
+                   .steps = life->steps(),
+                   .averageReward = log.averageReward(),
+                   .reached = reached,
+                   .hash = life->hash()},
+                  meter);
+  }
+
+  Status taught(Lesson& lesson, std::shared_ptr<const TensorFile> q, const StoredPreLearning& facts, Meter& meter) {
+    lesson.finish(std::move(q), facts);
     meter.done = true;
     const std::lock_guard lock(mutex_);
-    result_.preLearningsAtCap += !reached;
+    result_.preLearningsAtCap += !facts.reached;
     return Done{};
   }
 
-  Status live(const Task& task, Meter& meter) {
-    Configuration c = plan_.conditions[static_cast<std::size_t>(task.condition)].configuration;
-    if (task.lesson) {
-      c.start = task.lesson->wait(pool_);
-      if (!c.start) return Done{};
+  /// What was learned and is still needed need not be learned again.
+  void keepLessons() {
+    if (!pool_.stopping()) return;
+    for (const auto& [key, lesson] : lessons_) {
+      const auto q = lesson->inHand();
+      const std::string name = KeptLives::nameOf(lesson->what, lesson->number);
+      if (!q || q->about.contains("pre_learned")) continue;  // it came from there
+      TensorFile file = *q;
+      file.about["pre_learned"] = asJson(lesson->facts());
+      note(kept_.keep(name, std::move(file)));
     }
-    auto life = makeLife(registry_, c, task.life, true);
-    if (!life) return life.error();
-    c.start.reset();
-    surefoot::live(**life, kNever, pool_, meter);
-    if (!(*life)->finished()) return Done{};
-    if (const Status s = save(task, **life); !s) return s;
-    if (task.lesson) task.lesson->used();
+  }
+
+  Status live(const Task& task, Meter& meter) {
+    std::optional<StoredPreLearning> before;
+    auto life = task.lesson ? takeUpLearned(task, before) : takeUp(registry_, readKept(task), true);
+    if (!life) {
+      Configuration c = conditionOf(task).configuration;
+      if (task.lesson) {
+        if (const Status s = learn(*task.lesson, meter); !s) return s;  // unless another does
+        c.start = task.lesson->wait(pool_);
+        if (!c.start) return Done{};
+        before = task.lesson->facts();
+      }
+      auto made = makeLife(registry_, c, task.life, true);
+      if (!made) return made.error();
+      life = std::move(*made);
+      life->keepInputs();
+    }
+    meter.done = false;
+    if (before) before->condition = task.condition;
+    const auto keep = [&] {
+      TensorFile file = checkpointOf(*life, conditionOf(task).configuration, true);
+      if (before) file.about["pre_learned"] = asJson(*before);
+      note(kept_.keep(task.name, std::move(file)));
+    };
+    liveOn(*life, meter, keep);
+    if (!life->finished()) return Done{};
+    if (const Status s = save(task, *life, before); !s) return keep(), s;
+    kept_.drop(task.name);
+    if (task.lesson && task.lesson->used()) kept_.drop(KeptLives::nameOf(task.lesson->what, task.lesson->number));
     meter.done = true;
     ++livesDone_;
     return Done{};
   }
 
-  Status save(const Task& task, const Life& life) {
+  std::shared_ptr<const TensorFile> readKept(const Task& task) {
+    return kept_.has(task.name) ? kept_.read(task.name) : nullptr;
+  }
+
+  /// A kept life, with what its pre-learning came to; nullptr: there is none.
+  std::unique_ptr<Life> takeUpLearned(const Task& task, std::optional<StoredPreLearning>& before) {
+    const auto file = readKept(task);
+    if (file) before = preLearningFrom(file->about.value("pre_learned", Json()));
+    return before ? takeUp(registry_, file, true) : nullptr;
+  }
+
+  void liveOn(Life& life, Meter& meter, const std::function<void()>& keep) {
+    liveWhole(life, meter, pool_, std::chrono::duration<double>(options_.keepEvery), keep);
+  }
+
+  /// The first reason why a life in hand could not be kept.
+  void note(const Status& kept) {
+    const std::lock_guard lock(mutex_);
+    if (!kept && result_.keeping) result_.keeping = kept;
+  }
+
+  /// Of all lives, without the lessons.
+  std::int64_t falls() const {
+    std::int64_t all = fallsThere_;
+    for (std::size_t i = 0; i < tasks_.size(); ++i)
+      if (tasks_[i].condition >= 0) all += meters_[i].falls.load(std::memory_order_relaxed);
+    return all;
+  }
+
+  Status save(const Task& task, const Life& life, const std::optional<StoredPreLearning>& before) {
     const LifeResult r = summarise(life, task.life, 0.0);
     StoredLife row{.condition = task.condition,
                    .life = task.life,
@@ -184,14 +242,11 @@ class Laboratory {
                    .falls = r.totals.falls,
                    .statesOutside = r.statesOutside,
                    .diverged = r.divergence,
-                   .hash = r.hash};
+                   .hash = r.hash,
+                   .livesVersion = kLivesVersion,
+                   .program = kVersion};
     std::vector<StoredEpisode> episodes;
     for (const EpisodeRow& e : r.rows) episodes.push_back({e.steps, e.reward, e.falls, endingCode(e)});
-    std::optional<StoredPreLearning> before;
-    if (task.lesson) {
-      before = task.lesson->facts();
-      before->condition = task.condition;
-    }
     const std::lock_guard lock(mutex_);
     return store_.save(row, episodes, before, measuresToStore(r));
   }
@@ -201,10 +256,12 @@ class Laboratory {
   Store& store_;
   const LabOptions& options_;
   WorkPool pool_;
+  KeptLives kept_;
   std::map<std::pair<std::string, int>, std::unique_ptr<Lesson>> lessons_;
   std::vector<Task> tasks_;
   std::vector<Meter> meters_;
   std::atomic<int> livesDone_{0};
+  std::int64_t fallsThere_ = 0;
   std::mutex mutex_;  // guards store_ and result_ while the pool runs
   LabResult result_;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs a plan into a store: the lives that the store does not hold yet, on a pool of threads, each written when it is
-// over. The store's content is the same for any number of threads and any order.
+// over. The store's content is the same for any number of threads and any order, however often it is paused, stopped
+// and gone on with.
 #pragma once
 
 #include "core/experiment/meter.h"
@@ -9,15 +10,20 @@
 namespace surefoot {
 
 struct LabProgress {
-  Progress work;         ///< of this run: lives that were missing, and the pre-learning that they need
-  int livesThere = 0;    ///< that the store held before
-  int livesPlanned = 0;  ///< in all, of this shard
+  Progress work{};         ///< of this run: lives that were missing, and the pre-learning that they need
+  int livesThere = 0;      ///< that the store held before
+  int livesPlanned = 0;    ///< in all, of this shard
+  std::int64_t falls = 0;  ///< of all lives, those in the store and those in hand; without pre-learning
 };
 
 struct LabOptions {
   int jobs = 1;
   int shard = 1, shards = 1;  ///< life number k (of all, in order) belongs to shard k mod shards + 1
-  const std::atomic<bool>* interrupted = nullptr;      ///< lives in hand are given up
+  /// Everything ends; lives in hand are kept beside the store, and the next run takes them up.
+  const std::atomic<bool>* interrupted = nullptr;
+  /// While it is set, lives stand still between two steps. After some seconds they are kept beside the store, too.
+  const std::atomic<bool>* paused = nullptr;
+  double keepEvery = 300.0;                            ///< [s] a long life is kept so often while it goes on
   std::function<void(const LabProgress&)> progress{};  ///< about four times a second, on the calling thread
   std::function<void(const Store&)> look{};            ///< after `progress`; no life is written meanwhile
 };
@@ -25,6 +31,8 @@ struct LabOptions {
 struct LabResult {
   int livesPlanned = 0, livesThere = 0;  ///< of this shard; those that the store holds now
   int preLearningsAtCap = 0;             ///< Q-functions of this run that did not reach their reward
+  int livesKept = 0;                     ///< in hand, and what was learned before them; they wait beside the store
+  Status keeping = Done{};               ///< why a life in hand could not be kept
   bool complete() const { return livesThere == livesPlanned; }
 };
 

@@ -21,10 +21,11 @@ Result<LabView> viewOf(const Store& store) {
   return view;
 }
 
-LaboratoryThread::LaboratoryThread(const Registry& registry, Plan plan, Store store, int jobs)
+LaboratoryThread::LaboratoryThread(const Registry& registry, Plan plan, Store store,
+                                   const LabOptions& options)
     : registry_(registry),
       plan_(std::move(plan)),
-      thread_([this, jobs, store = std::move(store)]() mutable { run(std::move(store), jobs); }) {}
+      thread_([this, options, store = std::move(store)]() mutable { run(std::move(store), options); }) {}
 
 LaboratoryThread::~LaboratoryThread() {
   stop();
@@ -55,19 +56,21 @@ void LaboratoryThread::look(const Store& store) {
     trouble_ = view.error().message;
 }
 
-void LaboratoryThread::run(Store store, int jobs) {
+void LaboratoryThread::run(Store store, LabOptions options) {
   auto next = Clock::now() + kFirstLook;
-  LabOptions options;
-  options.jobs = jobs;
+  int seen = 0;  // lives of this run
   options.interrupted = &interrupted_;
+  options.paused = &paused_;
   options.progress = [&](const LabProgress& p) {
     const std::lock_guard lock(mutex_);
     progress_ = p;
   };
   options.look = [&](const Store& s) {
     const auto before = Clock::now();
-    if (before < next) return;
+    const int done = progress().work.livesDone;
+    if (before < next || done == seen) return;
     look(s);
+    seen = done;
     next = Clock::now() + std::max<Clock::duration>(kFirstLook, kShare * (Clock::now() - before));
   };
   const auto result = runPlan(registry_, plan_, store, options);
@@ -77,7 +80,10 @@ void LaboratoryThread::run(Store store, int jobs) {
   }
   {
     const std::lock_guard lock(mutex_);
-    if (!result) trouble_ = result.error().message;
+    if (!result)
+      trouble_ = result.error().message;
+    else if (!result->keeping)
+      trouble_ = result->keeping.error().message;
   }
   over_ = true;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An experiment on threads of its own, for a window: what is missing of a plan is lived into a store, and now and then
-// the results so far are measured.
+// the results so far are measured. It pauses and goes on; stopped, it keeps the lives in hand beside the store.
 #pragma once
 
 #include <atomic>
@@ -26,15 +26,17 @@ Result<LabView> viewOf(const Store& store);
 class LaboratoryThread {
  public:
   /// Begins at once. The store belongs to the plan, and to this object from now on.
-  LaboratoryThread(const Registry& registry, Plan plan, Store store, int jobs);
-  /// Gives up the lives in hand.
+  LaboratoryThread(const Registry& registry, Plan plan, Store store, const LabOptions& options);
+  /// Waits until everything stands still and what is in hand is kept.
   ~LaboratoryThread();
   LaboratoryThread(const LaboratoryThread&) = delete;
 
   LabProgress progress() const;
   /// The newest results; nullptr: none yet.
   std::shared_ptr<const LabView> view() const;
-  /// Gives up the lives in hand; what is over is kept.
+  /// Lives stand still between two steps, and go on.
+  void setPaused(bool paused) { paused_ = paused; }
+  /// Ends it soon: lives in hand are kept beside the store, for whoever goes on.
   void stop() { interrupted_ = true; }
   /// Nothing runs any more: all lives are lived, or it was stopped, or failed.
   bool over() const { return over_; }
@@ -43,12 +45,12 @@ class LaboratoryThread {
   std::string trouble() const;
 
  private:
-  void run(Store store, int jobs);
+  void run(Store store, LabOptions options);
   void look(const Store& store);
 
   const Registry& registry_;
   const Plan plan_;
-  std::atomic<bool> interrupted_{false}, over_{false}, complete_{false};
+  std::atomic<bool> interrupted_{false}, paused_{false}, over_{false}, complete_{false};
   mutable std::mutex mutex_;  // guards what follows
   LabProgress progress_;
   std::shared_ptr<const LabView> view_;

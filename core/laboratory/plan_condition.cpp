@@ -227,7 +227,7 @@ class ConditionMaker {
     auto read = readQFile(path.is_absolute() ? file : (std::filesystem::path(path_).parent_path() / path).string());
     if (!read) return read.error();
     beginWith(condition.configuration, std::move(*read));
-    condition.text += " began-with=" + condition.configuration.beganWith.dump();
+    condition.text += " began-with=" + condition.configuration.beganWith["content"].get<std::string>();
     return Done{};
   }
 

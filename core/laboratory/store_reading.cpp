@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <map>
 
+#include "core/experiment/q_file.h"
 #include "core/files/read_file.h"
 #include "core/laboratory/store_database.h"
 
@@ -44,13 +45,16 @@ Result<StoredPlan> Store::plan() const {
 Result<std::vector<StoredLife>> Store::lives() const {
   return guarded<std::vector<StoredLife>>(path_, [&] {
     std::vector<StoredLife> lives;
+    const bool noted = database_->db.execAndGet("PRAGMA user_version").getInt() > kOldestFormat;
     SQLite::Statement row(database_->db,
-                          "SELECT condition, life, ifnull(q_function, -1), episodes, steps, falls, states_outside, "
-                          "ifnull(diverged, ''), hash FROM lives ORDER BY condition, life");
+                          std::string("SELECT condition, life, ifnull(q_function, -1), episodes, steps, falls, "
+                                      "states_outside, ifnull(diverged, ''), hash, ") +
+                              (noted ? "ifnull(lives_version, 0), ifnull(program, '')" : "0, ''") +
+                              " FROM lives ORDER BY condition, life");
     while (row.executeStep())
       lives.push_back({row.getColumn(0), row.getColumn(1), row.getColumn(2), row.getColumn(3).getInt64(),
                        row.getColumn(4).getInt64(), row.getColumn(5).getInt64(), row.getColumn(6).getInt64(),
-                       row.getColumn(7), fromHex(row.getColumn(8))});
+                       row.getColumn(7), fromHex(row.getColumn(8)), row.getColumn(9), row.getColumn(10)});
     return lives;
   });
 }
@@ -94,6 +98,22 @@ Result<std::vector<StoredMeasure>> Store::measures(int condition, int life) cons
     while (row.executeStep())
       measures.push_back({row.getColumn(0).getInt64(), row.getColumn(1), row.getColumn(2).getDouble()});
     return measures;
+  });
+}
+
+Result<std::shared_ptr<const TensorFile>> Store::qFunction(const std::string& content) const {
+  using File = std::shared_ptr<const TensorFile>;
+  return guarded<File>(path_, [&]() -> Result<File> {
+    if (!database_->db.tableExists("q_functions")) return File();
+    SQLite::Statement row(database_->db, "SELECT file FROM q_functions WHERE content = ?");
+    SQLite::bind(row, content);
+    if (!row.executeStep()) return File();
+    const SQLite::Column bytes = row.getColumn(0);
+    const std::string_view blob(static_cast<const char*>(bytes.getBlob()), static_cast<std::size_t>(bytes.getBytes()));
+    auto file = TensorFile::parse(blob, path_);
+    if (!file) return file.error();
+    if (contentOf(*file) != content) return fileError(path_, "a Q-function in it is damaged.");
+    return std::make_shared<const TensorFile>(std::move(*file));
   });
 }
 

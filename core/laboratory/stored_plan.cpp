@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include "core/experiment/configuration_json.h"
+#include "core/experiment/lives_version.h"
+#include "core/experiment/q_file.h"
 #include "core/files/json_difference.h"
 #include "core/files/read_file.h"
 #include "core/laboratory/store.h"
@@ -19,6 +21,11 @@ Result<StoredPlan> planToStore(const Registry& registry, const Plan& plan) {
     auto json = configurationAsJson(c.configuration);
     json["seed"] = c.configuration.seed;
     json.erase("lives");  // it may grow
+    if (const auto& start = c.configuration.start) {
+      const auto content = c.configuration.beganWith["content"].get<std::string>();
+      json["began_with"] = {{"content", content}};
+      stored.qFunctions[content] = start;
+    }
     if (c.preLearning) {
       auto pre = configurationAsJson(c.preLearning->configuration);
       pre["seed"] = c.preLearning->configuration.seed;
@@ -29,6 +36,93 @@ Result<StoredPlan> planToStore(const Registry& registry, const Plan& plan) {
         {c.name, c.reference, c.text, json.dump(), plan.lives, task.highestReturn, task.stepTime.value_or(0.0)});
   }
   return stored;
+}
+
+namespace {
+
+/// What planToStore wrote of a configuration.
+Result<Configuration> storedConfiguration(const Registry& registry, const Json& json, const std::string& file) {
+  auto c = configurationFromJson(registry, json, file);
+  if (!c) return c.error();
+  if (!json.contains("seed") || !json["seed"].is_number_unsigned())
+    return fileError(file, "a condition has no seed; the file is damaged.");
+  c->seed = json["seed"].get<std::uint64_t>();
+  return c;
+}
+
+Result<PreLearning> storedPreLearning(const Registry& registry, const Json& json, const std::string& file) {
+  if (!json.is_object() || !json.contains("pool") || !json["pool"].is_number_unsigned() ||
+      json["pool"].get<std::uint64_t>() > 1'000'000 || !json.contains("configuration"))
+    return fileError(file, "the pre-learning of a condition lacks its pool or configuration; the file is damaged.");
+  auto c = storedConfiguration(registry, json["configuration"], file);
+  if (!c) return c.error();
+  PreLearning pre{.configuration = std::move(*c), .pool = json["pool"].get<int>(), .text = {}};
+  pre.text = json["configuration"].dump();
+  return pre;
+}
+
+Result<Condition> storedCondition(const Registry& registry, const StoredCondition& stored, const Store& store) {
+  const std::string& file = store.path();
+  const Json json = Json::parse(stored.configuration, nullptr, false);
+  auto configuration = storedConfiguration(registry, json, file);
+  if (!configuration) return configuration.error();
+  Condition c{.name = stored.name,
+              .text = stored.text,
+              .reference = stored.reference,
+              .configuration = std::move(*configuration),
+              .preLearning = {},
+              .varied = {}};
+  c.configuration.lives = stored.lives;
+  if (!c.configuration.minutes && !c.configuration.episodes)
+    return fileError(file, "a condition does not say how long a life is; the file is damaged.");
+  if (json.contains("began_with") || stored.text.find(" began-with={") != std::string::npos) {
+    const Json content = json.value("/began_with/content"_json_pointer, Json());
+    const auto q = store.qFunction(content.is_string() ? content.get<std::string>() : "");
+    if (!q) return q.error();
+    if (!*q)
+      return fileError(file, "it does not hold the Q-function that its lives begin with; go on with its plan: "
+                             "surefoot experiment PLAN --resume.");
+    beginWith(c.configuration, *q);
+  }
+  if (!json.contains("pre_learning")) return c;
+  auto pre = storedPreLearning(registry, json["pre_learning"], file);
+  if (!pre) return pre.error();
+  c.preLearning = std::move(*pre);
+  return c;
+}
+
+}  // namespace
+
+Result<Plan> planFromStore(const Registry& registry, const Store& store) {
+  const auto stored = store.plan();
+  if (!stored) return stored.error();
+  Plan plan{.title = stored->title,
+            .seed = stored->seed,
+            .lives = stored->conditions.front().lives,
+            .paired = stored->paired,
+            .conditions = {}};
+  for (const StoredCondition& c : stored->conditions) {
+    auto condition = storedCondition(registry, c, store);
+    if (!condition) return condition.error();
+    plan.conditions.push_back(std::move(*condition));
+  }
+  // What it would be written as now: a parameter that the store does not know yet would make other lives.
+  const auto again = planToStore(registry, plan);
+  if (!again) return again.error();
+  if (const Status s = checkSamePlan(*stored, *again, store.path()); !s) return s.error();
+  return plan;
+}
+
+int livesPlanned(const StoredPlan& plan) {
+  std::int64_t all = 0;
+  for (const StoredCondition& c : plan.conditions) all += c.lives;
+  return static_cast<int>(all / plan.shards + (plan.shard <= all % plan.shards));
+}
+
+Status checkLivesVersion(const std::vector<StoredLife>& lives, const std::string& path) {
+  for (const StoredLife& l : lives)
+    if (l.livesVersion != kLivesVersion) return otherLives(path, l.livesVersion, l.program);
+  return Done{};
 }
 
 Status checkSamePlan(const StoredPlan& stored, const StoredPlan& plan, const std::string& path) {

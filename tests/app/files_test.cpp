@@ -170,6 +170,8 @@ TEST(Files, InspectAndResample) {
   EXPECT_GT(error["rms_error"].get<double>(), 0.0);
   expectRefusal("train --minutes 0.1 --set features.scale=1 --load " + coarse, 3, {"tile_width", "resample"});
   EXPECT_EQ(run("train --minutes 0.1 --load " + coarse)["configuration"]["parameters"]["features.scale"], 0.7);
+  EXPECT_EQ(run("train --minutes 0.1 --load " + coarse)["began_with"]["file"],
+            std::filesystem::path(coarse).filename().string());
   expectRefusal("resample " + q + " --save x", 2, {"--set"});
   expectRefusal("resample " + q + " --set policy.epsilon=0.1 --save x", 2, {"policy.epsilon"});
   expectRefusal("resample " + q + " --set features.scale=0.7", 2, {"--save"});

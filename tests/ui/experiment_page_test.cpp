@@ -3,6 +3,7 @@
 
 #include <QClipboard>
 #include <QComboBox>
+#include <QDir>
 #include <QFile>
 #include <QGuiApplication>
 #include <QLineEdit>
@@ -26,6 +27,10 @@ using State = Experiment::State;
 const std::string kPlan =
     "title = \"Two walks\"\nlives = 6\nreference = \"one\"\n[base]\nenvironment = \"cliff\"\nfeatures = \"table\"\n"
     "episodes = 200\n[[condition]]\nname = \"one\"\n[[condition]]\nname = \"two\"\npolicy = \"softmax\"\n";
+
+const std::string kLongPlan =
+    "lives = 1\nreference = \"one\"\n[base]\nminutes = 150\n[[condition]]\nname = \"one\"\n[[condition]]\n"
+    "name = \"two\"\npolicy = \"softmax\"\n";
 
 /// A window at its Experiment page, with a plan in a folder of its own.
 struct Page : Window {
@@ -123,7 +128,68 @@ TEST(ExperimentPage, OpensResultsMadeWithoutAWindow) {
   ASSERT_TRUE(p.experiment().view());
   EXPECT_EQ(p.experiment().state(), State::Complete);
   EXPECT_EQ(p.experiment().title(), "Two walks");
-  EXPECT_FALSE(p.experiment().canRun()) << "a store does not hold its plan's text";
+  EXPECT_FALSE(p.experiment().canRun()) << "nothing is missing";
+}
+
+TEST(ExperimentPage, PausedItStandsStillAndForgetsNothing) {
+  Page p(kLongPlan);
+  p.page.runOrPause();
+  ASSERT_TRUE(p.waitFor([&] { return p.experiment().falls() > 50; }, 30'000));
+  p.page.runOrPause();
+  EXPECT_EQ(p.experiment().state(), State::Paused);
+  p.waitFor([] { return false; }, 500);  // until the threads have seen it
+  const std::int64_t falls = p.experiment().falls();
+  p.waitFor([] { return false; }, 500);
+  EXPECT_EQ(p.experiment().falls(), falls);
+  EXPECT_GE(falls, 50) << "of lives in hand; none is over";
+  p.page.runOrPause();
+  EXPECT_TRUE(p.waitFor([&] { return p.experiment().falls() > falls; }, 30'000));
+}
+
+TEST(ExperimentPage, AStoreThatIsOpenedAgainGoesOnToTheSameContent) {
+  const auto plan = parsePlan(fullRegistry(), kLongPlan, "plan.toml", {});
+  QTemporaryDir folder;
+  const QString kept = folder.filePath("kept.sqlite");
+  {
+    Page p(kLongPlan);
+    p.page.runOrPause();
+    ASSERT_TRUE(p.waitFor([&] { return p.experiment().falls() > 50; }, 30'000));
+    const QString store = QString::fromStdString(p.experiment().storePath());
+    p.page.startAgain();  // which keeps what was in hand
+    ASSERT_TRUE(p.waitFor([&] { return QFile::exists(store + ".lives") && !QFile::exists(store + "-lock"); }, 30'000));
+    ASSERT_TRUE(QFile::copy(store, kept));
+    ASSERT_TRUE(QDir().rename(store + ".lives", kept + ".lives"));
+  }
+  Page p;
+  p.page.open(kept);
+  ASSERT_TRUE(p.waitFor([&] { return !p.experiment().isOpening(); }));
+  EXPECT_EQ(p.experiment().state(), State::Paused);
+  ASSERT_TRUE(p.experiment().canRun());
+  EXPECT_TRUE(p.experiment().text().empty());
+  p.runToTheEnd();
+  EXPECT_FALSE(QFile::exists(kept + ".lives"));
+  const std::string other = folder.filePath("headless.sqlite").toStdString();
+  auto headless = Store::create(other, *planToStore(p.registry, *plan));
+  ASSERT_TRUE(runPlan(p.registry, *plan, *headless, {.jobs = 2}));
+  EXPECT_EQ(*Store::open(kept.toStdString())->contentHash(), *headless->contentHash());
+}
+
+TEST(ExperimentPage, AStoreOfAnotherVersionGoesOnOnlyIfThatIsWanted) {
+  Page p;
+  const std::string path = p.folder.filePath("other.sqlite").toStdString();
+  const auto plan = parsePlan(p.registry, kPlan, "plan.toml", {});
+  {
+    auto store = Store::create(path, *planToStore(p.registry, *plan));
+    ASSERT_TRUE(store->save({.life = 0, .episodes = 0, .diverged = {}, .livesVersion = 77, .program = "9.9"}, {}, {}));
+  }
+  p.page.open(QString::fromStdString(path));
+  ASSERT_TRUE(p.waitFor([&] { return !p.experiment().isOpening(); }));
+  const Status refused = p.experiment().run();
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message.find("9.9"), std::string::npos) << refused.error().message;
+  EXPECT_TRUE(p.experiment().needsConsent());
+  EXPECT_TRUE(p.experiment().run(true));
+  EXPECT_TRUE(p.waitFor([&] { return p.experiment().state() == State::Complete; }, 60'000));
 }
 
 TEST(ExperimentPage, AWrongPlanIsRefusedInASentence) {

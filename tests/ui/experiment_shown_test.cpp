@@ -106,6 +106,16 @@ TEST(Figures, EveryBarOfManyCanBeReachedAndIsWholeInAFile) {
   EXPECT_EQ(all.size(), 31u);
 }
 
+TEST(Figures, TheAxisEndsAtTheTickAboveTheHighestAndHasNoFewerThanNoFalls) {
+  Figure figure = manyConditions(true);
+  figure.series.resize(2);
+  figure.series[0].y = {{100, -20, 200}};
+  figure.series[1].y = {{50, 40, 60}};
+  EXPECT_EQ(FigurePainter(figure).yRange(), std::pair(0.0, 200.0));
+  figure.series[1].y = {{-50, -60, -40}};  // a change in per cent
+  EXPECT_EQ(FigurePainter(figure).yRange().first, -100.0);
+}
+
 TEST(Figures, AShadeOfAPolicyIsNoOtherPolicys) {
   FigurePainter painter(manyConditions(true));
   painter.setChosen("pre(2): TRL 0");

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/experiment/journal.h"
+#include "core/experiment/lives_version.h"
 #include "tests/ui/window_setup.h"
 #include "ui/autosave.h"
 #include "ui/exporting.h"
@@ -46,6 +47,28 @@ TEST(MainWindow, ASavedSessionGoesOnWhereItWas) {
   EXPECT_EQ(w.session->snapshot().totals.episodes, before.episodes);
   EXPECT_EQ(w.session->snapshot().totals.falls, before.falls);
   EXPECT_EQ(w.window->windowTitle(), "Surefoot: one");
+}
+
+TEST(MainWindow, ASessionOfAnotherVersionSaysThatItsLifeTakesAnotherCourse) {
+  Window w;
+  QTemporaryDir folder;
+  const QString path = folder.filePath("one.surefoot");
+  const auto learnAndSave = [&] {
+    w.window->saveTo(SavedAs::Session, path);
+    return w.waitFor([&] { return QFile::exists(path); });
+  };
+  ASSERT_TRUE(learnAndSave());
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::ReadWrite));
+  QByteArray bytes = file.readAll();
+  const QByteArray was = "\\\"lives_version\\\":" + QByteArray::number(kLivesVersion);
+  ASSERT_EQ(bytes.count(was), 1);
+  file.seek(0);
+  file.write(bytes.replace(was, "\\\"lives_version\\\":7"));
+  file.close();
+  w.window->openFile(path);
+  ASSERT_TRUE(w.waitFor([&] { return w.window->messages().accessibleName().contains("number 7"); }));
+  EXPECT_TRUE(w.window->messages().accessibleName().contains("goes on")) << w.window->messages().accessibleName().toStdString();
 }
 
 // What the bar says after a save can be copied into a shell, whatever the name and the environment.

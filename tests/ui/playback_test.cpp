@@ -56,6 +56,14 @@ TEST(Falls, AClickInTheListShowsOneAndThenItIsLiveAgain) {
   ASSERT_TRUE(w.waitFor([&] { return w.session->playback()->atEnd(); }));
   QTest::qWait(300);
   ASSERT_TRUE(w.session->playback()) << "it stands at the fall, to be looked at";
+  const double end = w.session->playback()->position;
+  const int row = list->currentIndex().row();
+  QTest::keyClick(list, Qt::Key_Left);
+  QTest::keyClick(list, Qt::Key_Left);
+  ASSERT_TRUE(w.session->playback());
+  EXPECT_EQ(w.session->playback()->position, end - 2) << "with the focus in the list ← → are the replay's";
+  EXPECT_EQ(list->currentIndex().row(), row);
+  EXPECT_EQ(list->currentIndex().column(), 0);
   w.key(Qt::Key_Escape);
   EXPECT_FALSE(w.session->playback());
   QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, at);

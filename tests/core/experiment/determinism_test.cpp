@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/experiment.h"
+#include "core/experiment/lives_version.h"
 #include "tests/core/experiment/test_setup.h"
 
 namespace surefoot {
@@ -29,7 +30,39 @@ TEST(Determinism, TheSameBitsForAnyNumberOfThreads) {
   }
 }
 
-// Written down once: a change of these numbers is a change of every result, and belongs into the CHANGELOG.
+namespace {
+
+/// A short life of everything that is registered, in 64 bits.
+std::uint64_t hashOfEverything(const Registry& r) {
+  Hash64 all;
+  for (const EnvironmentEntry& environment : r.environments)
+    for (const AgentEntry& agent : r.agents)
+      for (const PolicyEntry& policy : r.policies) {
+        Names names;
+        names.environment = environment.name, names.agent = agent.name, names.policy = policy.name;
+        auto c = configure(r, names, {});
+        if (!c) continue;  // a learning rule that is not for this task
+        c->episodes = 1000;
+        auto life = makeLife(r, *c, 0, false, 400);
+        if (!life) continue;
+        while (!(*life)->finished()) (*life)->step();
+        all.add((*life)->hash());
+      }
+  return all.value();
+}
+
+}  // namespace
+
+// Files of two numbers do not belong into one result: these hashes and the number go up together.
+TEST(Determinism, TheNumberOfTheLivesIsThatOfTheseBits) {
+  EXPECT_EQ(kLivesVersion, 1) << "write down the hash that belongs to it";
+  EXPECT_EQ(hashOfEverything(fullRegistry()), 14610224710700448358ULL)
+      << "lives take another course than before: raise kLivesVersion (core/experiment/lives_version.h) by one, write "
+         "down the new hash here, and say in the CHANGELOG what changed and why";
+}
+
+// Written down once: a change of these numbers is a change of every result, and belongs into the CHANGELOG, and into
+// kLivesVersion.
 TEST(Determinism, TheSameBitsOnEveryMachine) {
   const Registry r = fullRegistry();
   Configuration c = pendulumConfiguration(r, "softmax");

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/laboratory/store_database.h"
+
+#include <fmt/format.h>
+#include <sqlite3.h>
+
+#include <chrono>
+#include <thread>
+
+#include "core/files/read_file.h"
+#include "core/version.h"
+
+namespace surefoot {
+
+namespace {
+
+constexpr int kPatience = 5'000, kLongPatience = 60'000;  // [ms] for others to let go
+
+/// Not in stores of the first days.
+constexpr const char* kMeasures = R"(
+CREATE TABLE IF NOT EXISTS measures (condition INTEGER NOT NULL, life INTEGER NOT NULL, episode INTEGER NOT NULL,
+  name TEXT NOT NULL, value REAL NOT NULL, PRIMARY KEY (condition, life, episode, name)) WITHOUT ROWID;
+)";
+constexpr const char* kSinceFormat2 = R"(
+ALTER TABLE lives ADD COLUMN lives_version INTEGER;
+ALTER TABLE lives ADD COLUMN program TEXT;
+CREATE TABLE IF NOT EXISTS q_functions (content TEXT PRIMARY KEY, file BLOB NOT NULL);
+)";
+
+constexpr const char* kSchema = R"(
+CREATE TABLE experiment (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
+CREATE TABLE conditions (condition INTEGER PRIMARY KEY, name TEXT NOT NULL, reference TEXT NOT NULL, text TEXT NOT NULL, configuration TEXT NOT NULL,
+  lives INTEGER NOT NULL, goal_reward REAL NOT NULL, step_time REAL NOT NULL);
+CREATE TABLE pre_learned (condition INTEGER NOT NULL, q_function INTEGER NOT NULL, episodes INTEGER NOT NULL,
+  falls INTEGER NOT NULL, steps INTEGER NOT NULL, average_reward REAL NOT NULL, reached INTEGER NOT NULL, hash TEXT NOT NULL,
+  PRIMARY KEY (condition, q_function)) WITHOUT ROWID;
+CREATE TABLE lives (condition INTEGER NOT NULL, life INTEGER NOT NULL, q_function INTEGER, episodes INTEGER NOT NULL,
+  steps INTEGER NOT NULL, falls INTEGER NOT NULL, states_outside INTEGER NOT NULL, diverged TEXT, hash TEXT NOT NULL,
+  PRIMARY KEY (condition, life)) WITHOUT ROWID;
+CREATE TABLE episodes (condition INTEGER NOT NULL, life INTEGER NOT NULL, episode INTEGER NOT NULL,
+  transitions INTEGER NOT NULL, reward REAL NOT NULL, falls INTEGER NOT NULL, ending INTEGER NOT NULL,
+  PRIMARY KEY (condition, life, episode)) WITHOUT ROWID;
+CREATE TABLE endings (ending INTEGER PRIMARY KEY, name TEXT NOT NULL);
+INSERT INTO endings VALUES (0, 'end'), (1, 'success'), (2, 'fall'), (3, 'truncated');
+)";
+
+void mark(SQLite::Database& db, bool writing) {
+  db.exec(fmt::format("INSERT OR REPLACE INTO experiment VALUES ('writing', '{}')", writing ? 1 : 0));
+}
+
+/// The log that lets others read; without it where the file system has no memory to share.
+void useLog(SQLite::Database& db) {
+  if (db.execAndGet("PRAGMA journal_mode = WAL").getString() != "wal") {
+    db.exec("PRAGMA locking_mode = EXCLUSIVE; PRAGMA journal_mode = WAL");
+    db.exec("BEGIN EXCLUSIVE; COMMIT");
+  }
+  db.exec("PRAGMA synchronous = NORMAL");
+}
+
+/// The tables of Q-functions that lives begin with: what SQLite can hold of them.
+void addQFunctions(SQLite::Database& db, const StoredPlan& plan) {
+  constexpr std::size_t kLargest = 900'000'000;
+  SQLite::Statement row(db, "INSERT INTO q_functions VALUES (?, ?)");
+  for (const auto& [content, file] : plan.qFunctions) {
+    const std::string bytes = file->write();
+    if (bytes.size() > kLargest) continue;
+    row.bind(1, content);
+    row.bindNoCopy(2, bytes.data(), static_cast<int>(bytes.size()));
+    row.exec();
+    row.reset();
+  }
+}
+
+}  // namespace
+
+Error plainError(const std::string& path, const SQLite::Exception& e) {
+  const auto say = [&](const char* sentence) { return fileError(path, sentence); };
+  switch (e.getErrorCode()) {
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED:
+      return inUse(path);
+    case SQLITE_FULL:
+      return say("the disk is full; what was written before is kept, so make room and go on with --resume.");
+    case SQLITE_READONLY:
+    case SQLITE_PERM:
+      return say("it cannot be written to; look at its permissions and those of its folder.");
+    case SQLITE_CANTOPEN:
+      return say("it cannot be opened or made there; look at the folder and its permissions.");
+    case SQLITE_NOTADB:
+      return say("it is not a store of results (not an SQLite file).");
+    case SQLITE_CORRUPT:
+      return say("the file is damaged.");
+    case SQLITE_IOERR:
+      return say("it cannot be read or written; the disk may be full or damaged.");
+    default:
+      return fileError(path, fmt::format("{}.", e.what()));
+  }
+}
+
+Store::Database::Database(const std::string& uri, TemporaryFolder folder)
+    : copy(std::move(folder)),
+      db(uri, SQLite::OPEN_READONLY | SQLite::OPEN_URI, kPatience) {}
+
+Store::Database::Database(const std::string& path, StoreLock taken)
+    : lock(std::move(taken)),
+      db(path, SQLite::OPEN_READWRITE, kPatience) {}
+
+void Store::Database::beginWriting() {
+  useLog(db);
+  SQLite::Transaction whole(db);
+  db.exec(kMeasures);
+  if (db.execAndGet("PRAGMA user_version").getInt() < kFormat) db.exec(kSinceFormat2);
+  db.exec(fmt::format("PRAGMA user_version = {}", kFormat));
+  mark(db, true);
+  whole.commit();
+  writing = unsettled = true;
+  db.setBusyTimeout(kLongPatience);  // a reader of another kind may hold it for a while
+}
+
+Store::Database::~Database() {
+  addLife.reset(), addEpisode.reset(), addMeasure.reset();
+  if (!writing) return;
+  try {
+    db.setBusyTimeout(kPatience);
+    mark(db, false);
+  } catch (const SQLite::Exception&) {
+    return;  // the log stays beside it, and whoever opens it reads both
+  }
+  static_cast<void>(db.tryExec("PRAGMA wal_checkpoint(TRUNCATE)"));
+  // Back to a file without a log, which can be read where nothing can be written. A reader is waited for, but not long:
+  // everything is in the file by now.
+  constexpr int kTries = 20;
+  for (int i = 0; i < kTries && db.tryExec("PRAGMA journal_mode = DELETE") == SQLITE_BUSY; ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+}
+
+void fillStore(SQLite::Database& db, const StoredPlan& plan) {
+  SQLite::Transaction whole(db);
+  db.exec(kSchema);
+  db.exec(kMeasures);
+  db.exec(kSinceFormat2);
+  db.exec(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", kApplicationId, kFormat));
+  SQLite::Statement pair(db, "INSERT INTO experiment VALUES (?, ?)");
+  for (const auto& [key, value] : {std::pair<const char*, std::string>{"version", kVersion},
+                                   {"title", plan.title},
+                                   {"seed", std::to_string(plan.seed)},
+                                   {"paired", plan.paired ? "1" : "0"},
+                                   {"shard", std::to_string(plan.shard)},
+                                   {"shards", std::to_string(plan.shards)}}) {
+    SQLite::bind(pair, key, value);
+    pair.exec();
+    pair.reset();
+  }
+  SQLite::Statement row(db, "INSERT INTO conditions VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+  for (std::size_t i = 0; i < plan.conditions.size(); ++i) {
+    const StoredCondition& c = plan.conditions[i];
+    SQLite::bind(row, static_cast<int>(i), c.name, c.reference, c.text, c.configuration, c.lives, c.goalReward,
+                 c.stepTime);
+    row.exec();
+    row.reset();
+  }
+  addQFunctions(db, plan);
+  whole.commit();
+}
+
+}  // namespace surefoot

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/laboratory/whole_life.h"
+
+#include <thread>
+
+namespace surefoot {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr std::int64_t kStretch = 1 << 16;               // [steps] between two looks at the clock
+constexpr auto kPatience = std::chrono::seconds(2);      // a pause that is over before leaves the disk alone
+constexpr auto kLook = std::chrono::milliseconds(20);
+constexpr int kShare = 50;  // keeping takes one part of the time in so many
+
+class Keeper {
+ public:
+  Keeper(const Life& life, std::chrono::duration<double> every, const std::function<void()>& keep)
+      : life_(life),
+        wanted_(std::chrono::duration_cast<Clock::duration>(every)),
+        every_(wanted_),
+        keep_(keep),
+        keptAt_(life.steps()) {}
+
+  void keepNow() {
+    if (life_.steps() == keptAt_) return;
+    const auto before = Clock::now();
+    keep_();
+    last_ = Clock::now();
+    keptAt_ = life_.steps();
+    every_ = std::max<Clock::duration>(wanted_, kShare * (last_ - before));
+  }
+  void keepIfDue() {
+    if (Clock::now() - last_ >= every_) keepNow();
+  }
+
+ private:
+  const Life& life_;
+  Clock::duration wanted_, every_;
+  const std::function<void()>& keep_;
+  Clock::time_point last_ = Clock::now();
+  std::int64_t keptAt_;  // where it was taken up, or last kept
+};
+
+}  // namespace
+
+void liveWhole(Life& life, Meter& meter, const WorkPool& pool, std::chrono::duration<double> every,
+               const std::function<void()>& keep) {
+  Keeper keeper(life, every, keep);
+  meter.read(life);
+  while (!life.finished()) {
+    live(life, life.steps() + kStretch, pool, meter);
+    if (life.finished()) return;
+    if (pool.stopping()) return keeper.keepNow();
+    keeper.keepIfDue();
+    const auto since = Clock::now();
+    while (pool.paused() && !pool.stopping()) {
+      if (Clock::now() - since > kPatience) keeper.keepNow();
+      std::this_thread::sleep_for(kLook);
+    }
+  }
+}
+
+std::unique_ptr<Life> takeUp(const Registry& registry, std::shared_ptr<const TensorFile> file, bool keepRows) {
+  if (!file) return nullptr;
+  auto resumed = resume(registry, std::move(file), {});
+  if (!resumed || resumed->keepRows != keepRows) return nullptr;
+  return std::move(resumed->life);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A life of a plan from where it is to its end, on a thread of a pool, kept on the way so that it can be taken up.
+#pragma once
+
+#include <chrono>
+#include <functional>
+
+#include "core/experiment/checkpoint.h"
+#include "core/experiment/meter.h"
+
+namespace surefoot {
+
+/// Returns when the life is finished or the pool stops; while the pool is paused it stands still. `keep` is called,
+/// between two steps, when it stops before its end, some seconds into a pause, and about as often as `every` says (less
+/// often where keeping takes long).
+void liveWhole(Life& life, Meter& meter, const WorkPool& pool, std::chrono::duration<double> every,
+               const std::function<void()>& keep);
+
+/// A life that was kept; nullptr: there is none, or it does not fit.
+std::unique_ptr<Life> takeUp(const Registry& registry, std::shared_ptr<const TensorFile> file, bool keepRows);
+
+}  // namespace surefoot
