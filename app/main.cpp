@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -8,14 +9,14 @@
 #include "app/commands.h"
 #include "app/exit_code.h"
 #include "app/interrupt.h"
+#include "core/printable.h"
 #include "physics/register.h"
 
 namespace surefoot {
 
 int fail(const Error& error) {
-  std::string sentence = error.message;
-  for (char& c : sentence)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = '?';  // what was typed may hold line breaks and escapes
+  std::string sentence = printable(error.message);
+  std::replace_if(sentence.begin(), sentence.end(), [](char c) { return c == '\n' || c == '\t'; }, ' ');
   std::fprintf(stderr, "surefoot: %s\n", sentence.c_str());
   return exitCode(error.kind);
 }
@@ -24,25 +25,14 @@ void tellNote(const Store& store) {
   if (!store.note().empty()) fail(Error{store.note(), ErrorKind::File});  // the sentence only; it goes on
 }
 
-int print(const std::string& text) {
+int print(const std::string& content) {
+  const std::string text = printable(content);
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return kDone;
   if (errno == EPIPE) return kDone;  // `… | head` has read what it wanted
   return fail({fmt::format("standard output cannot be written: {}.", std::strerror(errno)), ErrorKind::File});
 }
 
 namespace {
-
-/// Well-formed: the lead bytes and what follows them.
-bool isUtf8(std::string_view text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const auto lead = static_cast<unsigned char>(text[i++]);
-    const int more = lead < 0x80 ? 0 : lead >= 0xC2 && lead < 0xE0 ? 1 : lead >= 0xE0 && lead < 0xF0 ? 2 : 3;
-    if (lead > 0xF4 || (lead >= 0x80 && lead < 0xC2)) return false;
-    for (int k = 0; k < more; ++k, ++i)
-      if (i >= text.size() || (static_cast<unsigned char>(text[i]) & 0xC0) != 0x80) return false;
-  }
-  return true;
-}
 
 int run(int argc, char** argv) {
   reportFailedWrites();

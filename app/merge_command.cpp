@@ -8,6 +8,7 @@
 
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "core/files/limited_json.h"
 #include "core/experiment/lives_version.h"
 #include "core/files/read_file.h"
 
@@ -62,7 +63,7 @@ Status checkVersions(const std::vector<Store>& parts) {
 /// The Q-functions that lives begin with, from the first part that holds them.
 Status addQFunctions(const std::vector<Store>& parts, StoredPlan& plan) {
   for (const StoredCondition& c : plan.conditions) {
-    const auto json = nlohmann::json::parse(c.configuration, nullptr, false);
+    const auto json = parseJson(c.configuration);
     const auto content = json.value("/began_with/content"_json_pointer, nlohmann::json());
     for (const Store& part : parts) {
       if (!content.is_string() || plan.qFunctions.contains(content)) break;

@@ -5,6 +5,8 @@
 
 #include <cstdio>
 
+#include "core/printable.h"
+
 namespace surefoot {
 
 namespace {
@@ -28,7 +30,7 @@ void ProgressLine::show(double share, const std::string& words) {
   const auto filled = static_cast<std::size_t>(share * 24);
   const std::string left = share > 0.001 ? durationText(elapsed / share - elapsed) : "…";
   write(fmt::format("\r[{}{}] {:3.0f} %  {}, {} elapsed, {} left \033[K", std::string(filled, '#'),
-                    std::string(24 - filled, '.'), share * 100, words, durationText(elapsed), left));
+                    std::string(24 - filled, '.'), share * 100, printable(words), durationText(elapsed), left));
 }
 
 ProgressLine::~ProgressLine() {

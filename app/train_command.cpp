@@ -54,9 +54,10 @@ int trainCommand(const Registry& registry, const TrainRequest& request) {
   if (!lives) return fail(lives.error());
 
   // Whatever fails here, the rest is still reported.
-  const Status written = files->finish(*lives, (*environment)->task().stepTime);
+  const std::vector<Error> missing = files->finish(*lives, (*environment)->task().stepTime);
   const int printed = print(request.json ? resultAsJson(configuration, *lives) : resultAsTable(configuration, *lives));
-  if (!written) return fail(written.error());
+  for (const Error& error : missing) fail(error);
+  if (!missing.empty()) return exitCode(missing.front().kind);
   if (printed != kDone) return printed;
 
   for (const LifeResult& life : *lives)

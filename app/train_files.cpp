@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <limits>
 
 #include "app/report.h"
 #include "core/experiment/journal.h"
@@ -36,11 +37,9 @@ void TrainFiles::visit(const Life& life) {
   if (life.diverged()) return;  // nothing that anyone would want to go on from
   if (save_) learned_ = qFileOf(life, request_->configuration).write();
   if (!request_->checkpoint) return;
-  const bool rows = keepRows();
-  auto file = WholeFile::createOrReplace("--checkpoint", *request_->checkpoint);
-  const Status written =
-      file ? file->commit(checkpointOf(life, request_->configuration, rows).write()) : Status(file.error());
-  if (!written) trouble_ = written;  // the old checkpoint is still there, and the life goes on
+  std::string bytes = checkpointOf(life, request_->configuration, keepRows()).write();
+  const bool written = static_cast<bool>(writeWhole("--checkpoint", *request_->checkpoint, bytes));
+  checkpoint_ = written ? "" : std::move(bytes);  // an older one is still there, and the life goes on
 }
 
 namespace {
@@ -55,24 +54,25 @@ Error rescue(const std::string& path, const std::string& content, const Error& w
     if (file && file->commit(content))
       return {fmt::format("{} It is in {} instead.", why.message, place.string()), why.kind};
   }
-  return why;
+  return {why.message + " It is lost.", why.kind};
 }
 
 }  // namespace
 
-Status TrainFiles::finish(const std::vector<LifeResult>& lives, std::optional<double> stepTime) {
-  Status status = trouble_;
-  const auto commit = [&](std::optional<WholeFile>& file, const std::optional<std::string>& path,
-                          const std::string& content) {
-    if (!file) return;
-    const Status written = file->commit(content);
-    if (!written && status) status = rescue(*path, content, written.error());
+std::vector<Error> TrainFiles::finish(const std::vector<LifeResult>& lives, std::optional<double> stepTime) {
+  std::vector<Error> missing;
+  const auto commit = [&](WholeFile& file, const std::string& path, const std::string& content) {
+    if (const Status written = file.commit(content); !written)
+      missing.push_back(rescue(path, content, written.error()));
   };
-  if (log_) commit(log_, request_->log, logAsCsv(lives, stepTime));
-  if (lives.empty()) return status;
-  if (!learned_.empty()) commit(save_, request_->save, learned_);
-  if (journal_) commit(journal_, request_->journal, journalOf(request_->configuration, lives.front()));
-  return status;
+  if (log_) commit(*log_, *request_->log, logAsCsv(lives, stepTime));
+  if (save_ && !learned_.empty()) commit(*save_, *request_->save, learned_);
+  if (journal_ && !lives.empty())
+    commit(*journal_, *request_->journal, journalOf(request_->configuration, lives.front()));
+  if (!checkpoint_.empty())
+    if (const Status written = writeWhole("--checkpoint", *request_->checkpoint, checkpoint_); !written)
+      missing.push_back(rescue(*request_->checkpoint, checkpoint_, written.error()));
+  return missing;
 }
 
 }  // namespace surefoot

@@ -21,16 +21,17 @@ class TrainFiles {
   std::int64_t visitEvery() const;
   /// Saves what is learned so far. On the life's thread.
   void visit(const Life& life);
-  /// Writes what is left to write. The first thing that went wrong, then or before.
-  Status finish(const std::vector<LifeResult>& lives, std::optional<double> stepTime);
+  /// Writes what is left to write. What is not in its place in the end, one sentence a file: it says where the file is
+  /// instead, or that it is lost.
+  std::vector<Error> finish(const std::vector<LifeResult>& lives, std::optional<double> stepTime);
 
  private:
   explicit TrainFiles(const TrainRequest& request) : request_(&request) {}
 
   const TrainRequest* request_;
   std::optional<WholeFile> log_, save_, journal_;
-  std::string learned_;      // the bytes of the Q-function
-  Status trouble_ = Done{};  // a checkpoint that could not be written
+  std::string learned_;     // the bytes of the Q-function
+  std::string checkpoint_;  // the bytes of the newest checkpoint, if it could not be written
 };
 
 }  // namespace surefoot

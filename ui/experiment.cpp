@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/files/limited_json.h"
 #include "ui/symbol_text.h"
 
 namespace surefoot {
@@ -37,7 +38,7 @@ std::vector<FigureSpec> Experiment::standardFigures(const StoredPlan& plan) cons
       figure("learning-time", "Learning time", "bars", "minutes"),
       figure("end-performance", "Falls per episode at the end", "bars", "end_performance")};
   const bool walks = std::any_of(plan.conditions.begin(), plan.conditions.end(), [&](const StoredCondition& c) {
-    const auto configuration = nlohmann::json::parse(c.configuration, nullptr, false);
+    const auto configuration = parseJson(c.configuration);
     if (!configuration.is_object()) return false;
     const auto entry =
         findEntry(registry_.environments, "environment", configuration.value("environment", std::string()));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/experiment_results.h"
 
+#include "core/files/limited_json.h"
 #include "core/laboratory/thesis_marks.h"
 
 namespace surefoot {
@@ -26,7 +27,7 @@ void ExperimentResults::begin(std::vector<Claim> claims, const StoredPlan& plan)
   seed_ = plan.seed;
   policies_.clear();
   for (const StoredCondition& c : plan.conditions) {
-    const auto configuration = nlohmann::json::parse(c.configuration, nullptr, false);
+    const auto configuration = parseJson(c.configuration);
     if (configuration.is_object()) policies_[c.name] = configuration.value("policy", "");
   }
   newest_.reset();

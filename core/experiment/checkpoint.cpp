@@ -20,6 +20,17 @@ Json changesAsJson(const std::vector<Change>& changes) {
   return list;
 }
 
+/// By their steps, from 0 on.
+template <class Step>
+bool inOrder(const std::vector<Step>& list) {
+  std::int64_t least = 0;
+  for (const Step& entry : list) {
+    if (entry.step < least || entry.step > kMostLifeSteps) return false;
+    least = entry.step;
+  }
+  return true;
+}
+
 std::optional<std::vector<Change>> changesFrom(const Json& json) {
   if (!json.is_array()) return std::nullopt;
   std::vector<Change> changes;
@@ -32,6 +43,7 @@ std::optional<std::vector<Change>> changesFrom(const Json& json) {
     changes.push_back({entry["step"].get<std::int64_t>(), entry["key"].get<std::string>(),
                        entry["before"].get<std::string>(), entry["after"].get<std::string>()});
   }
+  if (changes.size() > kMostChanges || !inOrder(changes)) return std::nullopt;
   return changes;
 }
 
@@ -51,6 +63,7 @@ std::optional<std::vector<CommandText>> commandsFrom(const Json& json) {
     commands.push_back(
         {entry["step"].get<std::int64_t>(), entry["key"].get<std::string>(), entry["value"].get<std::string>()});
   }
+  if (!inOrder(commands)) return std::nullopt;
   return commands;
 }
 

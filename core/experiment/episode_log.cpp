@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <limits>
 
 #include "core/random.h"
 
@@ -56,8 +57,6 @@ const EpisodeRow& EpisodeLog::finish(Ending ending, std::int64_t lifeSteps, doub
 
 namespace {
 
-constexpr std::int64_t kMostSteps = 1'000'000'000'000'000;
-
 /// Rows as columns.
 void transferRows(Archive& archive, const std::string& name, std::vector<EpisodeRow>& rows) {
   constexpr std::size_t kMost = 1'000'000'000;
@@ -90,8 +89,13 @@ void transferRows(Archive& archive, const std::string& name, std::vector<Episode
     rows.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
       if (ending[i] > static_cast<std::uint8_t>(Ending::Truncated)) return archive.refuse("ending", "is out of range");
-      for (const std::int64_t count : {episode[i], steps[i], lifeSteps[i], falls[i]})
-        if (count < 0 || count > kMostSteps) return archive.refuse("episode", "or a column beside it is out of range");
+      for (const std::int64_t count : {episode[i], steps[i], lifeSteps[i]})
+        if (count < 0 || count > kMostLifeSteps)
+          return archive.refuse("episode", "or a column beside it is out of range");
+      if (falls[i] < 0 || falls[i] > std::numeric_limits<int>::max())
+        return archive.refuse("falls", "is out of range");
+      if (i > 0 && (episode[i] <= episode[i - 1] || lifeSteps[i] < lifeSteps[i - 1]))
+        return archive.refuse("episode", "is not in order");
       rows[i] = {episode[i],
                  steps[i],
                  lifeSteps[i],
@@ -130,7 +134,7 @@ void EpisodeLog::transfer(Archive& archive) {
         std::pair{"success_steps", &totals_.successSteps}, std::pair{"failure_steps", &totals_.failureSteps},
         std::pair{"successes_after", &totals_.successesAfter},
         std::pair{"success_steps_after", &totals_.successStepsAfter}})
-    archive.value(name, *total, 0, kMostSteps);
+    archive.value(name, *total, 0, kMostLifeSteps);
   archive.table("measures", totals_.measures);
   archive.value("highest_reward", totals_.highestReward);
   archive.under("end_of_learning.", [&] { end_.transfer(archive); });

@@ -12,6 +12,7 @@
 #include "core/experiment/configuration_json.h"
 #include "core/experiment/lives_version.h"
 #include "core/experiment/q_file.h"
+#include "core/files/limited_json.h"
 #include "core/files/read_file.h"
 #include "core/text.h"
 #include "core/version.h"
@@ -29,7 +30,7 @@ std::string hashText(std::uint64_t hash) {
 /// A line as a JSON object; null if it is none.
 Json parseLine(const std::string& line) {
   constexpr std::size_t kLongest = 1 << 20;
-  Json json = line.size() > kLongest ? Json() : Json::parse(line, nullptr, false);
+  Json json = parseJson(line, kLongest);
   return json.is_object() ? json : Json();
 }
 
@@ -96,6 +97,8 @@ Status parseEnd(const Json& end, const std::string& name, Journal& journal) {
   if (code != std::errc{} || last != hash.data() + hash.size())
     return fileError(name, fmt::format("\"{}\" is no hash.", shortened(hash)));
   journal.steps = end["step"].get<std::int64_t>();
+  if (journal.steps > kMostLifeSteps || end["episodes"].get<std::int64_t>() > journal.steps)
+    return fileError(name, "its last line counts more steps or episodes than a life can have.");
   journal.episodes = end["episodes"].get<std::int64_t>();
   journal.falls = end["falls"].get<std::int64_t>();
   return Done{};
@@ -149,6 +152,8 @@ Result<Journal> parseJournal(const Registry& registry, const std::string& text, 
     auto& commands = journal->configuration.commands;
     if (!commands.empty() && commands.back().step > command.step)
       return fileError(name, fmt::format("line {} goes back in time.", number));
+    if (commands.size() == kMostChanges)
+      return fileError(name, fmt::format("it has more than {} commands, which no journal of ours has.", kMostChanges));
     commands.push_back(command);
   }
   return fileError(name, "it is cut off: the line of the end is missing.");

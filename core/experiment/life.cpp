@@ -11,10 +11,6 @@
 
 namespace surefoot {
 
-namespace {
-constexpr std::size_t kMostChanges = 10'000;  // a slider dragged for an hour must not fill the memory
-}
-
 Life::Life(LifeParts parts, Random world, Random policy, LifeLimits limits, bool keepRows)
     : environment_(std::move(parts.environment)),
       policy_(std::move(parts.policy)),

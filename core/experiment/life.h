@@ -19,6 +19,9 @@
 
 namespace surefoot {
 
+/// A life remembers so many changes: a slider dragged for an hour must not fill the memory.
+inline constexpr std::size_t kMostChanges = 10'000;
+
 /// Something was done to a life while it went on.
 struct Change {
   std::int64_t step = 0;      ///< steps of the life before it

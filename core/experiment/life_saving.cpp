@@ -10,8 +10,7 @@ namespace surefoot {
 
 namespace {
 constexpr std::size_t kMostInputs = 1'000'000'000;
-constexpr std::int64_t kMostSteps = 1'000'000'000'000'000;
-}  // namespace
+}
 
 Life::Life(LifeParts parts, LifeLimits limits, bool keepRows, Archive& archive)
     : environment_(std::move(parts.environment)),
@@ -55,7 +54,7 @@ void Life::transfer(Archive& archive) {
   archive.table("random.world", inputs_.random);
   archive.table("random.policy", policyRandom);
   policyRandom_ = Random(policyRandom);
-  archive.value("steps", steps_, 0, kMostSteps);
+  archive.value("steps", steps_, 0, kMostLifeSteps);
   const Task& task = environment_->task();
   archive.value("action", action_, kHandMade, static_cast<int>(task.actions.size()) - 1);
   if (archive.reading() && archive.good() && !isAction(task, action_)) archive.refuse("action", "is out of range");
@@ -80,6 +79,8 @@ void Life::repeatEpisode(Archive& archive) {
       return archive.refuse("episode.actions", "names actions that there are not");
   if (pushSteps.size() != pushImpulses.size())
     return archive.refuse("episode.push_steps", "is not as long as the list of impulses");
+  if (!std::is_sorted(pushSteps.begin(), pushSteps.end()) || (!pushSteps.empty() && pushSteps.back() > actions.size()))
+    return archive.refuse("episode.push_steps", "is not in order, or goes beyond the episode");
   if (!start.empty() && !checkState(task, start))
     return archive.refuse("episode.start", "is no state of the environment");
   if (inEpisode_ && static_cast<std::int64_t>(actions.size()) != log_.current().steps)

@@ -29,23 +29,20 @@ class Archive {
   /// What is read does not make sense.
   void refuse(const std::string& name, const std::string& why);
 
-  /// One number.
-  template <class T>
-  void value(const std::string& name, T& v) {
-    if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, int> || std::is_enum_v<T>) {
-      auto wide = static_cast<std::int64_t>(v);
-      elements(name, std::span(&wide, 1), {1});
-      v = static_cast<T>(wide);
-    } else {
-      elements(name, std::span(&v, 1), {1});
-    }
-  }
-  /// A whole number from `low` to `high`.
+  /// One number that is not narrower in memory than in the file.
+  void value(const std::string& name, double& v) { elements(name, std::span(&v, 1), {1}); }
+  void value(const std::string& name, std::int64_t& v) { elements(name, std::span(&v, 1), {1}); }
+  void value(const std::string& name, std::uint64_t& v) { elements(name, std::span(&v, 1), {1}); }
+  /// A whole number from `low` to `high`, both within T. In the file it has 64 bits, and those are checked.
   template <class T>
   void value(const std::string& name, T& v, std::int64_t low, std::int64_t high) {
-    value(name, v);
-    if (const auto wide = static_cast<std::int64_t>(v); good() && (wide < low || wide > high))
+    auto wide = static_cast<std::int64_t>(v);
+    elements(name, std::span(&wide, 1), {1});
+    if (!good()) return;
+    if (wide < low || wide > high)
       refuse(name, "is out of range");
+    else
+      v = static_cast<T>(wide);
   }
   /// A table of a size that both sides know.
   template <class T>

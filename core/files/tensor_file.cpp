@@ -10,6 +10,7 @@
 #include <optional>
 #include <tuple>
 
+#include "core/files/limited_json.h"
 #include "core/text.h"
 
 static_assert(std::endian::native == std::endian::little, "tensors are copied as they lie in memory");
@@ -78,20 +79,6 @@ bool isTensorEntry(const Json& entry) {
          entry["shape"].is_array() && entry.contains("data_offsets") && entry["data_offsets"].is_array() &&
          entry["data_offsets"].size() == 2 && entry["data_offsets"][0].is_number_unsigned() &&
          entry["data_offsets"][1].is_number_unsigned();
-}
-
-/// JSON without exceptions, and not so deep that reading it needs much of the stack.
-Json parseJson(std::string_view text) {
-  constexpr int kDeepest = 32;
-  const auto tooDeep = [](int depth, Json::parse_event_t, Json&) -> bool {
-    if (depth > kDeepest) throw std::length_error("too deep");
-    return true;
-  };
-  try {
-    return Json::parse(text, tooDeep, false);
-  } catch (const std::length_error&) {
-    return Json(Json::value_t::discarded);
-  }
 }
 
 /// A path in it may not be UTF-8: then as near as can be.

@@ -31,6 +31,33 @@ mode_t usualMode() {
   return 0666 & ~mask;
 }
 
+/// Gives a file without a name the name ".surefoot-PID-N" in the folder; empty: it cannot be done.
+std::string nameIn(const std::string& folder, int nameless) {
+  constexpr int kMostTries = 1000;
+  const std::string self = fmt::format("/proc/self/fd/{}", nameless);
+  for (int i = 0; i < kMostTries; ++i) {
+    std::string name = fmt::format("{}/.surefoot-{}-{}", folder, getpid(), i);
+    if (linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) return name;
+    if (errno != EEXIST) break;
+  }
+  return {};
+}
+
+int openNameless(const std::string& folder) {
+  return ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, usualMode());
+}
+
+/// Whether a file without a name can get one later: tried now with another, not found out after a night. Some file
+/// systems have files without a name but no hard links; a bare chroot lacks /proc.
+bool canBeNamedLater(const std::string& folder) {
+  const int probe = openNameless(folder);
+  if (probe < 0) return false;
+  const std::string name = nameIn(folder, probe);
+  if (!name.empty()) unlink(name.c_str());
+  close(probe);
+  return !name.empty();
+}
+
 }  // namespace
 
 Result<WholeFile> WholeFile::createNew(const std::string& what, const std::string& path) {
@@ -59,12 +86,8 @@ Result<WholeFile> WholeFile::open(const std::string& what, const std::string& pa
     return unwritable(what, path, fmt::format("the folder {}: {}", folder, std::strerror(errno)));
 
   // A file without a name, where the file system has such: whatever ends the program, nothing is left behind.
-  // (Its name is given through /proc, which a bare chroot may lack.)
-  if (access("/proc/self/fd", X_OK) == 0) {
-    const int nameless = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, usualMode());
-    if (nameless >= 0) return WholeFile(what, path, "", nameless, replaces);
-    if (errno != EOPNOTSUPP && errno != EISDIR && errno != ENOENT) return unwritable(what, path, std::strerror(errno));
-  }
+  if (canBeNamedLater(folder))
+    if (const int nameless = openNameless(folder); nameless >= 0) return WholeFile(what, path, "", nameless, replaces);
 
   std::string temporary = folder + "/.surefoot-XXXXXX";
   const int named = mkostemp(temporary.data(), O_CLOEXEC);
@@ -88,15 +111,8 @@ WholeFile::~WholeFile() {
 
 // A name of its own first, then in one step the place of the old file. Whatever happens between, both are whole.
 bool WholeFile::takePlace() const {
-  std::string name = temporary_;
-  if (name.empty()) {
-    const std::string self = fmt::format("/proc/self/fd/{}", descriptor_);
-    for (int i = 0;; ++i) {
-      name = fmt::format("{}/.surefoot-{}-{}", folderOf(path_), getpid(), i);
-      if (linkat(AT_FDCWD, self.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0) break;
-      if (errno != EEXIST || i == 1000) return false;
-    }
-  }
+  const std::string name = temporary_.empty() ? nameIn(folderOf(path_), descriptor_) : temporary_;
+  if (name.empty()) return false;
   if (rename(name.c_str(), path_.c_str()) == 0) return true;
   const int why = errno;
   unlink(name.c_str());
@@ -110,10 +126,20 @@ bool WholeFile::giveName() const {
     const std::string self = fmt::format("/proc/self/fd/{}", descriptor_);
     return linkat(AT_FDCWD, self.c_str(), AT_FDCWD, path_.c_str(), AT_SYMLINK_FOLLOW) == 0;
   }
-  if (renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE) == 0) return true;
-  if (errno != EINVAL || link(temporary_.c_str(), path_.c_str()) != 0) return false;
-  unlink(temporary_.c_str());
-  return true;
+  const char *from = temporary_.c_str(), *to = path_.c_str();
+  if (renameat2(AT_FDCWD, from, AT_FDCWD, to, RENAME_NOREPLACE) == 0) return true;
+  if (errno == EEXIST) return false;
+  if (link(from, to) == 0) return unlink(from), true;
+  if (errno == EEXIST) return false;
+  // A file system that can do neither (SMB, exFAT): an empty file claims the name, and is replaced.
+  const int claim = ::open(to, O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, usualMode());
+  if (claim < 0) return false;
+  close(claim);
+  if (rename(from, to) == 0) return true;
+  const int why = errno;
+  unlink(to);
+  errno = why;
+  return false;
 }
 
 Status WholeFile::append(std::string_view content) {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/experiment/greedy_test.h"
+#include "core/files/limited_json.h"
 
 namespace surefoot {
 
@@ -71,7 +72,7 @@ Result<std::vector<Evidence>> readEvidence(const Store& store) {
     e.end = endOfLearning(e.averages, e.record.condition.goalReward);
     e.lives = measure(e.record, e.end);
     e.untilOtherEnds = resampledUntilEnd(e.record, e.end);
-    e.configuration = nlohmann::json::parse(e.record.condition.configuration, nullptr, false);
+    e.configuration = parseJson(e.record.condition.configuration);
     if (e.configuration.contains("pre_learning")) e.pool = e.configuration["pre_learning"].dump();
     all.push_back(std::move(e));
   }

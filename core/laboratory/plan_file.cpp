@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "core/files/limited_toml.h"
 #include "core/number_text.h"
 #include "core/parameters.h"
 #include "core/text.h"
@@ -116,10 +117,13 @@ class Reader {
     } else {
       return refuse(key, setting.line);
     }
-    for (const std::string& value : setting.values)
+    for (const std::string& value : setting.values) {
+      if (value.empty() && key != "name")
+        return planError(path_, setting.line, fmt::format("{}: it is empty; leave it away, or give a value.", key));
       if (std::any_of(value.begin(), value.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; }))
         return planError(path_, setting.line,
                          fmt::format("{}: a text holds no line breaks or control characters.", key));
+    }
     into.push_back(std::move(setting));
     return Done{};
   }
@@ -196,6 +200,7 @@ std::string withLargeSeeds(const std::string& text) {
 }  // namespace
 
 Result<PlanFile> parsePlanFile(const std::string& text, const std::string& path) {
+  if (const Status s = checkTomlLimits(text); !s) return planError(path, 0, s.error().message + ".");
   const toml::parse_result parsed = toml::parse(withLargeSeeds(text));
   if (!parsed)
     return planError(path, static_cast<int>(parsed.error().source().begin.line),
@@ -204,6 +209,7 @@ Result<PlanFile> parsePlanFile(const std::string& text, const std::string& path)
 }
 
 Result<nlohmann::json> parseRecipeBlocks(const std::string& text, const std::string& path) {
+  if (const Status s = checkTomlLimits(text); !s) return planError(path, 0, s.error().message + ".");
   const toml::parse_result parsed = toml::parse(withLargeSeeds(text));
   if (!parsed) return planError(path, lineOf(parsed.table()), "this is not TOML.");
   nlohmann::json blocks = {{"shows", nlohmann::json::array()},

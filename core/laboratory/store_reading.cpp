@@ -3,6 +3,7 @@
 #include <map>
 
 #include "core/experiment/q_file.h"
+#include "core/files/limited_json.h"
 #include "core/files/read_file.h"
 #include "core/laboratory/store_database.h"
 
@@ -36,7 +37,7 @@ Result<StoredPlan> Store::plan() const {
                                  row.getColumn(6).getDouble()});
     if (plan.conditions.empty()) return fileError(path_, "it holds no condition; the file is damaged.");
     for (const StoredCondition& c : plan.conditions)
-      if (!nlohmann::json::parse(c.configuration, nullptr, false).is_object())
+      if (!parseJson(c.configuration).is_object())
         return fileError(path_, "a condition has no configuration; the file is damaged.");
     return plan;
   });

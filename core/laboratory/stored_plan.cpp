@@ -5,6 +5,7 @@
 #include "core/experiment/lives_version.h"
 #include "core/experiment/q_file.h"
 #include "core/files/json_difference.h"
+#include "core/files/limited_json.h"
 #include "core/files/read_file.h"
 #include "core/laboratory/store.h"
 #include "core/version.h"
@@ -141,8 +142,8 @@ Status checkSamePlan(const StoredPlan& stored, const StoredPlan& plan, const std
     if (there.reference != here.reference) return differs(which + ", reference", there.reference, here.reference);
     if (there.text != here.text) return differs(which, there.text, here.text);
     if (there.configuration != here.configuration) {
-      const auto theirs = nlohmann::json::parse(there.configuration, nullptr, false);
-      const auto ours = nlohmann::json::parse(here.configuration, nullptr, false);
+      const auto theirs = parseJson(there.configuration);
+      const auto ours = parseJson(here.configuration);
       const std::string whole = fmt::format("{} ({})", which, here.name);
       if (const auto d = firstDifference(theirs, ours, whole)) return differs(d->where, d->theirs, d->ours);
       const auto d = firstDifference(ours, theirs, whole);  // something that only the store has

@@ -81,12 +81,14 @@ void DeferredTrace::transfer(WeightTable& table, Archive& archive) {
   archive.value("sum", table.sum_);
   archive.value("product", product_);
   auto most = static_cast<std::int64_t>(mostMarks_);
-  archive.value("most", most, 1, std::int64_t{1} << 40);
+  archive.value("most", most, 1, static_cast<std::int64_t>(std::max(kUsualMarks, 2 * table.size())));
   if (!archive.reading() || !archive.good()) return;
 
   if (e.size() != weights.size() || live.size() != weights.size() || v.size() != weights.size() ||
       std::any_of(weights.begin(), weights.end(), [&](Index k) { return k >= table.size(); }))
     return archive.refuse("weights", "does not fit the table");
+  if (!std::is_sorted(e.begin(), e.end()) || (!e.empty() && e.front() <= 0.0))
+    return archive.refuse("e", "is not in order");
   if (!(product_ > 0.0 && product_ <= 1.0)) return archive.refuse("product", "is out of range");
   setProduct(product_);
   begin_ = end_ = 0;

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "core/schedule.h"
@@ -154,11 +155,11 @@ void Estimate<F>::eligibility(std::vector<Eligibility>& z, std::uint64_t first) 
 template <FeatureMap F>
 void Estimate<F>::transferLearning(Archive& archive) {
   archive.value("diverged", diverged_, 0, 1);
-  archive.value("states_outside", statesOutside_);
+  archive.value("states_outside", statesOutside_, 0, std::numeric_limits<std::int64_t>::max());
   archive.value("trace_kind", kind_, 0, 1);
   if constexpr (ClaimingFeatureMap<F>) {
     std::int64_t failed = values_.features().failedLookUps();
-    archive.value("failed_look_ups", failed);
+    archive.value("failed_look_ups", failed, 0, std::numeric_limits<std::int64_t>::max());
     values_.features().setFailedLookUps(failed);
   }
   archive.under("deferred.", [&] { deferred_.transfer(values_.weights(), archive); });
@@ -170,7 +171,8 @@ void Estimate<F>::transferLearning(Archive& archive) {
   archive.list("features", features, x().index.size());
   archive.list("feature_values", values, x().index.size());
   if (!archive.reading() || !archive.good()) return;
-  const std::size_t size = values_.features().size();
+  std::size_t size = values_.features().size();
+  if constexpr (ClaimingFeatureMap<F>) size = values_.features().occupied();  // the rows that are there
   if (features.size() != values.size() ||
       std::any_of(features.begin(), features.end(), [=](Index i) { return i >= size; }))
     return archive.refuse("features", "does not fit the table");
