@@ -45,7 +45,7 @@ Result<Store> openStore(const Registry& registry, const ExperimentRequest& reque
   if (!stored) return stored.error();
   stored->shard = request.lab.shard, stored->shards = request.lab.shards;
   if (!request.resume || Store::missing(request.out)) return Store::create(request.out, *stored);
-  auto store = Store::openToWrite(request.out);
+  auto store = Store::openToWrite(request.out, &watchForInterrupt());
   if (!store) return store;
   const auto there = store->plan();
   if (!there) return there.error();

@@ -2,6 +2,7 @@
 // `surefoot export`: a store's tables as CSV.
 #include "app/commands.h"
 #include "app/exit_code.h"
+#include "app/interrupt.h"
 #include "core/laboratory/csv_export.h"
 
 namespace surefoot {
@@ -9,11 +10,12 @@ namespace surefoot {
 int exportCommand(const ExportRequest& request) {
   if (request.store.empty()) return fail({"STORE: the store of results is needed."});
   if (!request.csv) return fail({"--csv: the folder to write to is needed."});
-  const auto store = Store::open(request.store);
+  const auto store = Store::open(request.store, &watchForInterrupt());
   if (!store) return fail(store.error());
-  tellNote(*store);
   const Status written = exportCsv(*store, *request.csv, "--csv", request.forSpreadsheets);
-  return written ? kDone : fail(written.error());
+  if (!written) return fail(written.error());
+  tellNote(*store);
+  return kDone;
 }
 
 }  // namespace surefoot

@@ -8,6 +8,8 @@
 #include <numeric>
 
 #include "app/commands.h"
+#include "app/stored_function.h"
+#include "core/experiment/checkpoint.h"
 #include "core/experiment/q_file.h"
 #include "core/text.h"
 
@@ -77,12 +79,31 @@ std::string asTable(const TensorFile& file) {
   return text;
 }
 
+/// Whether it could be gone on from; of an environment that this program does not know that cannot be said.
+Status checkWhole(const Registry& registry, const std::shared_ptr<const TensorFile>& file) {
+  const Json name = file->about.value("/configuration/environment"_json_pointer, Json());
+  if (!name.is_string()) return fileError(file->name, "its configuration names no environment.");
+  if (!findEntry(registry.environments, "environment", name.get<std::string>())) return Done{};
+  if (file->about["kind"] == "checkpoint") {
+    const auto resumed = resume(registry, file, {});
+    return resumed ? Status(Done{}) : resumed.error();
+  }
+  const auto configuration = configurationOf(registry, *file);
+  if (!configuration) return configuration.error();
+  const auto environment = makeEnvironment(registry, *configuration);
+  if (!environment) return environment.error();
+  if (const Status s = checkTask(*file, (*environment)->task()); !s) return s;
+  const auto agent = makeAgent(registry, *configuration, (*environment)->task(), file.get());
+  return agent ? Status(Done{}) : agent.error();
+}
+
 }  // namespace
 
-int inspectCommand(const Registry&, const InspectRequest& request) {
+int inspectCommand(const Registry& registry, const InspectRequest& request) {
   if (request.file.empty()) return fail({"FILE: the name of a file is needed."});
   const auto file = readQFile(request.file);
   if (!file) return fail(file.error());
+  if (const Status s = checkWhole(registry, *file); !s) return fail(s.error());
   if (!request.json) return print(asTable(**file));
   nlohmann::ordered_json json = {{"about", (*file)->about}, {"tensors", tensorsAsJson(**file)}};
   return print(json.dump(2, ' ', true) + "\n");

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <thread>
 
+#include "app/interrupt.h"
 #include "app/requests.h"
 #include "app/resources.h"
 #include "core/text.h"
@@ -121,6 +122,7 @@ Result<Request> makeExperimentRequest(const Registry& registry, const Experiment
   if (o.plan.empty())
     return Error{fmt::format("PLAN: a plan is needed, a file or one of {}.", joinWords(shippedPlans(), "or"))};
   PlanChanges changes;
+  changes.interrupted = &watchForInterrupt();
   const auto assignments = parseAssignments(o.assignments);
   if (!assignments) return assignments.error();
   changes.assignments = *assignments;

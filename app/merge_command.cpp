@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `surefoot merge`: the parts of an experiment into one store.
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
 
 #include "app/commands.h"
 #include "app/exit_code.h"
-#include "core/files/limited_json.h"
+#include "app/interrupt.h"
 #include "core/experiment/lives_version.h"
+#include "core/files/limited_json.h"
 #include "core/files/read_file.h"
+#include "core/laboratory/store_lock.h"
 
 namespace surefoot {
 
@@ -79,7 +80,7 @@ Result<Store> join(const MergeRequest& request, const std::string& path) {
   std::vector<Store> parts;
   std::vector<StoredPlan> plans;
   for (const std::string& file : request.parts) {
-    auto part = Store::open(file);
+    auto part = Store::open(file, &watchForInterrupt());
     if (!part) return part.error();
     auto plan = part->plan();
     if (!plan) return plan.error();
@@ -92,7 +93,6 @@ Result<Store> join(const MergeRequest& request, const std::string& path) {
       return Error{
           fmt::format("{}: it holds {} of its {} lives; finish it with --resume first.", file, lives->size(), planned),
           ErrorKind::File};
-    tellNote(*part);
     parts.push_back(std::move(*part));
     plans.push_back(std::move(*plan));
   }
@@ -105,7 +105,14 @@ Result<Store> join(const MergeRequest& request, const std::string& path) {
   if (!store) return store;
   for (const Store& part : parts)
     if (const Status s = store->add(part); !s) return s.error();
+  for (const Store& part : parts) tellNote(part);
   return store;
+}
+
+/// With all that SQLite and the lock may have left beside it.
+void removePart(const std::string& path) {
+  std::error_code ignored;
+  for (const char* rest : {"", "-wal", "-shm", "-journal", "-lock"}) std::filesystem::remove(path + rest, ignored);
 }
 
 }  // namespace
@@ -116,11 +123,12 @@ int mergeCommand(const MergeRequest& request) {
   if (!Store::missing(*request.out))
     return fail({fmt::format("{}: it exists already; name another file.", *request.out), ErrorKind::File});
 
-  // The whole appears at once: made beside its place, then given its name.
-  const std::string meanwhile = fmt::format("{}.part-{}", *request.out, getpid());
-  if (std::filesystem::exists(std::filesystem::symlink_status(meanwhile)))
-    return fail({fmt::format("{}: it is in the way; remove it first.", meanwhile), ErrorKind::File});
-  std::error_code failed, ignored;
+  // The whole appears at once: made beside its place, then given its name. One that was killed leaves its part, and
+  // the next takes it away.
+  const std::string meanwhile = *request.out + ".merging";
+  if (StoreLock::isHeld(meanwhile)) return fail(inUse(*request.out));
+  removePart(meanwhile);
+  std::error_code failed;
   const auto hash = [&]() -> Result<std::uint64_t> {
     const auto store = join(request, meanwhile);
     if (!store) return store.error();
@@ -129,7 +137,7 @@ int mergeCommand(const MergeRequest& request) {
   if (hash) std::filesystem::create_hard_link(meanwhile, *request.out, failed);  // which replaces nothing
   if (failed && failed != std::errc::file_exists && Store::missing(*request.out))
     std::filesystem::rename(meanwhile, *request.out, failed);  // a file system without second names
-  std::filesystem::remove(meanwhile, ignored);
+  removePart(meanwhile);
   if (hash && !failed)
     return print(fmt::format("{}: {} parts, content {:016x}\n", *request.out, request.parts.size(), *hash));
   return fail(hash

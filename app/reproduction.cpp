@@ -6,6 +6,7 @@
 #include <chrono>
 #include <filesystem>
 
+#include "app/interrupt.h"
 #include "app/requests.h"
 #include "core/files/whole_file.h"
 #include "core/laboratory/thesis_marks.h"
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 /// Runs what is missing of a plan into a store, and reads all of it.
 Result<std::vector<Evidence>> runAndRead(const Registry& registry, const Plan& plan, const StoredPlan& stored,
                                          const std::string& path, const LabOptions& lab, bool otherVersion) {
-  auto store = Store::missing(path) ? Store::create(path, stored) : Store::openToWrite(path);
+  auto store = Store::missing(path) ? Store::create(path, stored) : Store::openToWrite(path, &watchForInterrupt());
   if (!store) return store.error();
   const auto there = store->plan();
   if (!there) return there.error();

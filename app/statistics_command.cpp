@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/commands.h"
+#include "app/interrupt.h"
 #include "core/laboratory/findings.h"
 
 namespace surefoot {
 
 int statisticsCommand(const StatisticsRequest& request) {
   if (request.store.empty()) return fail({"STORE: the store of results is needed."});
-  const auto store = Store::open(request.store);
+  const auto store = Store::open(request.store, &watchForInterrupt());
   if (!store) return fail(store.error());
   const auto findings = findingsOf(*store);
   if (!findings) return fail(findings.error());

@@ -13,7 +13,25 @@
 
 namespace surefoot {
 
+namespace {
+
+/// The rows of a log are in memory until it is written: what cannot fit is refused before a night is spent on it.
+Status checkMemory(const TrainRequest& request) {
+  const Configuration& c = request.configuration;
+  if (!request.log || !c.episodes) return Done{};
+  const double wanted = static_cast<double>(*c.episodes) * c.lives * sizeof(EpisodeRow);
+  const double there = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  if (there <= 0 || wanted <= there) return Done{};
+  constexpr double kGigabyte = 1e9;
+  return Error{fmt::format("--log: {} episodes of {} {} need {:.3g} GB of memory, and the machine has {:.3g}; log fewer.",
+                           *c.episodes, c.lives, c.lives == 1 ? "life" : "lives", wanted / kGigabyte,
+                           there / kGigabyte)};
+}
+
+}  // namespace
+
 Result<TrainFiles> TrainFiles::claim(const TrainRequest& request) {
+  if (const Status s = checkMemory(request); !s) return s.error();
   TrainFiles files(request);
   for (const auto& [name, path, file] :
        {std::tuple{"--log", &request.log, &files.log_}, std::tuple{"--save", &request.save, &files.save_},

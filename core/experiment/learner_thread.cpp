@@ -2,8 +2,9 @@
 #include "core/experiment/learner_thread.h"
 
 #include <algorithm>
-#include <new>
 #include <utility>
+
+#include "core/guarded_call.h"
 
 namespace surefoot {
 
@@ -66,12 +67,10 @@ void LearnerThread::want(std::atomic<bool>& flag) {
 
 void LearnerThread::run() {
   while (!stop_.load(std::memory_order_relaxed)) {
-    try {
-      lifeOn();
-    } catch (const std::bad_alloc&) {  // a copy of a table did not fit; the life itself goes on no more
-      outOfMemory_ = true;
-      valuesWanted_ = false;
-    }
+    const std::string trouble = troubleOf([this] { lifeOn(); });
+    if (trouble.empty()) continue;
+    trouble_ = trouble;  // a copy of a table did not fit, say; the life itself goes on no more
+    valuesWanted_ = false;
   }
 }
 
@@ -159,11 +158,8 @@ void LearnerThread::obey() {
     mail_ = false;
   }
   for (Command& command : commands) {
-    try {
-      carryOut(command);
-    } catch (const std::bad_alloc&) {  // the others are carried out all the same
-      outOfMemory_ = true;
-    }
+    const std::string trouble = troubleOf([&] { carryOut(command); });
+    if (!trouble.empty()) trouble_ = trouble;  // the others are carried out all the same
   }
   snapshotWanted_ = true;  // what was asked for shows at once, paused or not
 }
@@ -205,7 +201,7 @@ void LearnerThread::replace(ReplaceLife& c) {
   stateBefore_.clear();
   environment_.reset();
   hand_.hold(std::nullopt);
-  outOfMemory_ = false;
+  trouble_.clear();
   stepTime_ = stepTimeOf(*life_);
   valuesWanted_ = true;
 }
@@ -251,7 +247,7 @@ void LearnerThread::fill(Snapshot& s) const {
   s.pace = pace_;
   s.finished = life_->finished() && !life_->diverged();
   s.trouble = life_->diverged() ? life_->divergence() : "";
-  if (outOfMemory_) s.trouble = "There is not enough memory to show what is learned; take fewer tiles or tilings.";
+  if (!trouble_.empty()) s.trouble = trouble_;
 }
 
 void LearnerThread::fillTests(ValueSnapshot& s) const {

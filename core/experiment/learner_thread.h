@@ -9,6 +9,7 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
 #include <variant>
 #include <vector>
@@ -101,7 +102,7 @@ class LearnerThread {
   void stepInPace();
   void step();
   void noteFall();
-  bool canStep() const { return running_ && !outOfMemory_ && !life_->finished(); }
+  bool canStep() const { return running_ && trouble_.empty() && !life_->finished(); }
   void want(std::atomic<bool>& flag);
   void answer();
   void fill(Snapshot& snapshot) const;
@@ -122,7 +123,8 @@ class LearnerThread {
   int looksLeft_ = 0;
   std::shared_ptr<const std::vector<std::pair<std::string, double>>>
       environment_;  // parameters, as the last fall had them
-  bool running_ = false, turbo_ = false, outOfMemory_ = false;
+  bool running_ = false, turbo_ = false;
+  std::string trouble_;  // why it stands still: something was thrown
   double pace_ = 1.0;
   double stepTime_;  // [s]; tasks without a clock take 20 steps a second
   Clock::time_point nextStep_{};

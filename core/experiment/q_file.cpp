@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "core/experiment/configuration_json.h"
+#include "core/experiment/q_file_tensors.h"
 #include "core/experiment/lives_version.h"
 #include "core/text.h"
 #include "core/version.h"
@@ -122,9 +123,11 @@ Status checkKind(const TensorFile& file, const std::vector<std::string>& kinds) 
 }
 
 Result<std::shared_ptr<const TensorFile>> readQFile(const std::string& path) {
-  auto file = TensorFile::read(path);
+  auto file = TensorFile::read(path, [](const TensorFile& head) {
+    const Status s = checkKind(head, {"q-function", "checkpoint"});
+    return s ? checkTensors(head) : s;
+  });
   if (!file) return file.error();
-  if (const Status s = checkKind(*file, {"q-function", "checkpoint"}); !s) return s.error();
   if (file->about.contains("checksum") && file->about["checksum"] != checksumOf(*file))
     return fileError(path, "its data does not match its checksum; the file is damaged.");
   return std::make_shared<const TensorFile>(std::move(*file));

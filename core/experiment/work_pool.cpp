@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <exception>
 #include <mutex>
 #include <new>
 #include <optional>
@@ -40,6 +41,10 @@ Status WorkPool::run(std::int64_t count, const std::function<Status(std::int64_t
       }
     } catch (const std::bad_alloc&) {
       outOfMemory = true;  // and nothing more here: even an error message would need some
+      failed_ = true;
+    } catch (const std::exception& e) {
+      const std::lock_guard lock(mutex);
+      if (!error) error = Error{std::string("Something went wrong that should not: ") + e.what() + "."};
       failed_ = true;
     }
     const std::lock_guard lock(mutex);

@@ -6,7 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cerrno>
+#include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <memory>
+#include <new>
+#include <numeric>
 #include <optional>
 #include <tuple>
 
@@ -42,9 +48,9 @@ std::optional<std::size_t> naturalNumber(const Json& json) {
   return json.get<std::size_t>();
 }
 
-/// Reads the header's entry of one tensor; `data` is everything behind the header, `offset` where this tensor must
-/// begin.
-Result<Tensor> readTensor(const std::string& file, const std::string& name, const Json& entry, std::string_view data,
+/// Reads the header's entry of one tensor; there are `size` bytes behind the header, and this tensor must begin at
+/// `offset`. Its own bytes are left to the caller.
+Result<Tensor> readTensor(const std::string& file, const std::string& name, const Json& entry, std::size_t size,
                           std::size_t offset) {
   const auto refuse = [&](const std::string& why) {
     return fileError(file, fmt::format("the tensor \"{}\" {}.", shortened(name), why));
@@ -60,17 +66,16 @@ Result<Tensor> readTensor(const std::string& file, const std::string& name, cons
   std::size_t count = 1;
   for (const Json& extent : entry["shape"]) {
     const auto n = naturalNumber(extent);
-    if (!n || (*n != 0 && count > data.size() / *n)) return refuse("has a shape that does not fit the file");
+    if (!n || (*n != 0 && count > size / *n)) return refuse("has a shape that does not fit the file");
     tensor.shape.push_back(*n);
     count *= *n;
   }
   const auto begin = naturalNumber(entry["data_offsets"][0]), end = naturalNumber(entry["data_offsets"][1]);
-  if (!begin || !end || *begin != offset || *end < *begin || *end > data.size())
+  if (!begin || !end || *begin != offset || *end < *begin || *end > size)
     return refuse("does not lie where the one before it ends, or ends beyond the file");
-  if (count > data.size() / type->size || count * type->size != *end - *begin)
+  if (count > size / type->size || count * type->size != *end - *begin)
     return refuse(
         fmt::format("has {} bytes, but its shape needs {} elements of {} bytes", *end - *begin, count, type->size));
-  tensor.bytes = data.substr(*begin, *end - *begin);
   return tensor;
 }
 
@@ -125,17 +130,25 @@ std::string TensorFile::write() const {
   return bytes;
 }
 
-Result<TensorFile> TensorFile::parse(std::string_view bytes, const std::string& name) {
+namespace {
+
+/// The length of the header, if a file of so many bytes can have it.
+Result<std::size_t> headerLength(std::string_view head, std::size_t size, const std::string& name) {
   std::uint64_t length = 0;
-  if (bytes.size() < kLengthBytes)
-    return fileError(name, fmt::format("this is no safetensors file: it has only {} bytes.", bytes.size()));
-  std::memcpy(&length, bytes.data(), kLengthBytes);
-  if (length > kLongestHeader || length > bytes.size() - kLengthBytes)
+  if (head.size() < kLengthBytes)
+    return fileError(name, fmt::format("this is no safetensors file: it has only {} bytes.", head.size()));
+  std::memcpy(&length, head.data(), kLengthBytes);
+  if (length == 0 || length > kLongestHeader || length > size - kLengthBytes)
     return fileError(name,
                      fmt::format("this is no safetensors file, or it is cut off: its header would have {} bytes, and "
                                  "the file has {}.",
-                                 length, bytes.size()));
-  Json header = parseJson(bytes.substr(kLengthBytes, length));
+                                 length, size));
+  return static_cast<std::size_t>(length);
+}
+
+/// The file without its data, `size` bytes, its tensors in the order in which they lie.
+Result<TensorFile> parseHeader(std::string_view text, std::size_t size, const std::string& name) {
+  Json header = parseJson(text);
   if (!header.is_object()) return fileError(name, "its header is not JSON; the file is damaged.");
   if (!header.contains(kMetadata) || !header[kMetadata].is_object() || !header[kMetadata].contains(kOurs) ||
       !header[kMetadata][kOurs].is_string())
@@ -145,7 +158,6 @@ Result<TensorFile> TensorFile::parse(std::string_view bytes, const std::string& 
   file.name = name;
   file.about = parseJson(header[kMetadata][kOurs].get_ref<const std::string&>());
   if (!file.about.is_object()) return fileError(name, "its description is not JSON; the file is damaged.");
-  const std::string_view data = bytes.substr(kLengthBytes + length);
   std::size_t offset = 0;
   std::vector<std::tuple<std::size_t, std::size_t, std::string>> order;  // as they lie in the file; empty ones first
   for (const auto& [key, entry] : header.items()) {
@@ -156,26 +168,74 @@ Result<TensorFile> TensorFile::parse(std::string_view bytes, const std::string& 
   }
   std::sort(order.begin(), order.end());
   for (const auto& [begin, end, key] : order) {
-    auto tensor = readTensor(name, key, header[key], data, offset);
+    auto tensor = readTensor(name, key, header[key], size, offset);
     if (!tensor) return tensor.error();
-    offset += tensor->bytes.size();
+    offset = end;
     file.tensors.push_back(std::move(*tensor));
   }
-  if (offset != data.size())
-    return fileError(name, fmt::format("{} bytes behind the last tensor belong to none.", data.size() - offset));
+  if (offset != size) return fileError(name, fmt::format("{} bytes behind the last tensor belong to none.", size - offset));
   return file;
 }
 
-Result<TensorFile> TensorFile::read(const std::string& path) {
-  const auto head = readHead(path, kLengthBytes);  // a look first: the rest may be huge
+using OpenFile = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
+
+/// So many bytes from where it stands; fewer at its end.
+Result<std::string> take(std::FILE* in, std::size_t count, const std::string& name) {
+  std::string bytes;
+  try {
+    bytes.resize(count);
+  } catch (const std::bad_alloc&) {
+    return fileError(name, "it cannot be read: it is larger than the memory that is left.");
+  }
+  bytes.resize(std::fread(bytes.data(), 1, count, in));
+  if (std::ferror(in)) return fileError(name, fmt::format("it cannot be read: {}.", std::strerror(errno)));
+  return bytes;
+}
+
+}  // namespace
+
+std::size_t Tensor::elements() const {
+  return std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
+}
+
+Result<TensorFile> TensorFile::parse(std::string_view bytes, const std::string& name) {
+  const auto length = headerLength(bytes, bytes.size(), name);
+  if (!length) return length.error();
+  std::string_view data = bytes.substr(kLengthBytes + *length);
+  auto file = parseHeader(bytes.substr(kLengthBytes, *length), data.size(), name);
+  if (!file) return file;
+  for (Tensor& t : file->tensors) {
+    const std::size_t size = t.elements() * sizeOf(t.type);
+    t.bytes = data.substr(0, size);
+    data.remove_prefix(size);
+  }
+  return file;
+}
+
+Result<TensorFile> TensorFile::read(const std::string& path, const std::function<Status(const TensorFile&)>& check) {
+  const auto head = readHead(path, kLengthBytes);  // with readHead's look at what the name is
   if (!head) return head.error();
-  std::uint64_t length = 0;
-  if (head->size() == kLengthBytes) std::memcpy(&length, head->data(), kLengthBytes);
-  if (head->size() == kLengthBytes && (length == 0 || length > kLongestHeader))
-    return fileError(path, fmt::format("this is no safetensors file: its header would have {} bytes.", length));
-  const auto bytes = readFile(path);
-  if (!bytes) return bytes.error();
-  return parse(*bytes, path);
+  const OpenFile in(std::fopen(path.c_str(), "rb"), std::fclose);
+  std::error_code failed;
+  const std::uintmax_t size = std::filesystem::file_size(path, failed);
+  if (!in || failed) return fileError(path, fmt::format("it cannot be read: {}.", std::strerror(errno)));
+  const auto length = headerLength(*head, size, path);
+  if (!length) return length.error();
+  std::fseek(in.get(), kLengthBytes, SEEK_SET);
+  const auto text = take(in.get(), *length, path);
+  if (!text) return text.error();
+  auto file = parseHeader(*text, size - kLengthBytes - *length, path);
+  if (!file) return file;
+  if (check)
+    if (const Status s = check(*file); !s) return s.error();
+  for (Tensor& t : file->tensors) {
+    const std::size_t wanted = t.elements() * sizeOf(t.type);
+    auto bytes = take(in.get(), wanted, path);
+    if (!bytes) return bytes.error();
+    if (bytes->size() != wanted) return fileError(path, "it became shorter while it was read.");
+    t.bytes = std::move(*bytes);
+  }
+  return file;
 }
 
 }  // namespace surefoot

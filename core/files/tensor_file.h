@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
@@ -45,6 +46,8 @@ struct Tensor {
   std::string bytes;  ///< little-endian, the last index of the shape fastest
 
   std::size_t count() const { return bytes.size() / sizeOf(type); }
+  /// Of the shape; the same once the data is there.
+  std::size_t elements() const;
 };
 
 class TensorFile {
@@ -55,8 +58,9 @@ class TensorFile {
   std::string head() const;
   /// Reads bytes; `name` is what messages call the file.
   static Result<TensorFile> parse(std::string_view bytes, const std::string& name);
-  /// Reads a regular file.
-  static Result<TensorFile> read(const std::string& path);
+  /// Reads a regular file. `check` gets the file without its data first, when names, types and shapes are known to fit
+  /// the file: what it refuses takes no memory.
+  static Result<TensorFile> read(const std::string& path, const std::function<Status(const TensorFile&)>& check = {});
 
   const Tensor* find(std::string_view name) const;
 

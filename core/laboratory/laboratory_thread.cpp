@@ -3,6 +3,8 @@
 
 #include <chrono>
 
+#include "core/guarded_call.h"
+
 namespace surefoot {
 
 namespace {
@@ -25,7 +27,13 @@ LaboratoryThread::LaboratoryThread(const Registry& registry, Plan plan, Store st
                                    const LabOptions& options)
     : registry_(registry),
       plan_(std::move(plan)),
-      thread_([this, options, store = std::move(store)]() mutable { run(std::move(store), options); }) {}
+      thread_([this, options, store = std::move(store)]() mutable {
+        const std::string trouble = troubleOf([&] { run(std::move(store), options); });
+        if (trouble.empty()) return;
+        const std::lock_guard lock(mutex_);
+        trouble_ = trouble;
+        over_ = true;
+      }) {}
 
 LaboratoryThread::~LaboratoryThread() {
   stop();

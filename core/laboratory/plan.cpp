@@ -90,10 +90,18 @@ Result<Plan> parsePlan(const Registry& registry, const std::string& text, const 
   plan.paired = head.paired;
   head.assignments = changes.assignments;
   head.preset = changes.preset;
-  for (const PlanBlock& block : file->blocks)
-    for (const Combination& combination : combine(block)) {
-      if (plan.conditions.size() >= kMostConditions)
-        return planError(path, block.line, fmt::format("there are more than {} conditions.", kMostConditions));
+  std::vector<std::vector<Combination>> grids;  // counted before the first is made
+  std::size_t count = 0;
+  for (const PlanBlock& block : file->blocks) {
+    count += grids.emplace_back(combine(block)).size();
+    if (count > kMostConditions)
+      return planError(path, block.line, fmt::format("there are more than {} conditions.", kMostConditions));
+  }
+  for (std::size_t i = 0; i < grids.size(); ++i)
+    for (const Combination& combination : grids[i]) {
+      const PlanBlock& block = file->blocks[i];
+      if (changes.interrupted && *changes.interrupted)
+        return Error{path + ": interrupted before its conditions were read.", ErrorKind::Interrupted};
       auto condition = makeCondition(registry, path, head, combination, block.line);
       if (!condition) return condition.error();
       plan.conditions.push_back(std::move(*condition));

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <memory>
+#include <atomic>
 #include <optional>
 #include <string>
 #include <vector>
@@ -49,6 +50,7 @@ struct PlanChanges {
   std::optional<std::uint64_t> seed;
   std::vector<Assignment> assignments;  ///< for every condition
   std::optional<std::string> preset{};  ///< of every condition and its pre-learning
+  const std::atomic<bool>* interrupted = nullptr;  ///< set by anyone: reading ends with an error
 };
 
 /// Reads a plan; an error names file, line and what is allowed. Files that it names are looked for beside it.

@@ -207,8 +207,25 @@ class ConditionMaker {
     return Done{};
   }
 
-  /// What no single check can see: a life of it, with what is learned before.
+  /// All that a life is made from, without the numbers of its policy, which are in their ranges.
+  static std::string partsOf(const Condition& condition) {
+    const auto add = [](std::string& text, const Configuration& c) {
+      const Names& n = c.names;
+      for (const std::string* name : {&n.environment, &n.preset, &n.scenario, &n.agent, &n.features, &n.policy})
+        text += *name + '\n';
+      for (const auto& entry : c.parameters.all())
+        if (!entry.parameter.key.starts_with("policy.")) text += fmt::format("{} ", entry.value);
+      if (c.beganWith.is_object()) text += c.beganWith.value("content", "");
+    };
+    std::string text;
+    add(text, condition.configuration);
+    if (condition.preLearning) add(text, condition.preLearning->configuration);
+    return text;
+  }
+
+  /// What no single check can see: a life of it, with what is learned before. One for all that are made alike.
   Status tryOut(const Condition& condition) const {
+    if (!head_.tried->insert(partsOf(condition)).second) return Done{};
     Configuration now = condition.configuration;
     if (condition.preLearning) {
       const Configuration& before = condition.preLearning->configuration;

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <map>
+#include <memory>
+#include <set>
 
 #include "core/laboratory/plan.h"
 #include "core/laboratory/plan_file.h"
@@ -34,6 +36,8 @@ struct PlanHead {
   bool paired = false;
   std::vector<Assignment> assignments;  ///< from the command line; the last word
   std::optional<std::string> preset;    ///< likewise
+  /// What a life was made of already, to see whether it can be.
+  std::shared_ptr<std::set<std::string>> tried = std::make_shared<std::set<std::string>>();
 };
 
 Result<Condition> makeCondition(const Registry& registry, const std::string& path, const PlanHead& head,

@@ -15,11 +15,7 @@ namespace {
 
 constexpr const char* kAddLife =
     "INSERT INTO lives (condition, life, q_function, episodes, steps, falls, states_outside, diverged, hash, "
-    "lives_version, program) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)";
-
-std::string hex(std::uint64_t value) {
-  return fmt::format("{:016x}", value);
-}
+    "lives_version, program, checksum) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)";
 
 }  // namespace
 
@@ -64,9 +60,11 @@ Status Store::save(const StoredLife& life, const std::vector<StoredEpisode>& epi
       d.addMeasure = std::make_unique<SQLite::Statement>(d.db, "INSERT INTO measures VALUES (?, ?, ?, ?, ?)");
     }
     SQLite::Transaction whole(d.db);
+    const std::uint64_t own = checksumOf(life);
     d.addLife->reset();
     SQLite::bind(*d.addLife, life.condition, life.life, life.qFunction, life.episodes, life.steps, life.falls,
-                 life.statesOutside, life.diverged, hex(life.hash), life.livesVersion, life.program);
+                 life.statesOutside, life.diverged, hexText(life.hash), life.livesVersion, life.program,
+                 checksumText(own, checksumOf(episodes), checksumOf(measures)));
     if (life.qFunction < 0) d.addLife->bind(3);
     if (life.diverged.empty()) d.addLife->bind(8);
     if (life.livesVersion == kLivesVersionUnknown) d.addLife->bind(10);
@@ -85,12 +83,14 @@ Status Store::save(const StoredLife& life, const std::vector<StoredEpisode>& epi
       d.addMeasure->exec();
     }
     if (before) {
-      SQLite::Statement row(d.db, "INSERT OR REPLACE INTO pre_learned VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
+      SQLite::Statement row(d.db, "INSERT OR REPLACE INTO pre_learned VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)");
       SQLite::bind(row, before->condition, before->qFunction, before->episodes, before->falls, before->steps,
-                   before->averageReward, before->reached ? 1 : 0, hex(before->hash));
+                   before->averageReward, before->reached ? 1 : 0, hexText(before->hash), hexText(checksumOf(*before)));
       row.exec();
     }
+    d.setValue(kLivesSum, hexText(d.livesSum ^ own));
     whole.commit();
+    d.livesSum ^= own;
     d.unsettled = true;
     return Done{};
   });
@@ -109,7 +109,12 @@ std::string Store::note() const {
 
 Status Store::setLives(int lives) {
   return guarded<Done>(path_, [&]() -> Status {
+    SQLite::Transaction whole(database_->db);
+    StoredPlan now = database_->readPlan();
+    for (StoredCondition& c : now.conditions) c.lives = lives;
     database_->db.exec(fmt::format("UPDATE conditions SET lives = {}", lives));
+    database_->setValue(kPlanSum, hexText(checksumOf(now)));
+    whole.commit();
     return Done{};
   });
 }

@@ -7,18 +7,21 @@
 //   experiment   key, value                  program version, title, seed, paired, shard; writing: 1 while it is open
 //   conditions   condition, name, reference (its name), text, configuration (JSON), lives, goal_reward,
 //                step_time
-//   pre_learned  condition, q_function, episodes, falls, steps, average_reward, reached, hash
+//   pre_learned  condition, q_function, episodes, falls, steps, average_reward, reached, hash, checksum
 //   lives        condition, life, q_function, episodes, steps, falls, states_outside, diverged, hash,
-//                lives_version (lives_version.h) and program of whoever lived it
+//                lives_version (lives_version.h) and program of whoever lived it, checksum
 //   episodes     condition, life, episode, transitions, reward, falls, ending
 //   measures     condition, life, episode, name, value    episode 0: of the life (measuresOf); else of the greedy test
 //                                                         behind that episode
 //   q_functions  content, file               that lives of the plan begin with, by the hash of their values
 //   endings      ending, name                0 end, 1 success, 2 fall, 3 truncated
 //
-// Stores of format 1 have neither q_functions nor who lived a life.
+// What is read is checked: types, ranges, and the checksums (store_checks.h), of the plan and of the list of lives under
+// plan_checksum and lives_checksum in experiment. Stores of format 1 have neither checksums nor q_functions nor who lived
+// a life; going on with one notes checksums of what is there.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -100,9 +103,10 @@ class Store {
   /// A new file; refused if there is one of this name.
   static Result<Store> create(const std::string& path, const StoredPlan& plan);
   /// To go on writing.
-  static Result<Store> openToWrite(const std::string& path);
-  /// To read, whoever writes meanwhile, and where nothing can be written.
-  static Result<Store> open(const std::string& path);
+  static Result<Store> openToWrite(const std::string& path, const std::atomic<bool>* interrupted = nullptr);
+  /// To read, whoever writes meanwhile, and where nothing can be written. Its tables must be ours and no others. Opening
+  /// and reading end soon after `interrupted` is set.
+  static Result<Store> open(const std::string& path, const std::atomic<bool>* interrupted = nullptr);
   /// Nothing is there, or nothing was begun.
   static bool missing(const std::string& path);
 
@@ -139,7 +143,8 @@ class Store {
  private:
   struct Database;
   Store(std::string path, std::unique_ptr<Database> database);
-  static Result<Store> openLocked(const std::string& path, StoreLock lock);
+  static Result<Store> openLocked(const std::string& path, StoreLock lock,
+                                  const std::atomic<bool>* interrupted);
   std::string path_;
   std::unique_ptr<Database> database_;
 };

@@ -16,34 +16,6 @@ namespace {
 
 constexpr int kPatience = 5'000, kLongPatience = 60'000;  // [ms] for others to let go
 
-/// Not in stores of the first days.
-constexpr const char* kMeasures = R"(
-CREATE TABLE IF NOT EXISTS measures (condition INTEGER NOT NULL, life INTEGER NOT NULL, episode INTEGER NOT NULL,
-  name TEXT NOT NULL, value REAL NOT NULL, PRIMARY KEY (condition, life, episode, name)) WITHOUT ROWID;
-)";
-constexpr const char* kSinceFormat2 = R"(
-ALTER TABLE lives ADD COLUMN lives_version INTEGER;
-ALTER TABLE lives ADD COLUMN program TEXT;
-CREATE TABLE IF NOT EXISTS q_functions (content TEXT PRIMARY KEY, file BLOB NOT NULL);
-)";
-
-constexpr const char* kSchema = R"(
-CREATE TABLE experiment (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
-CREATE TABLE conditions (condition INTEGER PRIMARY KEY, name TEXT NOT NULL, reference TEXT NOT NULL, text TEXT NOT NULL, configuration TEXT NOT NULL,
-  lives INTEGER NOT NULL, goal_reward REAL NOT NULL, step_time REAL NOT NULL);
-CREATE TABLE pre_learned (condition INTEGER NOT NULL, q_function INTEGER NOT NULL, episodes INTEGER NOT NULL,
-  falls INTEGER NOT NULL, steps INTEGER NOT NULL, average_reward REAL NOT NULL, reached INTEGER NOT NULL, hash TEXT NOT NULL,
-  PRIMARY KEY (condition, q_function)) WITHOUT ROWID;
-CREATE TABLE lives (condition INTEGER NOT NULL, life INTEGER NOT NULL, q_function INTEGER, episodes INTEGER NOT NULL,
-  steps INTEGER NOT NULL, falls INTEGER NOT NULL, states_outside INTEGER NOT NULL, diverged TEXT, hash TEXT NOT NULL,
-  PRIMARY KEY (condition, life)) WITHOUT ROWID;
-CREATE TABLE episodes (condition INTEGER NOT NULL, life INTEGER NOT NULL, episode INTEGER NOT NULL,
-  transitions INTEGER NOT NULL, reward REAL NOT NULL, falls INTEGER NOT NULL, ending INTEGER NOT NULL,
-  PRIMARY KEY (condition, life, episode)) WITHOUT ROWID;
-CREATE TABLE endings (ending INTEGER PRIMARY KEY, name TEXT NOT NULL);
-INSERT INTO endings VALUES (0, 'end'), (1, 'success'), (2, 'fall'), (3, 'truncated');
-)";
-
 void mark(SQLite::Database& db, bool writing) {
   db.exec(fmt::format("INSERT OR REPLACE INTO experiment VALUES ('writing', '{}')", writing ? 1 : 0));
 }
@@ -88,6 +60,10 @@ Error plainError(const std::string& path, const SQLite::Exception& e) {
       return say("it cannot be opened or made there; look at the folder and its permissions.");
     case SQLITE_NOTADB:
       return say("it is not a store of results (not an SQLite file).");
+    case SQLITE_INTERRUPT:
+      return Error{path + ": interrupted.", ErrorKind::Interrupted};
+    case SQLITE_NOMEM:
+      return say("it needs more memory than there is.");
     case SQLITE_CORRUPT:
       return say("the file is damaged.");
     case SQLITE_IOERR:
@@ -99,18 +75,59 @@ Error plainError(const std::string& path, const SQLite::Exception& e) {
 
 Store::Database::Database(const std::string& uri, TemporaryFolder folder)
     : copy(std::move(folder)),
-      db(uri, SQLite::OPEN_READONLY | SQLite::OPEN_URI, kPatience) {}
+      db(uri, SQLite::OPEN_READONLY | SQLite::OPEN_URI, kPatience) {
+  distrust(db);
+}
 
 Store::Database::Database(const std::string& path, StoreLock taken)
     : lock(std::move(taken)),
-      db(path, SQLite::OPEN_READWRITE, kPatience) {}
+      db(path, SQLite::OPEN_READWRITE, kPatience) {
+  distrust(db);
+}
+
+std::string Store::Database::valueOf(const char* key) {
+  SQLite::Statement row(db, "SELECT value FROM experiment WHERE key = ?");
+  SQLite::bind(row, key);
+  return row.executeStep() ? CheckedRow(row, "experiment").text(0) : "";
+}
+
+void Store::Database::setValue(const char* key, const std::string& value) {
+  SQLite::Statement row(db, "INSERT OR REPLACE INTO experiment VALUES (?, ?)");
+  SQLite::bind(row, key, value);
+  row.exec();
+}
+
+void Store::Database::noteChecksums() {
+  for (const StoredPreLearning& p : readPreLearned()) {
+    SQLite::Statement row(db, "UPDATE pre_learned SET checksum = ? WHERE condition = ? AND q_function = ?");
+    SQLite::bind(row, hexText(checksumOf(p)), p.condition, p.qFunction);
+    row.exec();
+  }
+  const std::vector<StoredLife> lives = readLives();
+  std::uint64_t sum = 0;
+  for (const StoredLife& l : lives) {
+    SQLite::Statement row(db, "UPDATE lives SET checksum = ? WHERE condition = ? AND life = ?");
+    const std::uint64_t own = checksumOf(l);
+    SQLite::bind(row, checksumText(own, checksumOf(readEpisodes(l)), checksumOf(readMeasures(l.condition, l.life))),
+                 l.condition, l.life);
+    row.exec();
+    sum ^= own;
+  }
+  setValue(kPlanSum, hexText(checksumOf(readPlan())));
+  setValue(kLivesSum, hexText(sum));
+}
 
 void Store::Database::beginWriting() {
   useLog(db);
   SQLite::Transaction whole(db);
-  db.exec(kMeasures);
-  if (db.execAndGet("PRAGMA user_version").getInt() < kFormat) db.exec(kSinceFormat2);
-  db.exec(fmt::format("PRAGMA user_version = {}", kFormat));
+  if (format() < kFormat) {
+    addTables(db);
+    db.exec("PRAGMA user_version = 1");  // nothing is checked yet that is not there
+    noteChecksums();
+    db.exec(fmt::format("PRAGMA user_version = {}", kFormat));
+  }
+  readPlan();
+  for (const StoredLife& l : readLives()) livesSum ^= checksumOf(l);
   mark(db, true);
   whole.commit();
   writing = unsettled = true;
@@ -123,7 +140,7 @@ Store::Database::~Database() {
   try {
     db.setBusyTimeout(kPatience);
     mark(db, false);
-  } catch (const SQLite::Exception&) {
+  } catch (const std::exception&) {
     return;  // the log stays beside it, and whoever opens it reads both
   }
   static_cast<void>(db.tryExec("PRAGMA wal_checkpoint(TRUNCATE)"));
@@ -136,17 +153,15 @@ Store::Database::~Database() {
 
 void fillStore(SQLite::Database& db, const StoredPlan& plan) {
   SQLite::Transaction whole(db);
-  db.exec(kSchema);
-  db.exec(kMeasures);
-  db.exec(kSinceFormat2);
-  db.exec(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", kApplicationId, kFormat));
+  makeTables(db);
   SQLite::Statement pair(db, "INSERT INTO experiment VALUES (?, ?)");
   for (const auto& [key, value] : {std::pair<const char*, std::string>{"version", kVersion},
                                    {"title", plan.title},
                                    {"seed", std::to_string(plan.seed)},
                                    {"paired", plan.paired ? "1" : "0"},
                                    {"shard", std::to_string(plan.shard)},
-                                   {"shards", std::to_string(plan.shards)}}) {
+                                   {"shards", std::to_string(plan.shards)},
+                                   {kLivesSum, hexText(0)}}) {
     SQLite::bind(pair, key, value);
     pair.exec();
     pair.reset();
@@ -160,6 +175,10 @@ void fillStore(SQLite::Database& db, const StoredPlan& plan) {
     row.reset();
   }
   addQFunctions(db, plan);
+  StoredPlan as = plan;
+  as.version = kVersion;
+  SQLite::bind(pair, kPlanSum, hexText(checksumOf(as)));
+  pair.exec();
   whole.commit();
 }
 

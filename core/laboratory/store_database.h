@@ -11,24 +11,30 @@
 
 #include <filesystem>
 
+#include "core/files/read_file.h"
 #include "core/laboratory/store.h"
+#include "core/laboratory/store_checks.h"
 #include "core/laboratory/store_lock.h"
+#include "core/laboratory/store_schema.h"
 
 namespace surefoot {
-
-inline constexpr int kApplicationId = 0x53726674;  // "Srft"
-inline constexpr int kOldestFormat = 1, kFormat = 2;
 
 /// What SQLite says, in words that help.
 Error plainError(const std::string& path, const SQLite::Exception& e);
 
-/// Calls f, and turns what SQLite throws into an error.
+/// Calls f, and turns whatever is thrown into an error that names the file.
 template <class T, class F>
 Result<T> guarded(const std::string& path, F f) {
   try {
     return f();
   } catch (const SQLite::Exception& e) {
     return plainError(path, e);
+  } catch (const Damaged& e) {
+    return fileError(path, std::string(e.what()) + "; the file is damaged.");
+  } catch (const std::bad_alloc&) {
+    return fileError(path, "it needs more memory than there is.");
+  } catch (const std::exception& e) {
+    return fileError(path, std::string("it cannot be read: ") + e.what() + ".");
   }
 }
 
@@ -55,13 +61,27 @@ struct Store::Database {
   Database(const std::string& path, StoreLock lock);
   ~Database();
 
-  /// Tables and columns that stores of earlier days have not got, and the mark.
+  /// Tables, columns and checksums that stores of earlier days have not got, and the mark.
   void beginWriting();
+  int format() { return db.execAndGet("PRAGMA user_version").getInt(); }
+  std::string valueOf(const char* key);
+  void setValue(const char* key, const std::string& value);
+
+  // What is there, checked; each within a transaction of the caller's.
+  StoredPlan readPlan();
+  std::vector<StoredLife> readLives();
+  std::vector<StoredPreLearning> readPreLearned();
+  std::vector<StoredEpisode> readEpisodes(const StoredLife& life);
+  std::vector<StoredMeasure> readMeasures(int condition, int life);
+  /// The row of a life with its checksum; empty: there is none.
+  std::optional<std::pair<StoredLife, std::string>> readLife(int condition, int life);
+  void noteChecksums();
 
   std::optional<StoreLock> lock;  // given back when everything else is closed
   TemporaryFolder copy;
   SQLite::Database db;
   bool writing = false, unsettled = false;
+  std::uint64_t livesSum = 0;  ///< of the checksums of all lives, while it is written
   std::string note;
   // Prepared once, because a life has a thousand episodes.
   std::unique_ptr<SQLite::Statement> addLife, addEpisode, addMeasure;
@@ -69,5 +89,8 @@ struct Store::Database {
 
 /// The tables of an empty store, with what is known of the plan.
 void fillStore(SQLite::Database& db, const StoredPlan& plan);
+
+/// Which keys of the table `experiment` hold checksums.
+inline constexpr const char *kPlanSum = "plan_checksum", *kLivesSum = "lives_checksum";
 
 }  // namespace surefoot

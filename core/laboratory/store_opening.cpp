@@ -62,6 +62,11 @@ constexpr const char* kAlone =
     "it was copied while it was written, or after the program was killed, and without its log ({}-wal): the lives that "
     "were written last may be missing.";
 
+/// And of one that cannot tell whether it is whole.
+constexpr const char* kUnchecked =
+    "an earlier version wrote it, without checksums: whether its numbers are those that were written cannot be seen. "
+    "Going on with --resume notes them.";
+
 }  // namespace
 
 bool Store::missing(const std::string& path) {
@@ -83,6 +88,21 @@ int giveName(const std::string& from, const std::string& to) {
 
 }  // namespace
 
+namespace {
+
+/// What a start left that was killed while it made a store; whoever holds the lock may take it away.
+void clearLitter(const std::string& path) {
+  std::error_code failed;
+  const fs::path folder = fs::path(path).parent_path();
+  const std::string prefix = fs::path(path).filename().string() + ".new-";
+  std::vector<fs::path> litter;
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? fs::path(".") : folder, failed))
+    if (entry.path().filename().string().starts_with(prefix)) litter.push_back(entry.path());
+  for (const fs::path& file : litter) fs::remove(file, failed);
+}
+
+}  // namespace
+
 // Made under another name and then given its own, so that whoever finds it finds all of it.
 Result<Store> Store::create(const std::string& path, const StoredPlan& plan) {
   const auto exists = fileError(path, "it exists already; name another file, or go on with --resume.");
@@ -90,6 +110,7 @@ Result<Store> Store::create(const std::string& path, const StoredPlan& plan) {
   auto lock = StoreLock::take(path);
   if (!lock) return lock.error();
   if (!missing(path)) return exists;
+  clearLitter(path);
   const std::string meanwhile = fmt::format("{}.new-{}", path, getpid());
   const auto made = guarded<Done>(path, [&]() -> Status {
     SQLite::Database db(meanwhile, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
@@ -107,7 +128,7 @@ Result<Store> Store::create(const std::string& path, const StoredPlan& plan) {
   unlink(meanwhile.c_str());
   if (why != 0)
     return why == EEXIST ? exists : fileError(path, fmt::format("it cannot be made: {}.", std::strerror(why)));
-  return openLocked(path, std::move(*lock));
+  return openLocked(path, std::move(*lock), nullptr);
 }
 
 namespace {
@@ -117,16 +138,6 @@ Status checkFile(const std::string& path) {
   std::error_code failed;
   if (Store::missing(path)) return fileError(path, "there is no such store.");
   if (!fs::is_regular_file(path, failed)) return fileError(path, "it is not a regular file.");
-  return Done{};
-}
-
-Status checkFormat(SQLite::Database& db, const std::string& path) {
-  const int id = db.execAndGet("PRAGMA application_id").getInt();
-  const int format = db.execAndGet("PRAGMA user_version").getInt();
-  if (id != kApplicationId) return fileError(path, "it is not a store of results.");
-  if (format < kOldestFormat || format > kFormat)
-    return fileError(path, fmt::format("its format is {}, and this program reads formats {} to {}.", format,
-                                       kOldestFormat, kFormat));
   return Done{};
 }
 
@@ -144,34 +155,39 @@ Status checkAlone(SQLite::Database& db, const std::string& path, std::string& no
 
 }  // namespace
 
-Result<Store> Store::openToWrite(const std::string& path) {
+Result<Store> Store::openToWrite(const std::string& path, const std::atomic<bool>* interrupted) {
   if (const Status s = checkFile(path); !s) return s.error();
   auto lock = StoreLock::take(path);
   if (!lock) return lock.error();
-  return openLocked(path, std::move(*lock));
+  return openLocked(path, std::move(*lock), interrupted);
 }
 
-Result<Store> Store::openLocked(const std::string& path, StoreLock lock) {
+Result<Store> Store::openLocked(const std::string& path, StoreLock lock,
+                                const std::atomic<bool>* interrupted) {
   return guarded<Store>(path, [&]() -> Result<Store> {
     const bool alone = !isThere(path + "-wal");
     auto data = std::make_unique<Database>(path, std::move(lock));
-    if (const Status s = checkFormat(data->db, path); !s) return s.error();
+    obey(data->db, interrupted);
+    if (const Status s = checkTables(data->db, path); !s) return s.error();
     if (alone)
       if (const Status s = checkAlone(data->db, path, data->note); !s) return s.error();
     data->beginWriting();
+    obey(data->db, nullptr);  // a life is written whole
     return Store(path, std::move(data));
   });
 }
 
-Result<Store> Store::open(const std::string& path) {
+Result<Store> Store::open(const std::string& path, const std::atomic<bool>* interrupted) {
   if (const Status s = checkFile(path); !s) return s.error();
   const bool log = isThere(path + "-wal"), journal = isThere(path + "-journal");
   const auto read = [&](const std::string& uri, TemporaryFolder folder) {
     return guarded<Store>(path, [&]() -> Result<Store> {
       auto data = std::make_unique<Database>(uri, std::move(folder));
-      if (const Status s = checkFormat(data->db, path); !s) return s.error();
+      obey(data->db, interrupted);
+      if (const Status s = checkTables(data->db, path); !s) return s.error();
       if (!log && !StoreLock::isHeld(path))
         if (const Status s = checkAlone(data->db, path, data->note); !s) return s.error();
+      if (data->format() < kFormat && data->note.empty()) data->note = fileError(path, kUnchecked).message;
       return Store(path, std::move(data));
     });
   };

@@ -1,103 +1,209 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cstdlib>
-#include <map>
+#include <fmt/format.h>
+
+#include <charconv>
+#include <limits>
 
 #include "core/experiment/q_file.h"
 #include "core/files/limited_json.h"
 #include "core/files/read_file.h"
 #include "core/laboratory/store_database.h"
+#include "core/text.h"
 
 namespace surefoot {
 
 namespace {
 
-std::uint64_t fromHex(const std::string& text) {
-  return std::strtoull(text.c_str(), nullptr, 16);
+constexpr int kMostNumber = 1'000'000;           // of conditions, lives, Q-functions
+constexpr std::size_t kLongestName = 10'000;     // [bytes]
+constexpr std::size_t kLongestText = 16u << 20;  // [bytes]
+
+std::uint64_t numberOf(const std::string& text, std::uint64_t low, std::uint64_t high, const char* key) {
+  std::uint64_t number = 0;
+  const auto [last, code] = std::from_chars(text.data(), text.data() + text.size(), number);
+  if (code != std::errc{} || last != text.data() + text.size() || number < low || number > high)
+    throw Damaged(fmt::format("in its table experiment {} is \"{}\"", key, shortened(text)));
+  return number;
+}
+
+/// What findings and window ask a configuration for.
+void checkConfiguration(const std::string& text) {
+  const auto json = parseJson(text);
+  if (!json.is_object()) throw Damaged("a condition has no configuration");
+  for (const char* key : {"environment", "preset", "scenario", "agent", "features", "policy"})
+    if (json.contains(key) && !json[key].is_string())
+      throw Damaged(fmt::format("in the configuration of a condition {} is no name", key));
+}
+
+StoredLife lifeOf(const CheckedRow& row, bool noted) {
+  return {.condition = row.number(0, 0, kMostNumber),
+          .life = row.number(1, 0, kMostNumber),
+          .qFunction = row.isNull(2) ? -1 : row.number(2, 0, kMostNumber),
+          .episodes = row.whole(3, 0, kMostLifeSteps),
+          .steps = row.whole(4, 0, kMostLifeSteps),
+          .falls = row.whole(5, 0, kMostLifeSteps),
+          .statesOutside = row.whole(6, 0, std::numeric_limits<std::int64_t>::max()),
+          .diverged = row.isNull(7) ? "" : row.text(7),
+          .hash = row.hash(8),
+          .livesVersion = !noted || row.isNull(9) ? 0 : row.number(9, 0, kMostNumber),
+          .program = !noted || row.isNull(10) ? "" : row.text(10, kLongestName)};
+}
+
+constexpr const char *kLifeColumns =
+                         "SELECT condition, life, q_function, episodes, steps, falls, states_outside, "
+                         "diverged, hash",
+                     *kNotedColumns = ", lives_version, program, checksum";
+
+std::string nameOf(const StoredLife& life) {
+  return fmt::format("life {} of condition {}", life.life, life.condition + 1);
+}
+
+/// Calls f on the database within one transaction, so that what it reads is of one moment.
+template <class T, class F>
+Result<T> reading(const std::string& path, SQLite::Database& db, F f) {
+  return guarded<T>(path, [&]() -> Result<T> {
+    SQLite::Transaction moment(db);
+    T read = f();
+    moment.commit();
+    return read;
+  });
 }
 
 }  // namespace
 
+StoredPlan Store::Database::readPlan() {
+  StoredPlan plan;
+  plan.version = valueOf("version"), plan.title = valueOf("title");
+  plan.seed = numberOf(valueOf("seed"), 0, std::numeric_limits<std::uint64_t>::max(), "seed");
+  plan.paired = numberOf(valueOf("paired"), 0, 1, "paired") == 1;
+  plan.shards = static_cast<int>(numberOf(valueOf("shards"), 1, kMostNumber, "shards"));
+  plan.shard = static_cast<int>(numberOf(valueOf("shard"), 1, static_cast<std::uint64_t>(plan.shards), "shard"));
+  SQLite::Statement statement(db,
+                              "SELECT name, reference, text, configuration, lives, goal_reward, step_time, "
+                              "condition FROM conditions ORDER BY condition");
+  const CheckedRow row(statement, "conditions");
+  while (statement.executeStep()) {
+    const int next = static_cast<int>(plan.conditions.size());
+    row.whole(7, next, next);
+    plan.conditions.push_back({row.text(0, kLongestName), row.text(1, kLongestName), row.text(2, kLongestText),
+                               row.text(3, kLongestText), row.number(4, 1, kMostNumber), row.real(5), row.real(6)});
+    if (plan.conditions.back().stepTime < 0) throw Damaged("in its table conditions step_time is negative");
+    checkConfiguration(plan.conditions.back().configuration);
+  }
+  if (plan.conditions.empty()) throw Damaged("it holds no condition");
+  if (format() > kOldestFormat && valueOf(kPlanSum) != hexText(checksumOf(plan)))
+    throw Damaged("its plan is not what was written");
+  return plan;
+}
+
+std::vector<StoredLife> Store::Database::readLives() {
+  const bool noted = format() > kOldestFormat;
+  const int conditions = db.execAndGet("SELECT count(*) FROM conditions").getInt();
+  std::vector<StoredLife> lives;
+  SQLite::Statement statement(
+      db, std::string(kLifeColumns) + (noted ? kNotedColumns : "") + " FROM lives ORDER BY condition, life");
+  const CheckedRow row(statement, "lives");
+  std::uint64_t sum = 0;
+  while (statement.executeStep()) {
+    row.whole(0, 0, conditions - 1);
+    lives.push_back(lifeOf(row, noted));
+    if (!noted) continue;
+    const std::uint64_t own = checksumOf(lives.back());
+    compareChecksum(row.text(11), ChecksumPart::Life, own, nameOf(lives.back()));
+    sum ^= own;
+  }
+  if (noted && valueOf(kLivesSum) != hexText(sum))
+    throw Damaged("lives are missing, or are not those that were written");
+  return lives;
+}
+
+std::optional<std::pair<StoredLife, std::string>> Store::Database::readLife(int condition, int life) {
+  const bool noted = format() > kOldestFormat;
+  SQLite::Statement statement(
+      db, std::string(kLifeColumns) + (noted ? kNotedColumns : "") + " FROM lives WHERE condition = ? AND life = ?");
+  SQLite::bind(statement, condition, life);
+  if (!statement.executeStep()) return std::nullopt;
+  const CheckedRow row(statement, "lives");
+  return std::pair(lifeOf(row, noted), noted ? row.text(11) : "");
+}
+
+std::vector<StoredPreLearning> Store::Database::readPreLearned() {
+  std::vector<StoredPreLearning> all;
+  const bool noted = format() > kOldestFormat;
+  SQLite::Statement statement(db, std::string("SELECT condition, q_function, episodes, falls, steps, average_reward, "
+                                              "reached, hash") +
+                                      (noted ? ", checksum" : "") + " FROM pre_learned ORDER BY condition, q_function");
+  const CheckedRow row(statement, "pre_learned");
+  while (statement.executeStep()) {
+    all.push_back({row.number(0, 0, kMostNumber), row.number(1, 0, kMostNumber), row.whole(2, 0, kMostLifeSteps),
+                   row.whole(3, 0, kMostLifeSteps), row.whole(4, 0, kMostLifeSteps), row.real(5),
+                   row.whole(6, 0, 1) == 1, row.hash(7)});
+    if (noted)
+      compareChecksum(row.text(8), ChecksumPart::Life, checksumOf(all.back()), "what was learned before a life");
+  }
+  return all;
+}
+
+std::vector<StoredEpisode> Store::Database::readEpisodes(const StoredLife& life) {
+  std::vector<StoredEpisode> episodes;
+  SQLite::Statement statement(db,
+                              "SELECT transitions, reward, falls, ending, episode FROM episodes WHERE condition = ? "
+                              "AND life = ? ORDER BY episode");
+  SQLite::bind(statement, life.condition, life.life);
+  const CheckedRow row(statement, "episodes");
+  while (statement.executeStep()) {
+    const auto next = static_cast<std::int64_t>(episodes.size()) + 1;
+    row.whole(4, next, next);
+    episodes.push_back({row.whole(0, 0, kMostLifeSteps), row.real(1), row.number(2, 0, std::numeric_limits<int>::max()),
+                        static_cast<EndingCode>(row.number(3, 0, 3))});
+  }
+  checkEpisodes(life, episodes);
+  return episodes;
+}
+
+std::vector<StoredMeasure> Store::Database::readMeasures(int condition, int life) {
+  std::vector<StoredMeasure> measures;
+  if (!db.tableExists("measures")) return measures;
+  SQLite::Statement statement(db,
+                              "SELECT episode, name, value FROM measures WHERE condition = ? AND life = ? ORDER BY "
+                              "episode, name");
+  SQLite::bind(statement, condition, life);
+  const CheckedRow row(statement, "measures");
+  while (statement.executeStep())
+    measures.push_back({row.whole(0, 0, kMostLifeSteps), row.text(1, kLongestName), row.real(2)});
+  return measures;
+}
+
 Result<StoredPlan> Store::plan() const {
-  return guarded<StoredPlan>(path_, [&]() -> Result<StoredPlan> {
-    StoredPlan plan;
-    std::map<std::string, std::string> pairs;
-    SQLite::Statement pair(database_->db, "SELECT key, value FROM experiment");
-    while (pair.executeStep()) pairs[pair.getColumn(0).getString()] = pair.getColumn(1).getString();
-    plan.version = pairs["version"], plan.title = pairs["title"];
-    plan.seed = std::strtoull(pairs["seed"].c_str(), nullptr, 10);
-    plan.paired = pairs["paired"] == "1";
-    plan.shard = std::max(1, std::atoi(pairs["shard"].c_str()));
-    plan.shards = std::max(1, std::atoi(pairs["shards"].c_str()));
-    SQLite::Statement row(database_->db,
-                          "SELECT name, reference, text, configuration, lives, goal_reward, step_time FROM conditions "
-                          "ORDER BY condition");
-    while (row.executeStep())
-      plan.conditions.push_back({row.getColumn(0), row.getColumn(1), row.getColumn(2), row.getColumn(3),
-                                 row.getColumn(4).getInt(), row.getColumn(5).getDouble(),
-                                 row.getColumn(6).getDouble()});
-    if (plan.conditions.empty()) return fileError(path_, "it holds no condition; the file is damaged.");
-    for (const StoredCondition& c : plan.conditions)
-      if (!parseJson(c.configuration).is_object())
-        return fileError(path_, "a condition has no configuration; the file is damaged.");
-    return plan;
-  });
+  return reading<StoredPlan>(path_, database_->db, [&] { return database_->readPlan(); });
 }
 
 Result<std::vector<StoredLife>> Store::lives() const {
-  return guarded<std::vector<StoredLife>>(path_, [&] {
-    std::vector<StoredLife> lives;
-    const bool noted = database_->db.execAndGet("PRAGMA user_version").getInt() > kOldestFormat;
-    SQLite::Statement row(database_->db,
-                          std::string("SELECT condition, life, ifnull(q_function, -1), episodes, steps, falls, "
-                                      "states_outside, ifnull(diverged, ''), hash, ") +
-                              (noted ? "ifnull(lives_version, 0), ifnull(program, '')" : "0, ''") +
-                              " FROM lives ORDER BY condition, life");
-    while (row.executeStep())
-      lives.push_back({row.getColumn(0), row.getColumn(1), row.getColumn(2), row.getColumn(3).getInt64(),
-                       row.getColumn(4).getInt64(), row.getColumn(5).getInt64(), row.getColumn(6).getInt64(),
-                       row.getColumn(7), fromHex(row.getColumn(8)), row.getColumn(9), row.getColumn(10)});
-    return lives;
-  });
+  return reading<std::vector<StoredLife>>(path_, database_->db, [&] { return database_->readLives(); });
 }
 
 Result<std::vector<StoredPreLearning>> Store::preLearned() const {
-  return guarded<std::vector<StoredPreLearning>>(path_, [&] {
-    std::vector<StoredPreLearning> all;
-    SQLite::Statement row(database_->db,
-                          "SELECT condition, q_function, episodes, falls, steps, average_reward, reached, hash FROM "
-                          "pre_learned ORDER BY condition, q_function");
-    while (row.executeStep())
-      all.push_back({row.getColumn(0), row.getColumn(1), row.getColumn(2).getInt64(), row.getColumn(3).getInt64(),
-                     row.getColumn(4).getInt64(), row.getColumn(5).getDouble(), row.getColumn(6).getInt() != 0,
-                     fromHex(row.getColumn(7))});
-    return all;
-  });
+  return reading<std::vector<StoredPreLearning>>(path_, database_->db, [&] { return database_->readPreLearned(); });
 }
 
 Result<std::vector<StoredEpisode>> Store::episodes(int condition, int life) const {
-  return guarded<std::vector<StoredEpisode>>(path_, [&] {
-    std::vector<StoredEpisode> episodes;
-    SQLite::Statement row(database_->db,
-                          "SELECT transitions, reward, falls, ending FROM episodes WHERE condition = ? AND life = ? "
-                          "ORDER BY episode");
-    SQLite::bind(row, condition, life);
-    while (row.executeStep())
-      episodes.push_back({row.getColumn(0).getInt64(), row.getColumn(1).getDouble(), row.getColumn(2).getInt(),
-                          static_cast<EndingCode>(row.getColumn(3).getInt())});
+  return reading<std::vector<StoredEpisode>>(path_, database_->db, [&] {
+    const auto row = database_->readLife(condition, life);
+    if (!row) return std::vector<StoredEpisode>();
+    auto episodes = database_->readEpisodes(row->first);
+    if (!row->second.empty())
+      compareChecksum(row->second, ChecksumPart::Episodes, checksumOf(episodes), nameOf(row->first));
     return episodes;
   });
 }
 
 Result<std::vector<StoredMeasure>> Store::measures(int condition, int life) const {
-  return guarded<std::vector<StoredMeasure>>(path_, [&] {
-    std::vector<StoredMeasure> measures;
-    if (!database_->db.tableExists("measures")) return measures;
-    SQLite::Statement row(database_->db,
-                          "SELECT episode, name, value FROM measures WHERE condition = ? AND life = ? ORDER BY "
-                          "episode, name");
-    SQLite::bind(row, condition, life);
-    while (row.executeStep())
-      measures.push_back({row.getColumn(0).getInt64(), row.getColumn(1), row.getColumn(2).getDouble()});
+  return reading<std::vector<StoredMeasure>>(path_, database_->db, [&] {
+    const auto row = database_->readLife(condition, life);
+    if (!row) return std::vector<StoredMeasure>();
+    auto measures = database_->readMeasures(condition, life);
+    if (!row->second.empty())
+      compareChecksum(row->second, ChecksumPart::Measures, checksumOf(measures), nameOf(row->first));
     return measures;
   });
 }

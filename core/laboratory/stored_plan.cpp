@@ -64,7 +64,7 @@ Result<PreLearning> storedPreLearning(const Registry& registry, const Json& json
 
 Result<Condition> storedCondition(const Registry& registry, const StoredCondition& stored, const Store& store) {
   const std::string& file = store.path();
-  const Json json = Json::parse(stored.configuration, nullptr, false);
+  const Json json = parseJson(stored.configuration);
   auto configuration = storedConfiguration(registry, json, file);
   if (!configuration) return configuration.error();
   Condition c{.name = stored.name,

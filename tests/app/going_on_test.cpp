@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "tests/app/program.h"
+#include "tests/core/laboratory/seal_store.h"
 
 namespace surefoot {
 
@@ -44,7 +45,9 @@ class GoingOn : public testing::Test {
     return SQLite::Database(store, SQLite::OPEN_READONLY, kPatience).execAndGet("SELECT count(*) FROM lives").getInt();
   }
   void sql(const std::string& store, const std::string& text) const {
-    SQLite::Database(store, SQLite::OPEN_READWRITE).exec(text);
+    SQLite::Database db(store, SQLite::OPEN_READWRITE);
+    db.exec(text);
+    sealStore(db);
   }
   void replaceIn(const std::string& path, const std::string& what, const std::string& by) const {
     std::string text = contentOf(path);

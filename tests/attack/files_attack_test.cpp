@@ -1,36 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files made to harm, and places that cannot be written: a sentence and an exit code, in little memory and time.
-#include "tests/app/program.h"
+#include <cmath>
+#include <cstring>
+
+#include "tests/attack/attack.h"
 
 namespace surefoot {
-
-namespace {
-
-std::string times(int n, const std::string& text) {
-  std::string all;
-  for (int i = 0; i < n; ++i) all += text;
-  return all;
-}
-
-/// One sentence, the code and the words, within ten seconds and 4 GB of addresses.
-void expectRefusalInBounds(const std::string& arguments, int code, const std::vector<std::string>& words) {
-  const Folder folder;
-  const std::string err = folder.file("err");
-  const std::string command =
-      "(ulimit -v 4000000; timeout 10 " SUREFOOT_PROGRAM " " + arguments + ") >/dev/null 2>" + err;
-  const int status = std::system(command.c_str());
-  const std::string said = contentOf(err);
-  EXPECT_EQ(WIFEXITED(status) ? WEXITSTATUS(status) : -1, code) << arguments << "\n" << said;
-  EXPECT_EQ(std::count(said.begin(), said.end(), '\n'), 1) << said;
-  for (const std::string& word : words) EXPECT_NE(said.find(word), std::string::npos) << arguments << "\n" << said;
-}
-
-std::string written(const std::string& path, const std::string& content) {
-  std::ofstream(path) << content;
-  return path;
-}
-
-}  // namespace
 
 TEST(FilesAttack, DeepJsonIsRefused) {
   const Folder folder;
@@ -116,6 +91,93 @@ TEST(FilesAttack, ASignalThatIsIgnoredAtTheStartStaysIgnored) {
   ASSERT_NE(std::system(command.c_str()), -1);
   EXPECT_EQ(contentOf(folder.file("alive")), "alive\n");
   EXPECT_EQ(contentOf(code), "130\n");
+}
+
+namespace {
+
+/// A safetensors file of these tensors, whose data is a hole.
+std::string sparse(const std::string& path, const nlohmann::json& about, const nlohmann::json& tensors,
+                   std::size_t size) {
+  nlohmann::json header = tensors;
+  header["__metadata__"] = {{"surefoot", about.dump()}};
+  const std::string text = header.dump();
+  const std::uint64_t length = text.size();
+  std::ofstream(path, std::ios::binary) << std::string(reinterpret_cast<const char*>(&length), 8) << text;
+  std::filesystem::resize_file(path, 8 + length + size);
+  return path;
+}
+
+nlohmann::json tensor(const std::vector<std::size_t>& shape, std::size_t begin, std::size_t end) {
+  return {{"dtype", "F64"}, {"shape", shape}, {"data_offsets", {begin, end}}};
+}
+
+}  // namespace
+
+TEST(FilesAttack, NothingIsReadThatNobodyAskedFor) {
+  const Folder folder;
+  const std::string good = folder.file("good.safetensors");
+  ASSERT_EQ(surefoot("train --environment cliff --features table --episodes 5 --save " + good).code, 0);
+  const nlohmann::json about = run("inspect " + good)["about"];
+  constexpr std::size_t kCount = 200'000'000, kBytes = 8 * kCount;
+  nlohmann::json other = about, later = about;
+  other["kind"] = "something";
+  later["format"] = "2.0";
+  const std::string hole = folder.file("hole.safetensors");
+  const nlohmann::json weights = {{"q.weights", tensor({kCount / 4, 4}, 0, kBytes)}},
+                       more = {{"q.more", tensor({kCount}, 0, kBytes)}}, strange = {{"x", tensor({kCount}, 0, kBytes)}};
+  for (const auto& [description, tensors, word] : {std::tuple{other, weights, "of the kind"},
+                                                   {later, weights, "its format"},
+                                                   {about, weights, "does not fit"},
+                                                   {about, more, "is none that an estimate has"},
+                                                   {about, strange, "belongs to none"}}) {
+    sparse(hole, description, tensors, kBytes);
+    for (const char* command : {"inspect ", "query --state 0,0 ", "train --episodes 5 --load "})
+      expectRefusalInBounds(command + hole, 3, {"hole.safetensors", word}, 600'000);
+  }
+}
+
+TEST(FilesAttack, InspectRefusesWhatCannotBeLoaded) {
+  const Folder folder;
+  const std::string good = folder.file("good.safetensors"), bad = folder.file("bad.safetensors");
+  ASSERT_EQ(surefoot("train --environment cliff --features table --episodes 5 --save " + good).code, 0);
+  EXPECT_EQ(surefoot("inspect " + good).code, 0);
+  std::string bytes = contentOf(good);
+  const auto checksum = bytes.find("\\\"checksum\\\"");  // whoever changes a file may take it out
+  ASSERT_NE(checksum, bytes.npos);
+  bytes.replace(checksum, 12, "\\\"checkXum\\\"");
+  const double nan = std::nan("");
+  std::memcpy(bytes.data() + bytes.size() - sizeof nan, &nan, sizeof nan);
+  for (const char* command : {"inspect ", "query --state 0,0 "})
+    expectRefusalInBounds(command + written(bad, bytes), 3, {"bad.safetensors", "not a finite number"});
+}
+
+TEST(FilesAttack, ValuesThatAreEmptyAreRefused) {
+  const Folder folder;
+  for (const char* setting : {"pre-learning.file", "reference", "environment", "policy", "features", "agent"}) {
+    const std::string plan =
+        written(folder.file("plan.toml"),
+                "lives = 2\n[base]\nfeatures = \"table\"\nepisodes = 5\n[[condition]]\nname = \"a\"\n" +
+                    std::string(setting) + " = \"\"\n");
+    expectRefusalInBounds("experiment --dry-run " + plan, 2, {"plan.toml", setting});
+  }
+}
+
+TEST(FilesAttack, ManyConditionsAreCountedFirst) {
+  const Folder folder;
+  std::string list;
+  for (int i = 1; i <= 101; ++i) list += (i > 1 ? "," : "") + std::to_string(i / 200.0);
+  const std::string head = "[base]\nenvironment = \"cliff\"\nfeatures = \"table\"\nepisodes = 5\n[[condition]]\n",
+                    two = "set.policy.epsilon = [" + list + "]\nset.agent.discount = [" + list + "]\n";
+  expectRefusalInBounds("experiment --dry-run " + written(folder.file("many.toml"), head + two), 2,
+                        {"many.toml", "more than 10000 conditions"});
+}
+
+TEST(FilesAttack, ALogThatNoMemoryHoldsIsRefusedBefore) {
+  const Folder folder;
+  expectRefusalInBounds(
+      "train --environment cliff --features table --episodes 1000000000 --lives 1000 --log " + folder.file("l.csv"), 2,
+      {"--log", "GB of memory"});
+  EXPECT_FALSE(std::filesystem::exists(folder.file("l.csv")));
 }
 
 }  // namespace surefoot

@@ -61,8 +61,9 @@ class StoreTest : public testing::Test {
   }
   /// As a store of the first days had it.
   void makeOld(const std::string& name) {
-    sql(name, "ALTER TABLE lives DROP COLUMN lives_version; ALTER TABLE lives DROP COLUMN program; DROP TABLE "
-              "q_functions; DELETE FROM experiment WHERE key = 'writing'; PRAGMA user_version = 1");
+    sql(name, "ALTER TABLE lives DROP COLUMN lives_version; ALTER TABLE lives DROP COLUMN program; ALTER "
+              "TABLE lives DROP COLUMN checksum; ALTER TABLE pre_learned DROP COLUMN checksum; DROP TABLE q_functions; "
+              "DELETE FROM experiment WHERE key IN ('writing', 'plan_checksum', 'lives_checksum'); PRAGMA user_version = 1");
   }
   std::size_t livesIn(const std::string& name) {
     const auto store = Store::open(folder.file(name));

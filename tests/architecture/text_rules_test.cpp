@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Text from outside goes through one door each: one parser with limits, and no widget that takes it for HTML.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+
+namespace {
+
+using std::filesystem::path;
+
+/// No line of these folders matches, but in the files that may.
+void forbid(const std::vector<std::string>& folders, const std::string& pattern, const std::set<std::string>& may) {
+  const std::regex forbidden(pattern);
+  std::set<std::string> found;
+  for (const std::string& folder : folders)
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(path(SUREFOOT_SOURCE) / folder)) {
+      const auto extension = entry.path().extension();
+      if (extension != ".h" && extension != ".cpp") continue;
+      std::ifstream in(entry.path());
+      std::string line;
+      for (int number = 1; std::getline(in, line); ++number) {
+        if (!std::regex_search(line, forbidden)) continue;
+        found.insert(entry.path().filename().string());
+        EXPECT_TRUE(may.contains(entry.path().filename().string())) << entry.path() << ":" << number << ": " << line;
+      }
+    }
+  EXPECT_EQ(found, may) << "what is allowed is there";
+}
+
+}  // namespace
+
+TEST(TextFromOutside, HasOneParserEach) {
+  forbid({"core", "app", "ui", "physics"}, R"((json|Json)::parse\()", {"limited_json.cpp"});
+  forbid({"core", "app", "ui", "physics"}, R"(toml::parse\()", {"plan_file.cpp"});
+}
+
+TEST(TextFromOutside, IsNoHtmlInTheWindow) {
+  forbid({"ui"}, R"(Qt::RichText|setHtml\(|Qt::AutoText|insertHtml\(|appendHtml\()",
+         {"experiment_page_results.cpp", "flat_style.cpp", "main_window_dialogs.cpp"});
+}
