@@ -76,7 +76,7 @@ Result<Reproduced> reproduce(const Registry& registry, const std::string& recipe
                   .lives = recipe->plan.lives,
                   .conditions = static_cast<int>(evidence->size())};
   for (const FigureSpec& spec : recipe->figures) {
-    auto figure = makeFigure(registry, spec, *evidence, recipe->plan.seed);
+    auto figure = makeFigure(registry, spec, *evidence);
     if (!figure) return Error{recipe->name + ".toml: " + figure.error().message};
     markThesis(*figure, spec.measure, recipe->claims, *evidence);
     if (const Status s = writeWhole("--out", own + "/" + figure->name + ".csv", figureAsCsv(*figure)); !s)

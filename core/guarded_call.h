@@ -18,6 +18,8 @@ std::string troubleOf(F&& f) noexcept {
     return "There is not enough memory for this; take fewer tiles, tilings or lives.";
   } catch (const std::exception& e) {
     return std::string("Something went wrong that should not: ") + e.what() + ".";
+  } catch (...) {
+    return "Something went wrong that should not.";
   }
 }
 

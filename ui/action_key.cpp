@@ -15,7 +15,7 @@ constexpr double kSample = 14, kGap = 14;  // a sample with its space, between t
 const QString kPositive = QStringLiteral("Q⁺"), kNegative = QStringLiteral("Q⁻");
 }  // namespace
 
-ActionKey::ActionKey(Session& session, QWidget* parent) : QWidget(parent), session_(session) {
+ActionKey::ActionKey(Session& session, QWidget* parent) : Painted(parent), session_(session) {
   connect(&session_, &Session::configurationChanged, this, &ActionKey::refresh);
   connect(&session_, &Session::valuesArrived, this, &ActionKey::refresh);
   connect(&session_, &Session::lifeReplaced, this, &ActionKey::refresh);
@@ -46,7 +46,7 @@ double ActionKey::widthOf(const Item& item) const {
 QSize ActionKey::sizeHint() const {
   double width = 0;
   for (const Item& item : items_) width += widthOf(item) + textScale() * kGap;
-  return {static_cast<int>(width), static_cast<int>(20 * textScale())};
+  return scaled({static_cast<int>(width), 20});
 }
 
 void ActionKey::drawSample(QPainter& p, QPointF at, const Item& item, const Theme& t) const {
@@ -64,7 +64,7 @@ void ActionKey::drawSample(QPainter& p, QPointF at, const Item& item, const Them
 
 void ActionKey::paintEvent(QPaintEvent*) {
   const Theme& t = themeOf(*this);
-  QPainter p(this);
+  ScaledPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
   double x = 0;
   for (const Item& item : items_) {

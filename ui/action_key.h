@@ -3,16 +3,16 @@
 // two parts; the policies, where an action is a combination (else their names head columns).
 #pragma once
 
-#include <QWidget>
 #include <vector>
 
+#include "ui/painted.h"
 #include "ui/theme.h"
 
 namespace surefoot {
 
 class Session;
 
-class ActionKey final : public QWidget {
+class ActionKey final : public Painted<> {
   Q_OBJECT
 
  public:

@@ -20,7 +20,7 @@ constexpr int kUpdateEvery = 200;  // [ms]: numbers that change faster cannot be
 constexpr const char* kShown[] = {"epsilon-greedy", "trl", "softmax"};
 }  // namespace
 
-ActionRows::ActionRows(Session& session, QWidget* parent) : QWidget(parent), session_(session) {
+ActionRows::ActionRows(Session& session, QWidget* parent) : Painted(parent), session_(session) {
   setMouseTracking(true);
   setAttribute(Qt::WA_OpaquePaintEvent);
   rebuild();
@@ -128,14 +128,14 @@ bool ActionRows::onThreshold(const QPointF& at) const {
 }
 
 void ActionRows::mousePressEvent(QMouseEvent* event) {
-  dragging_ = event->button() == Qt::LeftButton && onThreshold(event->position());
+  dragging_ = event->button() == Qt::LeftButton && onThreshold(mouseAt(*event));
 }
 
 void ActionRows::mouseMoveEvent(QMouseEvent* event) {
-  setCursor(dragging_ || onThreshold(event->position()) ? Qt::SplitHCursor : Qt::ArrowCursor);
+  setCursor(dragging_ || onThreshold(mouseAt(*event)) ? Qt::SplitHCursor : Qt::ArrowCursor);
   if (!dragging_) return;
   const Geometry g = geometry();
-  const double share = std::clamp((event->position().x() - g.qLeft) / (g.qRight - g.qLeft), 0.0, 1.0);
+  const double share = std::clamp((mouseAt(*event).x() - g.qLeft) / (g.qRight - g.qLeft), 0.0, 1.0);
   const double value = std::round(low_ + share * (high_ - low_));
   if (value != session_.threshold())
     static_cast<void>(static_cast<bool>(session_.setParameter("policy.threshold", value)));

@@ -12,6 +12,7 @@
 
 #include "core/policy.h"
 #include "ui/exporting.h"
+#include "ui/painted.h"
 
 class QPainter;
 
@@ -20,13 +21,13 @@ namespace surefoot {
 class Session;
 struct Theme;
 
-class ActionRows final : public QWidget, public CsvSource {
+class ActionRows final : public Painted<>, public CsvSource {
   Q_OBJECT
 
  public:
   explicit ActionRows(Session& session, QWidget* parent = nullptr);
-  QSize sizeHint() const override { return {576, 240}; }
-  QSize minimumSizeHint() const override { return {480, 200}; }
+  QSize sizeHint() const override { return scaled({576, 240}); }
+  QSize minimumSizeHint() const override { return scaled({400, 190}); }
   /// A row an action: its value, the parts of it, its probability under each policy.
   std::string asCsv() const override;
   /// Right end of the scale of Q, and left end of its numbers: nothing of the one reaches the other [px].

@@ -106,7 +106,7 @@ double ActionRows::xOf(double value, const Geometry& g) const {
 
 void ActionRows::paintEvent(QPaintEvent*) {
   const Theme& t = themeOf(*this);
-  QPainter p(this);
+  ScaledPainter p(this);
   p.fillRect(rect(), t.panel);
   p.setRenderHint(QPainter::Antialiasing);
   if (!session_.task().actionVariables.empty()) return levels_.empty() ? void() : drawLevels(p, t);

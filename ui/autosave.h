@@ -8,11 +8,14 @@
 #include <QTimer>
 #include <functional>
 #include <memory>
+#include <vector>
 
+#include "core/result.h"
 #include "ui/file_lock.h"
 
 namespace surefoot {
 
+struct KeptLife;
 class Session;
 
 class Autosave final : public QObject {
@@ -38,25 +41,38 @@ class Autosave final : public QObject {
   void takeOver(const QString& file);
   /// Writes now, if the life has moved since.
   void save(std::function<void()> then = {});
-  /// The window is closed: writes what was learned, to be offered at the next start, then calls `then`. A life that ran
-  /// before and was not saved counts where the one that runs has learned nothing.
-  void keepLast(std::function<void()> then);
-  /// The window was closed; its autosave goes.
+  /// One that cannot be read gets a name under which nobody looks for it; empty: it could not.
+  QString setAside(const QString& file);
+  /// The window is closed: writes what was learned, the lives before that were not saved, too, to be offered at the next
+  /// start, then calls `then` with the first that could not be written.
+  void keepLast(std::function<void(const Status&)> then);
+  /// The window was closed; its autosaves go, unless keepLast() failed.
   void finish();
   /// The program is ended from outside: writes once more, leaves the file, then calls `then`.
   void leave(std::function<void()> then);
 
  private:
+  /// A life that was written and then gave way to another one, which would be written over it.
+  struct Before {
+    QString path;
+    FileLock lock;
+    std::weak_ptr<KeptLife> life;
+  };
+
   void tick();
+  void beginAnotherFile();
+  void forgetBefore();
+  void removeOldSessions(const QStringList& but) const;
 
   Session& session_;
   int waited_ = 0;  // ticks
   QString folder_, path_;
   QTimer timer_;
   std::int64_t saved_ = -1;  // steps of the life then
-  bool writing_ = false, leaving_ = false, again_ = false;
+  bool writing_ = false, leaving_ = false, again_ = false, unwritten_ = false;
   QString takenOver_;
   FileLock lock_, claimed_;
+  std::vector<Before> before_;
 };
 
 }  // namespace surefoot

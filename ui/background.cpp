@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/background.h"
 
+#include "core/guarded_call.h"
+
 namespace surefoot {
 
 Background::~Background() {
@@ -29,7 +31,7 @@ void Background::start(std::function<void(const std::atomic<bool>&)> work, std::
 void Background::run(std::shared_ptr<Job> job) {
   running_ = job;
   thread_ = std::thread([this, job] {
-    job->work(job->interrupted);
+    job->trouble = QString::fromStdString(troubleOf([&] { job->work(job->interrupted); }));
     job->done.set_value();
     QMetaObject::invokeMethod(
         this, [this, job] { finished(job); }, Qt::QueuedConnection);
@@ -45,7 +47,11 @@ void Background::finished(const std::shared_ptr<Job>& job) {
     return;
   }
   Q_EMIT busyChanged();
-  if (!job->interrupted) job->then();
+  if (job->interrupted) return;
+  if (job->trouble.isEmpty())
+    job->then();
+  else
+    Q_EMIT failed(job->trouble);
 }
 
 void Background::cancel() {

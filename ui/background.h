@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QObject>
+#include <QString>
 #include <atomic>
 #include <chrono>
 #include <functional>
@@ -23,7 +24,8 @@ class Background final : public QObject {
   ~Background() override;
 
   /// Runs `work` on the thread, then `then` on the window's, unless it was cancelled meanwhile. Work that takes less
-  /// than `patience` is waited for: then both are done when this returns.
+  /// than `patience` is waited for: then both are done when this returns. Whatever `work` throws ends it alone, and
+  /// failed() tells, in place of `then`.
   void start(std::function<void(const std::atomic<bool>& interrupted)> work, std::function<void()> then,
              std::chrono::milliseconds patience = std::chrono::milliseconds(0));
   void cancel();
@@ -31,6 +33,7 @@ class Background final : public QObject {
 
  Q_SIGNALS:
   void busyChanged();
+  void failed(const QString& sentence);
 
  private:
   struct Job {
@@ -38,6 +41,7 @@ class Background final : public QObject {
     std::function<void()> then;
     std::atomic<bool> interrupted{false};
     std::promise<void> done;
+    QString trouble{};  ///< what `work` threw
   };
   void run(std::shared_ptr<Job> job);
   void finished(const std::shared_ptr<Job>& job);

@@ -14,11 +14,11 @@ constexpr int kButton = 32, kFramed = 80;  // [px]
 }
 
 BarButton::BarButton(Icon icon, Look look, const QString& tip, QWidget* parent)
-    : QAbstractButton(parent),
+    : Painted(parent),
       icon_(icon),
       look_(look) {
   setFocusPolicy(Qt::TabFocus);  // a click needs no focus ring
-  setFixedSize(sizeHint());
+  whenScaled(this, [this] { setFixedSize(sizeHint()); });
   setTip(tip);
 }
 
@@ -30,7 +30,7 @@ BarButton::BarButton(QAction* action, Icon icon, Look look, QWidget* parent) : B
 }
 
 QSize BarButton::sizeHint() const {
-  return {look_ == Look::Framed ? kFramed : kButton, kButton};
+  return scaled({look_ == Look::Framed ? kFramed : kButton, kButton});
 }
 
 void BarButton::setIcon(Icon icon) {
@@ -55,7 +55,7 @@ void BarButton::followAction() {
 
 void BarButton::paintEvent(QPaintEvent*) {
   const Theme& t = themeOf(*this);
-  QPainter p(this);
+  ScaledPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
   const QRectF frame = QRectF(rect()).adjusted(1, 1, -1, -1);
   const bool pressed = isDown() || (look_ == Look::Framed && action_ && action_->isChecked());

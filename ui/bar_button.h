@@ -5,12 +5,13 @@
 #include <QAbstractButton>
 
 #include "ui/icons.h"
+#include "ui/painted.h"
 
 class QAction;
 
 namespace surefoot {
 
-class BarButton final : public QAbstractButton {
+class BarButton final : public Painted<QAbstractButton> {
   Q_OBJECT
 
  public:

@@ -3,16 +3,9 @@
 
 #include <filesystem>
 
+#include "core/typed_json.h"
+
 namespace surefoot {
-
-namespace {
-
-/// A text in an object of an object, as far as they are there.
-std::string textIn(const Json& json, const char* key) {
-  return json.is_object() && json.contains(key) && json[key].is_string() ? json[key].get<std::string>() : "";
-}
-
-}  // namespace
 
 std::string beginningOf(const Configuration& began) {
   if (!began.start && began.beganWith.is_null()) return "";

@@ -8,6 +8,7 @@
 #include "core/text.h"
 #include "ui/condition_name.h"
 #include "ui/experiment.h"
+#include "ui/scale.h"
 #include "ui/symbol_text.h"
 #include "ui/table_parts.h"
 #include "ui/theme.h"
@@ -57,11 +58,11 @@ void ClaimsTable::showEvent(QShowEvent* event) {
 void ClaimsTable::layOut() {
   int rest = viewport()->width();
   for (const int column : {Code, P, VerdictIs}) {
-    const int need = std::max(sizeHintForColumn(column), horizontalHeader()->sectionSizeHint(column)) + 8;
+    const int need = std::max(sizeHintForColumn(column), horizontalHeader()->sectionSizeHint(column)) + scaled(8);
     setColumnWidth(column, need);
     rest -= need;
   }
-  rest = std::max(rest, 40 * QFontMetrics(textFont(13)).averageCharWidth());
+  rest = std::max(rest, 40 * QFontMetrics(scaledFont(13)).averageCharWidth());
   for (const auto& [column, share] : {std::pair{Says, 0.36}, {Thesis, 0.14}, {Ours, 0.22}, {Why, 0.28}})
     setColumnWidth(column, static_cast<int>(share * rest));
   resizeRowsToContents();

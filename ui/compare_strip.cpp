@@ -13,12 +13,15 @@
 #include "ui/compared_falls.h"
 #include "ui/rival.h"
 #include "ui/run_names.h"
+#include "ui/scale.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
 
 namespace surefoot {
 
 namespace {
+
+constexpr int kAround = 32;  // edges and arrow of a box [px]
 
 QString count(std::int64_t number) {
   return toText(countText(static_cast<double>(number)));
@@ -51,12 +54,15 @@ CompareStrip::CompareStrip(Rival& rival)
   for (QComboBox* combo :
        {static_cast<QComboBox*>(agents_), static_cast<QComboBox*>(policies_), static_cast<QComboBox*>(starts_)}) {
     combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    combo->setMinimumContentsLength(6);
+    combo->setMinimumContentsLength(1);
   }
   auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(12, 6, 12, 6);
-  grid->setHorizontalSpacing(6);
-  grid->setVerticalSpacing(3);
+  whenScaled(this, [this, grid] {
+    grid->setContentsMargins(scaled({12, 6, 12, 6}));
+    grid->setHorizontalSpacing(scaled(6));
+    grid->setVerticalSpacing(scaled(3));
+    if (starts_->count() > 0) refresh();
+  });
   grid->addWidget(new QLabel(tr("First")), 0, 0);
   grid->addWidget(first_, 0, 1, 1, 4);
   grid->addWidget(new QLabel(tr("Second")), 1, 0);
@@ -146,6 +152,8 @@ void CompareStrip::refresh() {
   select(*agents_, toText(rival_.agent()));
   select(*policies_, toText(rival_.policy()));
   select(*starts_, static_cast<int>(rival_.start()));
+  for (Combo* combo : {agents_, policies_, starts_})  // what stands there is never cut
+    combo->setMinimumWidth(QFontMetrics(scaledFont(13)).horizontalAdvance(combo->currentText()) + scaled(kAround));
   const QString own = rival_.ownParameters();
   own_->setText(own.isEmpty() ? beganAs(rival_.session()) : tr("%1; its own: %2").arg(beganAs(rival_.session()), own));
   refreshFalls();

@@ -11,6 +11,7 @@
 #include "core/number_text.h"
 #include "core/text.h"
 #include "ui/combo.h"
+#include "ui/scale.h"
 #include "ui/symbol_text.h"
 
 namespace surefoot {
@@ -31,7 +32,6 @@ void narrow(Combo* combo) {
   combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   combo->setMinimumContentsLength(8);
   combo->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  combo->setFixedHeight(26);
 }
 
 QLineEdit* field(const QString& name, const QString& text) {
@@ -81,8 +81,11 @@ ConditionForm::ConditionForm(const Registry& registry, QWidget* parent)
   policy_->setCurrentIndex(policy_->findData(toText(Names().policy)));
   for (Combo* combo : {environment_, scenario_, agent_, features_, policy_, preLearned_}) narrow(combo);
   auto* form = new QFormLayout(this);
-  form->setContentsMargins(12, 4, 12, 12);
-  form->setVerticalSpacing(6);
+  whenScaled(this, [form] {
+    form->setContentsMargins(scaled({12, 4, 12, 12}));
+    form->setVerticalSpacing(scaled(6));
+    form->setHorizontalSpacing(scaled(10));
+  });
   form->addRow(tr("Environment"), environment_);
   form->addRow(tr("Scenario"), scenario_);
   form->addRow(tr("Learning rule"), agent_);

@@ -16,13 +16,14 @@ namespace {
 constexpr int kRow = 32, kLine = 24, kPadding = 12, kHead = 34;  // [px]
 }  // namespace
 
-ConditionList::ConditionList(Experiment& experiment, QWidget* parent) : QWidget(parent), experiment_(experiment) {
+ConditionList::ConditionList(Experiment& experiment, QWidget* parent) : Painted(parent), experiment_(experiment) {
   setAccessibleName(tr("Conditions"));
   const auto refresh = [this] {
     updateGeometry();
     setMinimumHeight(sizeHint().height());
     update();
   };
+  whenScaled(this, refresh);
   connect(&experiment_, &Experiment::planChanged, this, refresh);
   connect(&experiment_, &Experiment::resultsChanged, this, refresh);
   connect(&experiment_, &Experiment::progressed, this, qOverload<>(&QWidget::update));
@@ -30,7 +31,7 @@ ConditionList::ConditionList(Experiment& experiment, QWidget* parent) : QWidget(
 
 QSize ConditionList::sizeHint() const {
   const auto rows = static_cast<int>(experiment_.storedPlan().conditions.size());
-  return {264, kRow * rows + kHead + kLine * static_cast<int>(design().size()) + 16};
+  return scaled({264, kRow * rows + kHead + kLine * static_cast<int>(design().size()) + 16});
 }
 
 std::vector<std::pair<QString, QString>> ConditionList::design() const {
@@ -62,7 +63,7 @@ std::vector<std::pair<QString, QString>> ConditionList::design() const {
 
 void ConditionList::paintEvent(QPaintEvent*) {
   const Theme& t = themeOf(*this);
-  QPainter p(this);
+  ScaledPainter p(this);
   p.fillRect(rect(), t.panel);
   p.setRenderHint(QPainter::Antialiasing);
   const StoredPlan& stored = experiment_.storedPlan();

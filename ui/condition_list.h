@@ -2,13 +2,13 @@
 // The conditions of an experiment with how many lives each has lived, and below them its design.
 #pragma once
 
-#include <QWidget>
+#include "ui/painted.h"
 
 namespace surefoot {
 
 class Experiment;
 
-class ConditionList final : public QWidget {
+class ConditionList final : public Painted<> {
   Q_OBJECT
 
  public:

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/files/limited_json.h"
+#include "core/typed_json.h"
 #include "ui/symbol_text.h"
 
 namespace surefoot {
@@ -15,7 +16,9 @@ Experiment::Experiment(const Registry& registry, std::vector<PlanSource> sources
       folder_(std::move(folder)),
       results_(registry) {
   connect(&results_, &ExperimentResults::changed, this, &Experiment::resultsChanged);
+  connect(&results_, &ExperimentResults::failed, this, &Experiment::failed);
   connect(&opening_, &Background::busyChanged, this, &Experiment::stateChanged);
+  connect(&opening_, &Background::failed, this, &Experiment::failed);
   connect(&timer_, &QTimer::timeout, this, &Experiment::tick);
 }
 
@@ -40,8 +43,7 @@ std::vector<FigureSpec> Experiment::standardFigures(const StoredPlan& plan) cons
   const bool walks = std::any_of(plan.conditions.begin(), plan.conditions.end(), [&](const StoredCondition& c) {
     const auto configuration = parseJson(c.configuration);
     if (!configuration.is_object()) return false;
-    const auto entry =
-        findEntry(registry_.environments, "environment", configuration.value("environment", std::string()));
+    const auto entry = findEntry(registry_.environments, "environment", textIn(configuration, "environment"));
     return entry && measureAt((*entry)->make()->task().measures, "distance").has_value();
   });
   if (!walks) return figures;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How an experiment comes to its plan: read and tried out on a thread of its own, then taken over at once.
+#include <algorithm>
 #include <thread>
 
 #include "core/files/read_file.h"
@@ -27,6 +28,10 @@ Result<Experiment::Opened> Experiment::prepareText(const std::string& text, cons
   if (!stored) return stored.error();
   Opened opened{.text = text, .path = path, .plan = {}, .stored = {}, .figures = {}, .claims = {}};
   opened.figures = standardFigures(*stored);
+  for (FigureSpec& standard : opened.figures)  // results and files are told apart by these names
+    while (std::any_of(recipe->figures.begin(), recipe->figures.end(),
+                       [&](const FigureSpec& own) { return own.name == standard.name; }))
+      standard.name += "-standard";
   opened.figures.insert(opened.figures.end(), recipe->figures.begin(), recipe->figures.end());
   opened.claims = std::move(recipe->claims);
   opened.plan = std::move(recipe->plan);

@@ -20,6 +20,7 @@
 #include "ui/panel.h"
 #include "ui/plan_chooser.h"
 #include "ui/plan_editor.h"
+#include "ui/scale.h"
 #include "ui/session.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
@@ -63,12 +64,21 @@ ExperimentPage::ExperimentPage(Session& session, std::vector<PlanSource> sources
   splitter->addWidget(stack_);
   splitter->setStretchFactor(1, 1);
   splitter->setSizes({264, 1016});
-  column->addWidget(splitter, 1);
+  auto* scroll = new QScrollArea;  // on the smallest screens
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidget(splitter);
+  column->addWidget(scroll, 1);
 
   connect(editor_, &PlanEditor::used, this, [this] { showPlan(false); });
   connect(editor_, &PlanEditor::liveConditionAsked, this,
           [this] { editor_->addConfiguration(session_.configuration()); });
-  connect(&experiment_, &Experiment::failed, this, &ExperimentPage::refused);
+  connect(&experiment_, &Experiment::failed, this, [this](const QString& why) {
+    runWhenOpen_ = false;
+    Q_EMIT refused(why);
+  });
+  connect(&writing_, &Background::failed, this, &ExperimentPage::refused);
   connect(&experiment_, &Experiment::leftBehind, this, [this](const QString& store) {
     Q_EMIT refused(tr("What was lived so far is kept and can be gone on with. It stands in the list of experiments, and "
                       "here: %1")
@@ -88,17 +98,12 @@ ExperimentPage::ExperimentPage(Session& session, std::vector<PlanSource> sources
 
 QWidget* ExperimentPage::makeBar() {
   auto* bar = new QWidget;
-  bar->setFixedHeight(48);
-  auto* row = new QHBoxLayout(bar);
-  row->setContentsMargins(9, 0, 12, 0);
-  row->setSpacing(8);
+  auto* row = bar_ = new QHBoxLayout(bar);
   run_ = new BarButton(Icon::Run, BarButton::Look::Main, tr("Run the experiment"));
   stop_ = new BarButton(Icon::Restart, BarButton::Look::Quiet, tr("Start again: forget what was lived"));
   connect(run_, &QAbstractButton::clicked, this, &ExperimentPage::runOrPause);
   connect(stop_, &QAbstractButton::clicked, this, &ExperimentPage::startAgain);
   source_ = new PlanChooser(tr("Experiment"), experiment_.sources());
-  source_->setFixedHeight(32);
-  source_->setMaximumWidth(380);
   source_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   connect(source_, &PlanChooser::planChosen, this, &ExperimentPage::open);
   connect(source_, &PlanChooser::openAsked, this, &ExperimentPage::openWithDialog);
@@ -116,26 +121,48 @@ QWidget* ExperimentPage::makeBar() {
   connect(csv, &QPushButton::clicked, this, &ExperimentPage::copyCsv);
   connect(latex, &QPushButton::clicked, this, &ExperimentPage::copyLatex);
   auto* copy = new QLabel(tr("Copy as"));
-  copy->setFont(textFont(11));
   copy->setForegroundRole(QPalette::PlaceholderText);
   auto* progress = new ExperimentProgress(experiment_);
   row->addWidget(run_);
   row->addWidget(stop_);
-  row->addSpacing(8);
-  row->addWidget(source_, 1);
+  row->addWidget(source_, 6);
   row->addWidget(lives_);
-  row->addSpacing(8);
-  row->addWidget(progress);
+  row->addWidget(progress, 6);
   row->addStretch(1);
   row->addWidget(copy);
   row->addWidget(csv);
   row->addWidget(latex);
+  copies_ = {copy, csv, latex};
+  whenScaled(bar, [this, bar, row, copy] {
+    bar->setFixedHeight(scaled(48));
+    row->setContentsMargins(scaled({9, 0, 12, 0}));
+    row->setSpacing(scaled(8));
+    source_->setFixedHeight(scaled(32));
+    source_->setMaximumWidth(scaled(380));
+    lives_->setFixedHeight(scaled(32));
+    copy->setFont(scaledFont(11));
+    foldBar();
+  });
   return bar;
+}
+
+void ExperimentPage::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  foldBar();
+}
+
+void ExperimentPage::foldBar() {
+  const QMargins edges = bar_->contentsMargins();
+  int need = edges.left() + edges.right() - bar_->spacing();
+  for (int i = 0; i < bar_->count(); ++i)
+    if (const QWidget* part = bar_->itemAt(i)->widget())
+      need += part->minimumSizeHint().expandedTo(part->minimumSize()).width() + bar_->spacing();
+  for (QWidget* copy : copies_) copy->setVisible(need <= width());
 }
 
 QWidget* ExperimentPage::makeColumn() {
   auto* column = new QWidget;
-  column->setMinimumWidth(240);
+  whenScaled(column, [column] { column->setMinimumWidth(scaled(240)); });
   auto* layout = new QVBoxLayout(column);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
@@ -156,6 +183,7 @@ QWidget* ExperimentPage::makeColumn() {
 }
 
 void ExperimentPage::open(const QString& path) {
+  runWhenOpen_ = false;
   if (const Status s = experiment_.open(path.toStdString()); !s) Q_EMIT refused(toText(s.error().message));
 }
 
@@ -167,11 +195,11 @@ void ExperimentPage::showPlan(bool shown) {
 }
 
 void ExperimentPage::runOrPause() {
+  if (experiment_.state() == Experiment::State::Running) return experiment_.pause();
   if (experiment_.isOpening()) {
     runWhenOpen_ = true;
     return;
   }
-  if (experiment_.state() == Experiment::State::Running) return experiment_.pause();
   const Status s = experiment_.run();
   if (!s && experiment_.needsConsent()) return Q_EMIT otherVersionFound(toText(s.error().message));
   if (!s) Q_EMIT refused(toText(s.error().message));

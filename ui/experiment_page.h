@@ -7,6 +7,7 @@
 #include "ui/experiment.h"
 
 class QAbstractButton;
+class QHBoxLayout;
 class QLabel;
 class QSplitter;
 class QSpinBox;
@@ -51,12 +52,17 @@ class ExperimentPage final : public QWidget {
   /// Names in the status line, as the page shows it.
   void statusChanged(const QString& left, const QString& right);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
  private:
   QWidget* makeBar();
   QWidget* makeColumn();
   QWidget* makeResults();
   void refresh();
   void setFull(QWidget* panel);
+  void foldBar();
   void askForLives();
   void setLives(int lives);
   void inBackground(const QString& what, int steps, std::function<Status(std::atomic<int>& done)> work,
@@ -77,6 +83,8 @@ class ExperimentPage final : public QWidget {
   bool runWhenOpen_ = false;  // it was asked for while the plan was being read
   std::vector<FigurePanel*> figures_;
   std::vector<std::pair<QWidget*, PanelHeader*>> panels_;  // the figures, then the table
+  QHBoxLayout* bar_ = nullptr;
+  std::vector<QWidget*> copies_;  // have their places in the menu as well
   QWidget *upper_ = nullptr, *full_ = nullptr;
   Background writing_;  // last: it is waited for first
 };

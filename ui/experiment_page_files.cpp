@@ -115,6 +115,7 @@ void ExperimentPage::inBackground(const QString& what, int steps, std::function<
     if (*done >= 0) progress->setValue(*done);
   });
   look->start(100);
+  connect(&writing_, &Background::failed, progress, &QObject::deleteLater);
   writing_.start([done, status, work = std::move(work)](const std::atomic<bool>&) { *status = work(*done); },
                  [this, done, status, progress = QPointer<QProgressDialog>(progress), then] {
                    if (progress) progress->deleteLater();

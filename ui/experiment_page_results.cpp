@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The panels with results: two figures, and below them the table with the sentence.
+#include <QKeyEvent>
 #include <QLabel>
 #include <QSplitter>
 #include <QStackedWidget>
@@ -11,6 +12,7 @@
 #include "ui/findings_table.h"
 #include "ui/link_button.h"
 #include "ui/panel.h"
+#include "ui/scale.h"
 
 namespace surefoot {
 
@@ -59,7 +61,7 @@ QWidget* ExperimentPage::makeResults() {
   offer();
   summary_ = new QLabel;
   summary_->setTextFormat(Qt::RichText);  // its names are escaped
-  summary_->setContentsMargins(12, 6, 12, 10);
+  whenScaled(summary_, [this] { summary_->setContentsMargins(scaled({12, 6, 12, 10})); });
   summary_->setWordWrap(true);
   column->addWidget(header);
   column->addWidget(lower, 1);
@@ -80,6 +82,12 @@ void ExperimentPage::setFull(QWidget* panel) {
     header->setFull(each == full_);
   }
   upper_->setVisible(full_ != panels_.back().first);
+  if (isVisible()) setFocus(Qt::OtherFocusReason);  // what is hidden would hand it on to anything
+}
+
+void ExperimentPage::keyPressEvent(QKeyEvent* event) {
+  if (event->key() != Qt::Key_Escape || !full_) return QWidget::keyPressEvent(event);
+  setFull(full_);
 }
 
 }  // namespace surefoot

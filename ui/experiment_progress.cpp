@@ -2,6 +2,7 @@
 #include "ui/experiment_progress.h"
 
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
 
 #include "core/laboratory/plan_time.h"
@@ -12,10 +13,19 @@
 
 namespace surefoot {
 
+namespace {
+constexpr int kLeast = 170, kMost = 420, kTrack = 240;  // [px]
+}
+
 ExperimentProgress::ExperimentProgress(Experiment& experiment, QWidget* parent)
-    : QWidget(parent),
+    : Painted(parent),
       experiment_(experiment) {
-  setFixedSize(420, 40);
+  whenScaled(this, [this] {
+    setFixedHeight(scaled(40));
+    setMinimumWidth(scaled(kLeast));
+    setMaximumWidth(scaled(kMost));
+  });
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setAccessibleName(tr("Progress"));
   for (auto signal :
        {&Experiment::progressed, &Experiment::stateChanged, &Experiment::planChanged, &Experiment::resultsChanged})
@@ -24,18 +34,20 @@ ExperimentProgress::ExperimentProgress(Experiment& experiment, QWidget* parent)
 
 void ExperimentProgress::paintEvent(QPaintEvent*) {
   const Theme& t = themeOf(*this);
-  QPainter p(this);
+  ScaledPainter p(this);
   const int planned = experiment_.livesPlanned();
   if (planned == 0) return;
+  const double track = std::min<double>(kTrack, width());
   p.setFont(textFont(13, 500));
   p.setPen(t.ink);
-  p.drawText(QRectF(0, 2, 180, 20), Qt::AlignVCenter,
+  p.drawText(QRectF(0, 2, track - 40, 20), Qt::AlignVCenter,
              tr("%1 of %2 lives").arg(toText(countText(experiment_.livesShown())), toText(countText(planned))));
   p.setFont(textFont(13));
-  p.drawText(QRectF(0, 2, 240, 20), Qt::AlignRight | Qt::AlignVCenter,
+  p.drawText(QRectF(0, 2, track, 20), Qt::AlignRight | Qt::AlignVCenter,
              tr("%1 %").arg(static_cast<int>(std::floor(100 * experiment_.share()))));
-  p.fillRect(QRectF(0, 27, 240, 4), t.track);
-  p.fillRect(QRectF(0, 27, 240 * experiment_.share(), 4), t.ink);
+  p.fillRect(QRectF(0, 27, track, 4), t.track);
+  p.fillRect(QRectF(0, 27, track * experiment_.share(), 4), t.ink);
+  if (width() < kMost - 10) return;
   p.setFont(textFont(11));
   p.setPen(t.quiet);
   const auto time = [](double s) {

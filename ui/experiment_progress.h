@@ -2,13 +2,13 @@
 // How far an experiment is: "228 of 240 lives", a bar, time elapsed and left.
 #pragma once
 
-#include <QWidget>
+#include "ui/painted.h"
 
 namespace surefoot {
 
 class Experiment;
 
-class ExperimentProgress final : public QWidget {
+class ExperimentProgress final : public Painted<> {
   Q_OBJECT
 
  public:

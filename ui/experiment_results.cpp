@@ -3,6 +3,7 @@
 
 #include "core/files/limited_json.h"
 #include "core/laboratory/thesis_marks.h"
+#include "core/typed_json.h"
 
 namespace surefoot {
 
@@ -18,6 +19,10 @@ ExperimentResults::ExperimentResults(const Registry& registry, QObject* parent)
     cancelled_ = false;
     if (stale_) make();
   });
+  connect(&making_, &Background::failed, this, [this](const QString& sentence) {
+    if (std::exchange(trouble_, sentence) != sentence) Q_EMIT failed(sentence);
+    if (stale_) make();
+  });
 }
 
 void ExperimentResults::begin(std::vector<Claim> claims, const StoredPlan& plan) {
@@ -28,9 +33,10 @@ void ExperimentResults::begin(std::vector<Claim> claims, const StoredPlan& plan)
   policies_.clear();
   for (const StoredCondition& c : plan.conditions) {
     const auto configuration = parseJson(c.configuration);
-    if (configuration.is_object()) policies_[c.name] = configuration.value("policy", "");
+    if (configuration.is_object()) policies_[c.name] = textIn(configuration, "policy");
   }
   newest_.reset();
+  trouble_.clear();
   wanted_.clear();
   shown_ = {};
   stale_ = false;
@@ -109,7 +115,7 @@ void ExperimentResults::make() {
 
 std::shared_ptr<const Figure> figureOf(const Registry& registry, const FigureSpec& spec, const LabView& view,
                                        const std::vector<Claim>& claims) {
-  auto figure = makeFigure(registry, spec, view.evidence, view.findings.plan.seed);
+  auto figure = makeFigure(registry, spec, view.evidence);
   if (!figure) return nullptr;
   markThesis(*figure, spec.measure, claims, view.evidence);
   return std::make_shared<const Figure>(std::move(*figure));

@@ -44,6 +44,7 @@ class ExperimentResults final : public QObject {
 
  Q_SIGNALS:
   void changed();
+  void failed(const QString& sentence);
 
  private:
   struct Shown {
@@ -66,6 +67,7 @@ class ExperimentResults final : public QObject {
   std::map<std::string, std::string> policies_;
   bool stale_ = false;      // something came while the last was made
   bool cancelled_ = false;  // what is being made will not be shown
+  QString trouble_;         // that was told last; newer results of the same plan have it, too
   Shown shown_;
   Background making_;  // last: it is waited for first
 };

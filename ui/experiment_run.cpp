@@ -37,8 +37,8 @@ Status Experiment::run(bool otherVersion) {
 }
 
 Status Experiment::openToRun(bool otherVersion) {
-  // The same store may still be busy with keeping what it had in hand.
-  std::erase_if(leaving_, [&](const Leaving& l) { return l.store == storePath_; });
+  if (std::any_of(leaving_.begin(), leaving_.end(), [&](const Leaving& l) { return l.store == storePath_; }))
+    return Error{tr("What these results had in hand is still being kept; run them again in a moment.").toStdString()};
   if (storePath_.empty()) {
     if (!QDir().mkpath(folder_))
       return Error{tr("The results have no place: %1 cannot be made.").arg(folder_).toStdString()};

@@ -8,6 +8,7 @@
 #include "core/text.h"
 #include "ui/condition_name.h"
 #include "ui/experiment_page.h"
+#include "ui/plan_editor.h"
 #include "ui/symbol_text.h"
 
 namespace surefoot {
@@ -43,8 +44,8 @@ QString summaryOf(const Experiment& experiment) {
   const Finding* best = bestOf(findings);
   if (!best)
     return findings.complete
-               ? ExperimentPage::tr("No condition falls significantly less than its reference (p < .01).")
-               : ExperimentPage::tr("So far no condition falls significantly less than its reference (p < .01).");
+               ? ExperimentPage::tr("No condition falls significantly less than its reference (p &lt; .01).")
+               : ExperimentPage::tr("So far no condition falls significantly less than its reference (p &lt; .01).");
   const Interval& change = best->comparison->change;
   const QString soFar = experiment.isComplete(best->name)
                             ? QString()
@@ -63,14 +64,14 @@ QString summaryOf(const Experiment& experiment) {
 }
 
 std::string withLives(const std::string& plan, int lives) {
-  static const QRegularExpression there(QStringLiteral("^lives[ \\t]*=[ \\t]*[0-9_]+"),
+  static const QRegularExpression there(QStringLiteral("^([ \\t]*)lives[ \\t]*=[ \\t]*[0-9_]+"),
                                         QRegularExpression::MultilineOption);
   QString text = toText(plan);
   const QString line = QStringLiteral("lives = %1").arg(lives);
   const auto match = there.match(text);
   const auto table = text.indexOf(QRegularExpression(QStringLiteral("^[ \\t]*\\["), QRegularExpression::MultilineOption));
   if (match.hasMatch() && (table < 0 || match.capturedStart() < table))
-    text.replace(match.capturedStart(), match.capturedLength(), line);
+    text.replace(match.capturedStart(), match.capturedLength(), match.captured(1) + line);
   else
     text.prepend(line + '\n');
   return text.toStdString();
@@ -96,12 +97,16 @@ void ExperimentPage::askForLives() {
   lives_->setRange(1, kMost);
   lives_->setSuffix(tr(" lives"));
   lives_->setKeyboardTracking(false);
-  lives_->setFixedHeight(32);
   connect(lives_, &QSpinBox::editingFinished, this, [this] { setLives(lives_->value()); });
 }
 
 void ExperimentPage::setLives(int lives) {
   if (!experiment_.plan() || experiment_.text().empty() || experiment_.plan()->lives == lives) return;
+  if (editor_->hasEdits()) {
+    editor_->setText(toText(withLives(editor_->text().toStdString(), lives)));
+    return Q_EMIT refused(tr("The plan has edits that are not used yet, so the number of lives is written there; Use "
+                             "this plan takes all of it."));
+  }
   if (const Status s = experiment_.setText(withLives(experiment_.text(), lives)); !s)
     Q_EMIT refused(toText(s.error().message));
 }

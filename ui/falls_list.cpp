@@ -80,8 +80,10 @@ class FallsModel final : public QAbstractTableModel {
 FallsList::FallsList(Session& session, QWidget* parent) : QTableView(parent), session_(session) {
   setModel(new FallsModel(session, this));
   verticalHeader()->hide();
-  verticalHeader()->setDefaultSectionSize(24);
-  horizontalHeader()->setFont(textFont(11, 500));
+  whenScaled(this, [this] {
+    verticalHeader()->setDefaultSectionSize(scaled(24));
+    horizontalHeader()->setFont(scaledFont(11, 500));
+  });
   horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   horizontalHeader()->setHighlightSections(false);
   setSelectionBehavior(SelectRows);
@@ -126,7 +128,7 @@ void FallsList::paintEvent(QPaintEvent* event) {
   if (!session_.falls().empty()) return;
   const Theme& t = themeOf(*this);
   QPainter p(viewport());
-  p.setFont(textFont(11));
+  p.setFont(scaledFont(11));
   p.setPen(t.quiet);
   p.drawText(viewport()->rect(), Qt::AlignCenter,
              session_.snapshot().totals.falls > 0

@@ -6,6 +6,7 @@
 #include <QTableView>
 
 #include "ui/exporting.h"
+#include "ui/scale.h"
 
 namespace surefoot {
 
@@ -16,7 +17,7 @@ class FallsList final : public QTableView, public CsvSource {
 
  public:
   explicit FallsList(Session& session, QWidget* parent = nullptr);
-  QSize sizeHint() const override { return {440, 190}; }
+  QSize sizeHint() const override { return scaled({440, 190}); }
   /// A row a fall that is kept.
   std::string asCsv() const override;
 

@@ -61,8 +61,8 @@ void FigurePainter::chooseRanges() {
     for (std::size_t i = 0; i < s.x.size(); ++i) {
       right = std::max(right, s.x[i]);
       include(s.y[i].value);
-      // Bands of two or three lives would squeeze everything else.
-      if (figure_.bars) include(s.y[i].high), include(s.y[i].low);
+      // Intervals of two or three lives would squeeze everything else.
+      if (figure_.bars && (s.planned == 0 || s.lives > 3)) include(s.y[i].high), include(s.y[i].low);
       if (s.thesis) include(*s.thesis);
     }
   if (low > high) low = 0, high = 1;  // nothing to show

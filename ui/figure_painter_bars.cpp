@@ -144,7 +144,7 @@ void FigurePainter::paintBar(QPainter& p, const Theme& t, const QRectF& plot, do
   p.setBrush(s.complete() ? colour : wash);
   p.drawRect(s.complete() ? bar : bar.adjusted(0.5, 0.5, -0.5, 0));
   if (std::isfinite(v.low) && std::isfinite(v.high)) {
-    const double cap = std::min(5.0, width / 3), high = yOf(v.high, plot);
+    const double cap = std::min(5.0, width / 3), high = std::max(yOf(v.high, plot), plot.top());
     const double low = std::min(yOf(v.low, plot), plot.bottom());
     // Ink outside the bar, the paper's colour inside.
     const auto whisker = [&](const QPen& pen) {
@@ -167,7 +167,7 @@ void FigurePainter::paintMarks(QPainter& p, const Theme& t, double x, double bar
                                std::size_t series) const {
   const FigureSeries& s = figure_.series[series];
   const double reach = std::isfinite(s.y[0].high) ? std::max(s.y[0].high, s.y[0].value) : s.y[0].value;
-  const double above = yOf(std::max(0.0, reach), plot) - 0.8 * small().height();
+  const double above = std::max(yOf(std::max(0.0, reach), plot), plot.top()) - 0.8 * small().height();
   const double arm = 0.3 * small().height();
   if (!s.marked.empty() && s.marked[0]) {
     p.setPen(QPen(t.ink, 1.8));

@@ -14,7 +14,7 @@
 namespace surefoot {
 
 FigureView::FigureView(Figure figure, QWidget* parent)
-    : QWidget(parent),
+    : Painted(parent),
       painter_(std::move(figure)),
       scroll_(new QScrollBar(Qt::Horizontal, this)) {
   setAccessibleName(shownName(painter_.figure().title));
@@ -46,7 +46,7 @@ void FigureView::setTitleShown(bool shown) {
 }
 
 QSizeF FigureView::drawn() const {
-  return QSizeF(width(), height() - (scroll_->isVisibleTo(this) ? scroll_->height() : 0));
+  return QSizeF(width(), height() - (scroll_->isVisibleTo(this) ? placeOf(*scroll_).height() : 0));
 }
 
 void FigureView::layOut() {
@@ -56,7 +56,7 @@ void FigureView::layOut() {
   scroll_->setPageStep(std::max(1, width() / 2));
   scroll_->setSingleStep(40);
   const int high = scroll_->sizeHint().height();
-  scroll_->setGeometry(0, height() - high, width(), high);
+  scroll_->setGeometry(0, QWidget::height() - high, QWidget::width(), high);
 }
 
 void FigureView::resizeEvent(QResizeEvent*) {
@@ -70,7 +70,7 @@ void FigureView::wheelEvent(QWheelEvent* event) {
 }
 
 void FigureView::mousePressEvent(QMouseEvent* event) {
-  const auto hit = painter_.seriesAt(event->position(), drawn(), scroll_->value());
+  const auto hit = painter_.seriesAt(mouseAt(*event), drawn(), scroll_->value());
   if (event->button() != Qt::LeftButton || !hit || !words_.isEmpty()) return event->ignore();
   Q_EMIT clicked(toText(figure().series[*hit].name));
 }
@@ -78,7 +78,7 @@ void FigureView::mousePressEvent(QMouseEvent* event) {
 bool FigureView::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
-  const QString text = words_.isEmpty() ? painter_.textAt(help->pos(), drawn(), scroll_->value()) : QString();
+  const QString text = words_.isEmpty() ? painter_.textAt(QPointF(help->pos()) / textSize(), drawn(), scroll_->value()) : QString();
   if (text.isEmpty())
     QToolTip::hideText();
   else
@@ -87,7 +87,7 @@ bool FigureView::event(QEvent* event) {
 }
 
 void FigureView::paintEvent(QPaintEvent*) {
-  QPainter p(this);
+  ScaledPainter p(this);
   const Theme& t = themeOf(*this);
   if (words_.isEmpty()) return painter_.paint(p, t, drawn(), exporting_ ? 0 : scroll_->value());
   p.fillRect(rect(), t.panel);
@@ -108,8 +108,8 @@ void FigureView::prepareExport(bool exporting) {
   if (exporting == exporting_) return;
   exporting_ = exporting;
   painter_.setTitleShown(exporting || titleShown_);
-  if (exporting) before_ = size();
-  resize(exporting ? painter_.fullSize().toSize().expandedTo(size()) : before_);
+  if (exporting) before_ = QWidget::size();
+  resize(exporting ? scaled(painter_.fullSize().toSize()).expandedTo(QWidget::size()) : before_);
   layOut();
 }
 

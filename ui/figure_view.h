@@ -3,22 +3,21 @@
 // the mouse above it tells its numbers.
 #pragma once
 
-#include <QWidget>
-
 #include "ui/exporting.h"
 #include "ui/figure_painter.h"
+#include "ui/painted.h"
 
 class QScrollBar;
 
 namespace surefoot {
 
-class FigureView final : public QWidget, public CsvSource {
+class FigureView final : public Painted<>, public CsvSource {
   Q_OBJECT
 
  public:
   explicit FigureView(Figure figure, QWidget* parent = nullptr);
-  QSize sizeHint() const override { return painter_.fullSize().toSize(); }
-  QSize minimumSizeHint() const override { return {240, 160}; }
+  QSize sizeHint() const override { return scaled(painter_.fullSize().toSize()); }
+  QSize minimumSizeHint() const override { return scaled({240, 160}); }
   /// Another figure; one without series shows the words instead.
   void setFigure(Figure figure, const QString& words);
   const Figure& figure() const { return painter_.figure(); }
@@ -51,7 +50,7 @@ class FigureView final : public QWidget, public CsvSource {
   QScrollBar* scroll_;
   QString words_;
   std::string chosen_;
-  QSize before_;  // of an export
+  QSize before_;  // of an export, on the screen
   bool titleShown_ = true, exporting_ = false;
 };
 

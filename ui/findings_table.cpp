@@ -11,6 +11,7 @@
 #include "ui/condition_name.h"
 #include "ui/experiment.h"
 #include "ui/plain_text.h"
+#include "ui/scale.h"
 #include "ui/symbol_text.h"
 #include "ui/table_parts.h"
 #include "ui/theme.h"
@@ -74,7 +75,7 @@ void FindingsTable::showChosen() {
 }
 
 void FindingsTable::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Escape) return clearSelection();
+  if (event->key() == Qt::Key_Escape && !selectedItems().isEmpty()) return clearSelection();
   QTableWidget::keyPressEvent(event);
 }
 
@@ -88,7 +89,7 @@ void FindingsTable::paintEvent(QPaintEvent* event) {
   if (rowCount() > 0) return;
   QPainter p(viewport());
   p.setPen(themeOf(*this).quiet);
-  p.setFont(textFont(11));
+  p.setFont(scaledFont(11));
   p.drawText(viewport()->rect(), Qt::AlignCenter, experiment_.whyNoResults());
 }
 

@@ -8,12 +8,15 @@
 #include <QStyleOption>
 #include <QTableView>
 
+#include "ui/scale.h"
+
 namespace surefoot {
 
 namespace {
 
 constexpr int kFieldMargin = 9, kChevron = 18, kShortestHandle = 24;               // [px]
 constexpr int kMenuItemMargin = 5, kSeparator = 9, kCellMargin = 10, kField = 26;  // [px]
+constexpr int kSpinMargin = 6;
 
 /// The handle, or the groove before or after it. There are no buttons at the ends.
 QRect scrollBarPart(const QStyleOptionSlider& bar, QStyle::SubControl part) {
@@ -21,7 +24,7 @@ QRect scrollBarPart(const QStyleOptionSlider& bar, QStyle::SubControl part) {
   const int length = upright ? bar.rect.height() : bar.rect.width();
   const qint64 all = qint64{bar.maximum} - bar.minimum + bar.pageStep;
   const int share = all > 0 ? static_cast<int>(qint64{bar.pageStep} * length / all) : length;
-  const int handle = qMin(length, qMax(share, kShortestHandle));
+  const int handle = qMin(length, qMax(share, scaled(kShortestHandle)));
   const int start =
       QStyle::sliderPositionFromValue(bar.minimum, bar.maximum, bar.sliderPosition, length - handle, bar.upsideDown);
   int from = 0, to = length;
@@ -61,25 +64,25 @@ int FlatStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const
     case PM_MenuBarItemSpacing:
     case PM_MenuHMargin:
     case PM_MenuVMargin:
-      return 4;
+      return scaled(4);
     case PM_DockWidgetSeparatorExtent:  // one hairline to see, wide enough to take hold of
-      return 5;
+      return scaled(5);
     case PM_ToolTipLabelFrameWidth:
-      return 9;
+      return scaled(9);
     case PM_TabBarTabVSpace:
     case PM_ScrollBarExtent:
-      return 8;
+      return scaled(8);
     case PM_IndicatorWidth:
     case PM_IndicatorHeight:
     case PM_ExclusiveIndicatorWidth:
     case PM_ExclusiveIndicatorHeight:
-      return 14;
+      return scaled(14);
     case PM_TabBarTabHSpace:
-      return 20;
+      return scaled(20);
     case PM_ScrollBarSliderMin:
-      return kShortestHandle;
+      return scaled(kShortestHandle);
     case PM_FocusFrameHMargin:  // of a cell's text, but for one pixel
-      return qobject_cast<const QTableView*>(widget) ? kCellMargin - 1
+      return qobject_cast<const QTableView*>(widget) ? scaled(kCellMargin) - 1
                                                      : QProxyStyle::pixelMetric(metric, option, widget);
     default:
       return QProxyStyle::pixelMetric(metric, option, widget);
@@ -94,7 +97,7 @@ int FlatStyle::styleHint(StyleHint hint, const QStyleOption* option, const QWidg
 }
 
 int FlatStyle::headMargin() const {
-  return kCellMargin - pixelMetric(PM_HeaderMargin, nullptr, nullptr);
+  return scaled(kCellMargin) - pixelMetric(PM_HeaderMargin, nullptr, nullptr);
 }
 
 QSize FlatStyle::sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& contents,
@@ -102,24 +105,24 @@ QSize FlatStyle::sizeFromContents(ContentsType type, const QStyleOption* option,
   const QSize usual = QProxyStyle::sizeFromContents(type, option, contents, widget);
   switch (type) {
     case CT_PushButton:
-      return contents + QSize(26, 12);
+      return contents + scaled({26, 12});
     case CT_ComboBox:
-      return {contents.width() + 2 * kFieldMargin + kChevron, qMax(contents.height() + 2, kField)};
+      return {contents.width() + scaled(2 * kFieldMargin + kChevron), qMax(contents.height() + 2, scaled(kField))};
     case CT_LineEdit:
-      return isFramed(option) ? contents + QSize(2 * kFieldMargin, 8) : usual;
+      return isFramed(option) ? contents + scaled({2 * kFieldMargin, 8}) : usual;
     case CT_SpinBox:
-      return usual.expandedTo({0, kField});
+      return (usual + QSize(scaled(kSpinMargin), 0)).expandedTo({0, scaled(kField)});
     case CT_MenuBarItem:
-      return contents + QSize(16, 8);
+      return contents + scaled({16, 8});
     case CT_MenuItem: {
       const auto* item = qstyleoption_cast<const QStyleOptionMenuItem*>(option);
       if (!item) return usual;
       if (item->menuItemType == QStyleOptionMenuItem::Separator && item->text.isEmpty())
-        return {usual.width(), kSeparator};
-      return {usual.width(), item->fontMetrics.height() + 2 * kMenuItemMargin};
+        return {usual.width(), scaled(kSeparator)};
+      return {usual.width(), item->fontMetrics.height() + scaled(2 * kMenuItemMargin)};
     }
     case CT_HeaderSection:
-      return usual + QSize(2 * headMargin(), 8);
+      return usual + QSize(2 * headMargin(), scaled(8));
     default:
       return usual;
   }
@@ -127,7 +130,7 @@ QSize FlatStyle::sizeFromContents(ContentsType type, const QStyleOption* option,
 
 QRect FlatStyle::subElementRect(SubElement element, const QStyleOption* option, const QWidget* widget) const {
   if (element == SE_LineEditContents && isFramed(option))
-    return option->rect.adjusted(kFieldMargin, 4, -kFieldMargin, -4);
+    return option->rect.adjusted(scaled(kFieldMargin), scaled(4), -scaled(kFieldMargin), -scaled(4));
   return QProxyStyle::subElementRect(element, option, widget);
 }
 
@@ -136,9 +139,11 @@ QRect FlatStyle::subControlRect(ComplexControl control, const QStyleOptionComple
   if (const auto* bar = qstyleoption_cast<const QStyleOptionSlider*>(option); bar && control == CC_ScrollBar)
     return scrollBarPart(*bar, part);
   if (control == CC_ComboBox && part == SC_ComboBoxEditField)
-    return option->rect.adjusted(kFieldMargin, 1, -kFieldMargin - kChevron, -1);
+    return option->rect.adjusted(scaled(kFieldMargin), 3, -scaled(kFieldMargin + kChevron), -3);  // its frame is seen
+  if (control == CC_SpinBox && part == SC_SpinBoxEditField)
+    return QProxyStyle::subControlRect(control, option, part, widget).adjusted(scaled(kSpinMargin), 0, 0, 0);
   if (control == CC_ComboBox && part == SC_ComboBoxArrow)
-    return {option->rect.right() - kField, option->rect.top(), 20, option->rect.height()};
+    return {option->rect.right() - scaled(kField), option->rect.top(), scaled(20), option->rect.height()};
   return QProxyStyle::subControlRect(control, option, part, widget);
 }
 

@@ -10,6 +10,7 @@
 
 #include "ui/flat_style.h"
 #include "ui/icons.h"
+#include "ui/scale.h"
 #include "ui/theme.h"
 
 namespace surefoot {
@@ -19,12 +20,12 @@ namespace {
 /// What every field and button stands on: a rounded frame, heavier and in the accent where the keyboard is.
 void drawPlate(QPainter& p, const QStyleOption& option, const QColor& fill, const QColor& frame) {
   const bool focus = option.state & QStyle::State_HasFocus;
-  const double inset = focus ? 1 : 0.5;
+  const double pen = focus ? scaled(2.0) : scaled(1), inset = pen / 2, round = scaled(4.0);
   p.save();
   p.setRenderHint(QPainter::Antialiasing);
-  p.setPen(QPen(focus ? themeOf(option.palette).accent : frame, focus ? 2 : 1));
+  p.setPen(QPen(focus ? themeOf(option.palette).accent : frame, pen));
   p.setBrush(fill);
-  p.drawRoundedRect(QRectF(option.rect).adjusted(inset, inset, -inset, -inset), 4, 4);
+  p.drawRoundedRect(QRectF(option.rect).adjusted(inset, inset, -inset, -inset), round, round);
   p.restore();
 }
 
@@ -45,6 +46,19 @@ void drawQuietButton(QPainter& p, const QStyleOption& option) {
   if (hover || focus || down) drawPlate(p, option, down ? t.track : hover ? t.fill : t.panel, Qt::transparent);
 }
 
+/// From here on the painter draws in pixels at text size 1, around a point.
+void enlargeAround(QPainter& p, QPointF centre) {
+  p.translate(centre);
+  p.scale(textSize(), textSize());
+}
+
+void drawScaledIcon(QPainter& p, Icon icon, const QRectF& where, const QColor& colour) {
+  p.save();
+  enlargeAround(p, where.center());
+  drawIcon(p, icon, QRectF(-8, -8, 16, 16), colour);
+  p.restore();
+}
+
 void drawTick(QPainter& p, QPointF centre, const QColor& colour) {
   p.setPen(QPen(colour, 1.75, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   p.setBrush(Qt::NoBrush);
@@ -57,9 +71,9 @@ void drawIndicator(QPainter& p, const QStyleOption& option, bool round) {
   const bool focus = option.state & QStyle::State_HasFocus;
   const QColor ink = enabled ? t.ink : t.outline;
   const double side = focus ? 12 : 13;  // the heavier frame needs the room
-  QRectF box(0, 0, side, side);
-  box.moveCenter(QRectF(option.rect).center());
+  QRectF box(-side / 2, -side / 2, side, side);
   p.save();
+  enlargeAround(p, QRectF(option.rect).center());
   p.setRenderHint(QPainter::Antialiasing);
   p.setPen(QPen(focus ? t.accent : on ? ink : t.quiet, focus ? 2 : 1));
   p.setBrush(on && !round ? ink : t.panel);
@@ -79,7 +93,8 @@ void drawMenuTick(QPainter& p, const QStyleOption& option) {
   if (!(option.state & QStyle::State_On)) return;
   p.save();
   p.setRenderHint(QPainter::Antialiasing);
-  drawTick(p, QRectF(option.rect).center(), themeOf(option.palette).ink);
+  enlargeAround(p, QRectF(option.rect).center());
+  drawTick(p, {}, themeOf(option.palette).ink);
   p.restore();
 }
 
@@ -89,7 +104,7 @@ void drawScrollBar(QPainter& p, const QStyleOption& option, const QRect& handle)
   p.setRenderHint(QPainter::Antialiasing);
   p.setPen(Qt::NoPen);
   p.setBrush(option.state & QStyle::State_Sunken ? t.quiet : t.outline);
-  p.drawRoundedRect(QRectF(handle).adjusted(1, 1, -1, -1), 3, 3);
+  p.drawRoundedRect(QRectF(handle).adjusted(1, 1, -1, -1), scaled(3.0), scaled(3.0));
   p.restore();
 }
 
@@ -135,7 +150,7 @@ void FlatStyle::drawSpinBox(const QStyleOptionSpinBox& option, QPainter& painter
     const bool possible =
         enabled && (option.stepEnabled & (up ? QAbstractSpinBox::StepUpEnabled : QAbstractSpinBox::StepDownEnabled));
     painter.save();
-    painter.translate(place.center());
+    enlargeAround(painter, place.center());
     if (up) painter.rotate(180);
     drawIcon(painter, Icon::Chevron, QRectF(-5, -4, 10, 8), possible ? t.ink : t.outline);
     painter.restore();
@@ -149,7 +164,7 @@ void FlatStyle::drawComplexControl(ComplexControl control, const QStyleOptionCom
   if (control == CC_ComboBox) {
     drawPlate(*painter, *option, t.panel, enabled ? t.outline : t.hairline);
     const QRect arrow = subControlRect(control, option, SC_ComboBoxArrow, widget);
-    return drawIcon(*painter, Icon::Chevron, arrow, enabled ? t.ink : t.outline);
+    return drawScaledIcon(*painter, Icon::Chevron, arrow, enabled ? t.ink : t.outline);
   }
   if (control == CC_ScrollBar)
     return drawScrollBar(*painter, *option, subControlRect(control, option, SC_ScrollBarSlider, widget));

@@ -5,6 +5,7 @@
 #include <QTableView>
 
 #include "ui/flat_style.h"
+#include "ui/scale.h"
 #include "ui/theme.h"
 
 namespace surefoot {
@@ -16,7 +17,7 @@ void drawChosen(QPainter& p, const QRect& where, const QColor& fill) {
   p.setRenderHint(QPainter::Antialiasing);
   p.setPen(Qt::NoPen);
   p.setBrush(fill);
-  p.drawRoundedRect(where, 4, 4);
+  p.drawRoundedRect(where, scaled(4.0), scaled(4.0));
   p.restore();
 }
 
@@ -27,10 +28,11 @@ bool isChosen(const QStyleOption& option) {
 /// A hairline between items, or the head of a section.
 void drawSeparator(QPainter& p, const QStyleOptionMenuItem& item) {
   const Theme& t = themeOf(item.palette);
-  if (item.text.isEmpty()) return p.fillRect(item.rect.adjusted(8, 4, -8, -4), t.hairline);
-  p.setFont(textFont(11));
+  const QRect inside = item.rect.adjusted(scaled(8), 0, -scaled(8), 0);
+  if (item.text.isEmpty()) return p.fillRect(inside.adjusted(0, scaled(4), 0, -scaled(4)), t.hairline);
+  p.setFont(scaledFont(11));
   p.setPen(t.quiet);
-  p.drawText(item.rect.adjusted(8, 0, -8, 0), Qt::AlignVCenter | Qt::AlignLeft, item.text);
+  p.drawText(inside, Qt::AlignVCenter | Qt::AlignLeft, item.text);
 }
 
 void drawBottomLine(QPainter& p, const QRect& r, int width, const QColor& colour) {
@@ -75,7 +77,7 @@ void FlatStyle::drawTab(ControlElement element, const QStyleOptionTab& tab, QPai
   const bool chosen = tab.state & State_Selected;
   if (element == CE_TabBarTabShape) {
     painter.fillRect(tab.rect, t.panel);
-    if (chosen) drawBottomLine(painter, tab.rect, 2, tab.state & State_HasFocus ? t.accent : t.ink);
+    if (chosen) drawBottomLine(painter, tab.rect, scaled(2), tab.state & State_HasFocus ? t.accent : t.ink);
     return;
   }
   QStyleOptionTab words(tab);

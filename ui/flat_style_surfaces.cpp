@@ -7,6 +7,7 @@
 #include <QTableView>
 
 #include "ui/flat_style.h"
+#include "ui/scale.h"
 #include "ui/theme.h"
 
 namespace surefoot {
@@ -21,9 +22,10 @@ void drawFramed(QPainter& p, const QRect& r, const QColor& fill, const QColor& f
 void drawCell(QPainter& p, const QStyleOption& option) {
   const Theme& t = themeOf(option.palette);
   if (option.state & QStyle::State_Selected) p.fillRect(option.rect, t.fill);
-  const int line = option.state & QStyle::State_HasFocus ? 2 : 1;
+  const bool focus = option.state & QStyle::State_HasFocus;
+  const int line = scaled(focus ? 2 : 1);
   p.fillRect(QRect(option.rect.left(), option.rect.bottom() - line + 1, option.rect.width(), line),
-             line == 2 ? t.accent : t.hairline);
+             focus ? t.accent : t.hairline);
 }
 
 void drawOutline(QPainter& p, const QStyleOption& option) {

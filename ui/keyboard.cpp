@@ -10,6 +10,7 @@
 #include <QPainter>
 #include <QToolButton>
 
+#include "ui/scale.h"
 #include "ui/theme.h"
 
 namespace surefoot {
@@ -82,7 +83,8 @@ void drawFocusRing(QPainter& painter, const QWidget& widget) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(QPen(themeOf(widget).accent, 2));
   painter.setBrush(Qt::NoBrush);
-  painter.drawRect(QRectF(widget.rect()).adjusted(1, 1, -1, -1));
+  const QRectF edge(QPointF(), QSizeF(widget.size()) / textSize());  // by a ScaledPainter
+  painter.drawRect(edge.adjusted(1, 1, -1, -1));
 }
 
 }  // namespace surefoot

@@ -57,13 +57,13 @@ QString LearningChart::reading() const {
 
 void LearningChart::mousePressEvent(QMouseEvent* event) {
   setFocus(Qt::MouseFocusReason);
-  if (event->button() != Qt::LeftButton || !plot_.contains(event->position())) return;
-  pressed_ = event->position().x();
+  if (event->button() != Qt::LeftButton || !plot_.contains(mouseAt(*event))) return;
+  pressed_ = mouseAt(*event).x();
   dragged_.reset();
 }
 
 void LearningChart::mouseMoveEvent(QMouseEvent* event) {
-  const QPointF at = event->position();
+  const QPointF at = mouseAt(*event);
   if (pressed_ && std::abs(at.x() - *pressed_) >= kLeastDrag)
     dragged_ = std::clamp(at.x(), plot_.left(), plot_.right());
   const bool inside = plot_.adjusted(-1, -8, 1, 8).contains(at);
@@ -80,7 +80,7 @@ void LearningChart::mouseReleaseEvent(QMouseEvent* event) {
   pressed_.reset(), dragged_.reset();
   viewport()->update();
   if (to) return span_.showPart(timeAt(std::min(from, *to)), timeAt(std::max(from, *to)));
-  if (shows_ == Shows::Falls && std::abs(event->position().y() - (plot_.bottom() - 4)) <= 8) replayNear(from);
+  if (shows_ == Shows::Falls && std::abs(mouseAt(*event).y() - (plot_.bottom() - 4)) <= 8) replayNear(from);
 }
 
 void LearningChart::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -92,7 +92,7 @@ void LearningChart::wheelEvent(QWheelEvent* event) {
   if (std::abs(turned.x()) > std::abs(turned.y()))
     span_.pan(-turned.x() / 1200.0);
   else
-    span_.zoom(std::pow(1.0015, -turned.y()), timeAt(std::clamp(event->position().x(), plot_.left(), plot_.right())));
+    span_.zoom(std::pow(1.0015, -turned.y()), timeAt(std::clamp(mouseAt(*event).x(), plot_.left(), plot_.right())));
   event->accept();
 }
 

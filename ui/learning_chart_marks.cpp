@@ -113,12 +113,13 @@ bool LearningChart::viewportEvent(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QChartView::viewportEvent(event);
   constexpr double kNear = 6;  // [px]
   const auto& help = static_cast<QHelpEvent&>(*event);
+  const QPointF at = QPointF(help.pos()) / textSize();
   QStringList texts;
   for (const Mark& mark : marks())
-    if (std::abs(toPixel(mark.x, 0).x() - help.pos().x()) < kNear) texts << mark.text;
-  if (shows_ == Shows::Falls && help.pos().y() > plot_.bottom() - 12)
+    if (std::abs(toPixel(mark.x, 0).x() - at.x()) < kNear) texts << mark.text;
+  if (shows_ == Shows::Falls && at.y() > plot_.bottom() - 12)
     for (const FallMark& mark : fallMarks())
-      if (std::abs(mark.x - help.pos().x()) < 2) {
+      if (std::abs(mark.x - at.x()) < 2) {
         texts << (mark.byHand    ? tr("A fall after a person placed or pushed the body. A click replays it.")
                   : mark.answers ? tr("A click replays this fall.")
                                  : tr("This fall is no longer kept; it cannot be replayed."));

@@ -18,7 +18,7 @@
 namespace surefoot {
 
 LearningChart::LearningChart(Session& session, ChartSpan& span, Shows shows, QWidget* parent)
-    : QChartView(parent),
+    : Painted(parent),
       session_(session),
       span_(span),
       shows_(shows) {
@@ -189,6 +189,9 @@ bool LearningChart::hasTimeAxis() const {
 void LearningChart::place() {
   const double bottom = hasTimeAxis() ? kBottomWithAxis : kBottom;
   const double top = exporting_ ? kTopWithTitle : kTop;
+  setTransform(QTransform::fromScale(textSize(), textSize()));
+  chart()->resize(QSizeF(size()));
+  setSceneRect(chart()->geometry());
   plot_ = QRectF(kLeft, top, std::max(40.0, width() - kLeft - listWidth()), std::max(30.0, height() - top - bottom));
   chart()->setPlotArea(plot_);
 }

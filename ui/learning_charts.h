@@ -10,6 +10,7 @@
 #include "core/experiment/fall.h"
 #include "ui/chart_span.h"
 #include "ui/exporting.h"
+#include "ui/painted.h"
 #include "ui/run_curves.h"
 
 class QLineSeries;
@@ -23,14 +24,14 @@ struct Theme;
 /// chart's own axes have a hyphen for the minus sign and do not line up from chart to chart. Wheel, a drag, + and −
 /// magnify the time axis, Home or a double click shows all of it; the cursor, the mouse's or, by the arrows, the
 /// keyboard's, reads the curve that is nearest.
-class LearningChart final : public QChartView, public CsvSource {
+class LearningChart final : public Painted<QChartView>, public CsvSource {
   Q_OBJECT
 
  public:
   enum class Shows { AverageReward, Falls };
   LearningChart(Session& session, ChartSpan& span, Shows shows, QWidget* parent = nullptr);
-  QSize sizeHint() const override { return {440, shows_ == Shows::Falls ? 152 : 168}; }
-  QSize minimumSizeHint() const override { return {240, 110}; }
+  QSize sizeHint() const override { return scaled({440, shows_ == Shows::Falls ? 152 : 168}); }
+  QSize minimumSizeHint() const override { return scaled({240, 100}); }
   /// The chart that may stand below this one and bears the numbers of the time axis for both while it does.
   void setBelow(const QWidget* below) { below_ = below; }
   /// A second learner's curve beside this one's (nullptr: none), while it lives.

@@ -2,6 +2,7 @@
 #include "ui/link_button.h"
 
 #include <QPainter>
+#include <cmath>
 
 #include "ui/icons.h"
 #include "ui/symbol_text.h"
@@ -13,21 +14,22 @@ namespace {
 constexpr int kHeight = 20, kPadding = 4, kChevron = 14;
 }
 
-LinkButton::LinkButton(const QString& text, QWidget* parent) : QToolButton(parent) {
+LinkButton::LinkButton(const QString& text, QWidget* parent) : Painted(parent) {
   setText(text);
   setAccessibleName(text);
-  setFont(textFont(11));
+  whenScaled(this, [this] { setFont(scaledFont(11)); });
   setCursor(Qt::PointingHandCursor);
   setFocusPolicy(Qt::TabFocus);
 }
 
 QSize LinkButton::sizeHint() const {
-  return {static_cast<int>(symbolWidth(textFont(11), text())) + 2 * kPadding + (menu() ? kChevron : 0), kHeight};
+  const int words = static_cast<int>(std::ceil(symbolWidth(textFont(11), text())));
+  return scaled({words + 2 * kPadding + (menu() ? kChevron : 0), kHeight});
 }
 
 void LinkButton::paintEvent(QPaintEvent*) {
   const Theme& t = themeOf(*this);
-  QPainter p(this);
+  ScaledPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
   if (underMouse() && isEnabled()) {
     p.setPen(Qt::NoPen);

@@ -4,9 +4,11 @@
 
 #include <QToolButton>
 
+#include "ui/painted.h"
+
 namespace surefoot {
 
-class LinkButton final : public QToolButton {
+class LinkButton final : public Painted<QToolButton> {
   Q_OBJECT
 
  public:

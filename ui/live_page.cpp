@@ -20,6 +20,7 @@
 #include "ui/parameter_form.h"
 #include "ui/rival.h"
 #include "ui/rule_view.h"
+#include "ui/scale.h"
 #include "ui/scrubber.h"
 #include "ui/session.h"
 #include "ui/step_view.h"
@@ -44,8 +45,10 @@ LivePage::LivePage(Session& session, QWidget* parent) : QMainWindow(parent), ses
     parameters->header().setNote(tr("preset %1").arg(toText(preset)));
   auto* links = new QWidget;
   auto* row = new QHBoxLayout(links);
-  row->setContentsMargins(0, 0, 4, 0);
-  row->setSpacing(2);
+  whenScaled(links, [row] {
+    row->setContentsMargins(scaled({0, 0, 4, 0}));
+    row->setSpacing(scaled(2));
+  });
   QToolButton *all = new LinkButton(tr("More")), *reset = new LinkButton(tr("Reset all"));
   row->addWidget(all);
   row->addWidget(reset);
@@ -63,6 +66,8 @@ LivePage::LivePage(Session& session, QWidget* parent) : QMainWindow(parent), ses
   makeMaps();
   makeCharts();
   makeWords();
+  sizedFor_ = textSize();
+  whenScaled(this, [this] { followTextSize(); });
   const auto note = [this, actions] {
     actions->header().setNote(actionsNote());
     worldHeader_->setNote(worldNote());
@@ -198,8 +203,9 @@ Panel* LivePage::addPanel(const QString& title, const QString& name, QWidget* co
   addDockWidget(area, panel);
   panels_.push_back(panel);
   if (content != form_) new ViewMenu(*content);
-  connect(panel->toggleViewAction(), &QAction::triggered, panel, [panel](bool on) {
+  connect(panel->toggleViewAction(), &QAction::triggered, panel, [this, panel](bool on) {
     if (on) panel->raise();
+    if (!on) keepFocus();
   });
   connect(&panel->header(), &PanelHeader::fullSizeAsked, this, [this, panel] { toggleFull(panel); });
   return panel;

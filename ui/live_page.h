@@ -32,6 +32,8 @@ class LivePage final : public QMainWindow {
   void resetParameters();
   enum class Layout { Usual, Teaching, Falls, Maps };
   void useLayout(Layout layout);
+  /// False: no panel had the whole page.
+  bool leaveFullSize();
   /// The widths and heights of the first start.
   void resetLayout();
   /// With all panels, whichever has the whole page now.
@@ -62,8 +64,10 @@ class LivePage final : public QMainWindow {
   QString actionsNote() const;
   QString fallsNote(const ChartSpan& span) const;
   void toggleFull(QWidget* panel);
+  void keepFocus();
   void shareSpace();
   void followTask();
+  void followTextSize();
   QString worldNote() const;
 
   Session& session_;
@@ -77,6 +81,7 @@ class LivePage final : public QMainWindow {
   std::vector<Panel*> needless_;  // were shown, but the task has no falls
   QWidget* full_ = nullptr;                                     // the panel that has the whole page
   std::vector<std::pair<Panel*, QSize>> before_;                // what was visible before that
+  double sizedFor_ = 1.0;  // the text size that the columns were made for
   bool laidOut_ = false;
   bool untouched_ = true;  // no one has moved a separator: the columns follow the width of the window
 };

@@ -4,7 +4,9 @@
 
 #include "ui/live_page.h"
 #include "ui/panel.h"
+#include "ui/scale.h"
 #include "ui/session.h"
+#include "ui/world_view.h"
 
 namespace surefoot {
 
@@ -32,6 +34,21 @@ void LivePage::toggleFull(QWidget* panel) {
   full_ = back ? nullptr : panel;
   worldHeader_->setFull(full_ == centralWidget());
   for (Panel* p : panels_) p->header().setFull(full_ == p);
+  keepFocus();
+}
+
+bool LivePage::leaveFullSize() {
+  if (!full_) return false;
+  toggleFull(full_);
+  return true;
+}
+
+// What is hidden hands the focus on to whatever comes next, a page tab at last, which would keep the window's keys.
+void LivePage::keepFocus() {
+  if (!isVisible()) return;
+  auto* panel = qobject_cast<Panel*>(full_);
+  QWidget* home = panel ? panel->widget() : world_;
+  home->setFocus(Qt::OtherFocusReason);
 }
 
 // Named layouts: the usual one, one that explains, one of maps.
@@ -40,14 +57,16 @@ void LivePage::useLayout(Layout layout) {
   const auto panel = [this](const char* name) { return findChild<Panel*>(QLatin1String(name)); };
   switch (layout) {
     case Layout::Usual:
-      return;
+      return keepFocus();
     case Layout::Teaching:
-      for (const char* name : {"parameters", "reward"}) panel(name)->hide();
+      // What one turns, the robot large, what a step taught, and what comes of it; the maps are for those who ask.
+      for (const char* name : {"maps", "actions"}) panel(name)->hide();
       for (Panel* p : {steps_, rule_}) p->show();
       addDockWidget(Qt::BottomDockWidgetArea, steps_);
-      splitDockWidget(panel("actions"), steps_, Qt::Vertical);
       addDockWidget(Qt::RightDockWidgetArea, rule_);
-      resizeDocks({panel("maps")}, {440}, Qt::Horizontal);
+      resizeDocks({steps_}, {scaled(180)}, Qt::Vertical);
+      resizeDocks({panel("parameters"), panel("reward")}, {scaled(264), scaled(400)}, Qt::Horizontal);
+      resizeDocks({panel("reward"), panel("falls"), rule_}, {scaled(230), scaled(230), scaled(180)}, Qt::Vertical);
       break;
     case Layout::Falls:
       panel("parameters")->hide();
@@ -60,6 +79,7 @@ void LivePage::useLayout(Layout layout) {
   }
   untouched_ = false;
   followTask();
+  keepFocus();
 }
 
 void LivePage::resetLayout() {
@@ -106,11 +126,26 @@ void LivePage::followTask() {
 void LivePage::shareSpace() {
   // The columns of the 1280 px window are 264, 576 and 440; a wider one gives most to the middle.
   const auto panel = [this](const char* name) { return findChild<Panel*>(QLatin1String(name)); };
-  const bool wide = width() >= 1800;
-  resizeDocks({panel("parameters"), panel("maps")}, {wide ? 288 : 264, wide ? 632 : 440}, Qt::Horizontal);
-  resizeDocks({panel("actions")}, {268}, Qt::Vertical);
-  resizeDocks({panel("maps"), panel("reward"), panel("falls")}, {wide ? 440 : 300, wide ? 288 : 196, wide ? 274 : 190},
-              Qt::Vertical);
+  const bool wide = width() >= scaled(1800), narrow = width() < scaled(1200);
+  resizeDocks({panel("parameters"), panel("maps")}, {scaled(wide ? 288 : 264), scaled(wide ? 632 : narrow ? 344 : 440)},
+              Qt::Horizontal);
+  resizeDocks({panel("actions")}, {scaled(268)}, Qt::Vertical);
+  resizeDocks({panel("maps"), panel("reward"), panel("falls")},
+              {scaled(wide ? 440 : 300), scaled(wide ? 288 : 196), scaled(wide ? 274 : 190)}, Qt::Vertical);
+}
+
+// A column that was made wider by hand keeps its share.
+void LivePage::followTextSize() {
+  const double factor = textSize() / sizedFor_;
+  sizedFor_ = textSize();
+  if (!laidOut_ || full_ || factor == 1) return;
+  if (untouched_) return shareSpace();
+  QList<QDockWidget*> docks;
+  QList<int> widths;
+  for (const char* name : {"parameters", "maps"})
+    if (auto* panel = findChild<Panel*>(QLatin1String(name)); panel->isVisible() && !panel->isFloating())
+      docks << panel, widths << static_cast<int>(panel->width() * factor);
+  resizeDocks(docks, widths, Qt::Horizontal);
 }
 
 QByteArray LivePage::layoutState() {

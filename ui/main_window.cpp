@@ -2,8 +2,10 @@
 #include "ui/main_window.h"
 
 #include <QAbstractButton>
+#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QLabel>
+#include <QScrollArea>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStandardPaths>
@@ -11,11 +13,13 @@
 
 #include "ui/autosave.h"
 #include "ui/experiment_page.h"
+#include "ui/focus_home.h"
 #include "ui/keyboard.h"
 #include "ui/live_page.h"
 #include "ui/message_bar.h"
 #include "ui/panel.h"
 #include "ui/preferences.h"
+#include "ui/scale.h"
 #include "ui/session.h"
 #include "ui/status_line.h"
 #include "ui/symbol_text.h"
@@ -29,23 +33,33 @@ MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent)
       session_(session),
       appearance_(readPreferences().appearance),
       asksOnQuit_(setup.asksOnQuit) {
+  applyTextSize(readPreferences().textSize);
   setWindowTitle(tr("Surefoot"));
   auto* frame = new QWidget;
   auto* column = new QVBoxLayout(frame);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   new Keyboard(this);
+  new FocusHome(
+      this, [this] { focusHome(); },
+      [this] { return messages_->cancel(); },
+      [this](const QWidget& field) { return live_->isAncestorOf(&field) || qobject_cast<const QAbstractSpinBox*>(&field); });
   makeActions();
   bar_ = new RunBar(session_, run_);
   messages_ = new MessageBar(frame);
   pages_ = new QStackedWidget;
   live_ = new LivePage(session_);
+  auto* scroll = new QScrollArea;  // on the smallest screens
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidget(live_);
   auto* live = new QWidget;
   auto* liveColumn = new QVBoxLayout(live);
   liveColumn->setContentsMargins(0, 0, 0, 0);
   liveColumn->setSpacing(0);
   liveColumn->addWidget(bar_);
-  liveColumn->addWidget(live_, 1);
+  liveColumn->addWidget(scroll, 1);
   pages_->addWidget(live);
   if (setup.folder.isEmpty()) setup.folder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
   experiment_ = new ExperimentPage(session_, std::move(setup.plans), setup.folder);
@@ -85,10 +99,8 @@ MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent)
   });
   connect(bar_, &RunBar::meaningAsked, this, &MainWindow::showWords);
   askQuestions();
-  messages_->raise();
+  placeMessages();
   refresh();
-  setMinimumSize(1120, 700);
-  resize(1280, 800);
   live_->world().setFocus();
   restoreSettings();
   setAcceptDrops(true);
@@ -103,16 +115,30 @@ QWidget* MainWindow::makePlaceholder(const QString& title, const QString& words)
   label->setAlignment(Qt::AlignCenter);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   label->setForegroundRole(QPalette::PlaceholderText);
-  return label;
+  label->setWordWrap(true);
+  auto* page = new QWidget;
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(label, 1);
+  return page;
 }
 
 void MainWindow::setPage(int page) {
   pages_->setCurrentIndex(page);
   tabs_[static_cast<std::size_t>(page)]->setChecked(true);
+  placeMessages();
   for (QAction* action : liveActions_) action->setEnabled(page == 0);  // no key of one page works on another
-  if (page == 0) live_->world().setFocus();
+  if (page == 0) focusHome();
   refresh();
   refreshStatus();
+}
+
+void MainWindow::focusHome() {
+  if (pages_->currentIndex() == 0 && live_->world().isVisible())
+    live_->world().setFocus(Qt::OtherFocusReason);
+  else
+    pages_->currentWidget()->setFocus(Qt::OtherFocusReason);
 }
 
 void MainWindow::refreshStatus() {
@@ -134,12 +160,6 @@ void MainWindow::refresh() {
                                : tr("Start the life again with the same seed and the same start: %1").arg(beginning));
   const QSignalBlocker blocker(run_.turbo);
   run_.turbo->setChecked(session_.turbo());
-}
-
-void MainWindow::restoreSettings() {
-  const QSettings settings;
-  restoreGeometry(settings.value("geometry").toByteArray());
-  live_->restoreLayout(settings.value("layout").toByteArray());
 }
 
 }  // namespace surefoot

@@ -21,6 +21,7 @@ class Autosave;
 class ExperimentPage;
 class LivePage;
 class MessageBar;
+struct KeptLife;
 class Session;
 class SessionName;
 class PreLearningDialog;
@@ -54,6 +55,7 @@ class MainWindow final : public QMainWindow {
 
  protected:
   void closeEvent(QCloseEvent* event) override;
+  void showEvent(QShowEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 
@@ -64,6 +66,9 @@ class MainWindow final : public QMainWindow {
   void makeFileMenu();
   void makeEditMenu();
   void makeViewMenu();
+  void makeTextSizes(QMenu* view);
+  /// Applies a text size and keeps it for the next start.
+  void setTextSize(double size);
   void keepLayout();
   void fillLayouts();
   void fillRecent();
@@ -75,7 +80,7 @@ class MainWindow final : public QMainWindow {
   void saveSessionAs(const std::function<void()>& then = {});
   void saveWithDialog(SavedAs what, const QString& title, const QString& name, const QString& ending,
                       const std::function<void()>& then = {});
-  void saveKept();
+  void saveKept(const std::shared_ptr<KeptLife>& kept, const std::function<void()>& then);
   void exportWithDialog(QWidget* view, const QString& title);
   void remember(const QString& path);
   void offerToRestore();
@@ -83,17 +88,25 @@ class MainWindow final : public QMainWindow {
   void askQuestions();
   void askForAgent(const QString& name, const QString& title);
   void askForNewTable(const QString& key, double value);
-  void askBeforeEnding(const std::function<void()>& goOn);
+  void askBeforeEnding(const std::shared_ptr<KeptLife>& kept, const std::function<void()>& goOn);
+  QString whatIsNotSaved() const;
   bool askBeforeQuit();
   void quit();
   void tellHowItBegan();
   QString sessionName() const;
   void refreshTitle();
+  void refreshName();
   QWidget* makeTabs();
   QWidget* makePlaceholder(const QString& title, const QString& words);
   void usePreferences(const Preferences& preferences);
   void showPreferences();
+  /// The focus goes where the page's single keys work.
+  void focusHome();
   void restoreSettings();
+  /// No larger than the screen has room for, with the frame around the window, and wholly on it.
+  void fitToScreen();
+  /// The message bar stands below the toolbar of the page that is shown.
+  void placeMessages();
   void refresh();
   void refreshStatus();
   void showShortcuts();
@@ -119,7 +132,8 @@ class MainWindow final : public QMainWindow {
   QPointer<WordsDialog> words_;
   SessionName* name_ = nullptr;
   QString troubleShown_;
-  bool asksOnQuit_ = true, closing_ = false;
+  bool asksOnQuit_ = true, closing_ = false, couldNotKeep_ = false;
+  QSize fitted_;  // the size that the program chose; empty: it has been fitted, frame and all
 };
 
 }  // namespace surefoot

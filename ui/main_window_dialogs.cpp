@@ -6,10 +6,12 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "ui/fitted_dialog.h"
 #include "ui/main_window.h"
 #include "core/number_text.h"
 #include "ui/message_bar.h"
 #include "ui/pre_learning_dialog.h"
+#include "ui/scale.h"
 #include "ui/session.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
@@ -47,18 +49,22 @@ void MainWindow::showShortcuts() {
   auto* dialog = new QDialog(this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(tr("Shortcuts"));
-  auto* grid = new QGridLayout(dialog);
-  grid->setContentsMargins(24, 20, 24, 20);
-  grid->setHorizontalSpacing(32);
+  auto* body = new QWidget;
+  auto* grid = new QGridLayout(body);
+  whenScaled(dialog, [grid] {
+    grid->setContentsMargins(scaled({24, 20, 24, 20}));
+    grid->setHorizontalSpacing(scaled(32));
+  });
   int row = 0;
   for (const QAction* action : shortcuts_) {
     QStringList keys;
     for (const QKeySequence& key : action->shortcuts()) keys << key.toString(QKeySequence::NativeText);
     auto* label = new QLabel(keys.join(tr(" or ")));
-    label->setFont(textFont(13, 500));
+    whenScaled(label, [label] { label->setFont(scaledFont(13, 500)); });
     grid->addWidget(label, row, 0);
     grid->addWidget(new QLabel(action->toolTip()), row++, 1);
   }
+  fillDialog(*dialog, body);
   dialog->show();
 }
 
@@ -74,15 +80,17 @@ void MainWindow::showAbout() {
   auto* dialog = new QDialog(this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(tr("About Surefoot"));
-  auto* column = new QVBoxLayout(dialog);
-  column->setContentsMargins(24, 20, 24, 20);
+  auto* body = new QWidget;
+  auto* column = new QVBoxLayout(body);
+  whenScaled(dialog, [column] { column->setContentsMargins(scaled({24, 20, 24, 20})); });
   auto* text = new QLabel(
-      tr("<p style='font-size:18px'>Surefoot %1</p><p>Reinforcement learning that avoids falling.</p>"
+      tr("<p style='font-size:large'>Surefoot %1</p><p>Reinforcement learning that avoids falling.</p>"
          "<p>The methods are those of M. van Diepen's thesis<br><i>Avoiding failure states during Reinforcement "
          "Learning</i>, Delft.</p><p>Free software under the GNU General Public License, version 3 or later.</p>")
           .arg(QApplication::applicationVersion()));
   text->setTextFormat(Qt::RichText);  // nothing in it is from outside
   column->addWidget(text);
+  fillDialog(*dialog, body);
   dialog->show();
 }
 

@@ -43,12 +43,15 @@ void MainWindow::askQuestions() {
   connect(live_, &LivePage::newTableAsked, this, [this](const QString& sentence, const std::function<void()>& go) {
     messages_->ask(sentence, {{tr("Start again"), go}});
   });
-  session_.setAskBeforeEnding([this](const Session::GoOn& goOn) { askBeforeEnding(goOn); });
+  session_.setAskBeforeEnding([this](const std::shared_ptr<KeptLife>& kept, const Session::GoOn& goOn) {
+    askBeforeEnding(kept, goOn);
+  });
   for (auto signal : {&Session::fileChanged, &Session::lifeReplaced})
     connect(&session_, signal, this, &MainWindow::refresh);
   connect(&session_, &Session::frame, this, [this] {
     if (name_->text() != sessionName() + (session_.unsaved() ? "*" : "")) refreshTitle();
   });
+  connect(&session_, &Session::valuesArrived, this, &MainWindow::refreshName);
 }
 
 void MainWindow::askForAgent(const QString& name, const QString& title) {
@@ -73,7 +76,13 @@ void MainWindow::askForNewTable(const QString& key, double value) {
        {tr("Carry over"), [this, key, value, told] { session_.carryOver(key.toStdString(), value, told); }}});
 }
 
-void MainWindow::askBeforeEnding(const std::function<void()>& goOn) {
+void MainWindow::askBeforeEnding(const std::shared_ptr<KeptLife>& kept, const std::function<void()>& goOn) {
+  if (kept)
+    return messages_->ask(
+        tr("There is not enough memory to keep one more life for undo: a life before this one, of %1 episodes, is not "
+           "saved and would end.")
+            .arg(count(kept->progress.episodes)),
+        {{tr("Save it first"), [this, kept, goOn] { saveKept(kept, goOn); }}, {tr("End it"), goOn}});
   messages_->ask(tr("This life has %1 episodes, is not saved, and there is not enough memory to keep it for undo.")
                      .arg(count(session_.progress().episodes)),
                  {{tr("Save it first"), [this, goOn] { saveSession(goOn); }}, {tr("End it"), goOn}});
@@ -100,11 +109,18 @@ void MainWindow::refreshTitle() {
                  : named || marked ? tr("Surefoot: %1").arg(sessionName()) + (marked ? "[*]" : "")
                                    : tr("Surefoot"));
   if (marked) setWindowModified(true);
+  refreshName();
+}
+
+/// The session's name beside the tabs, and what its tip counts.
+void MainWindow::refreshName() {
+  const bool unsaved = session_.unsaved();
+  const QString& path = session_.file().path;
   const QString since =
       unsaved
           ? tr("%1 episodes are not saved").arg(count(session_.progress().episodes - session_.file().saved.episodes))
-          : tr("nothing is unsaved");
-  name_->say(sessionName(), unsaved, named ? session_.file().path + '\n' + since : since);
+          : tr("everything is saved");
+  name_->say(sessionName(), unsaved, path.isEmpty() ? since : path + '\n' + since);
 }
 
 void MainWindow::closeForNow() {
@@ -115,49 +131,70 @@ void MainWindow::closeForNow() {
   autosave_->leave([this] { close(); });
 }
 
-/// Whether there is something to be asked.
-bool MainWindow::askBeforeQuit() {
-  if (!asksOnQuit_) return false;
-  if (session_.unsaved()) {
-    const std::int64_t episodes = session_.progress().episodes - session_.file().saved.episodes;
-    messages_->ask(session_.file().path.isEmpty()
-                       ? tr("What this life learned in %1 episodes is not saved.").arg(count(episodes))
-                       : tr("What %1 learned in %2 episodes is not saved.").arg(sessionName(), count(episodes)),
-                   {{tr("Save"), [this] { saveSession([this] { close(); }); }}, {tr("Don't save"), [this] { quit(); }}},
-                   MessageBar::Question::Quit);
-    return true;
-  }
+/// What would be lost: of the life that runs, and of those that undo could bring back.
+QString MainWindow::whatIsNotSaved() const {
   const auto before = session_.unsavedBefore();
-  if (before.empty()) return false;
-  messages_->ask(tr("A life before this one, of %1 episodes, is kept for Ctrl+Z only and is not saved.")
-                     .arg(count(before.back()->progress.episodes)),
-                 {{tr("Save"), [this] { saveKept(); }}, {tr("Don't save"), [this] { quit(); }}},
-                 MessageBar::Question::Quit);
+  QStringList others;
+  for (auto life = before.rbegin(); life != before.rend() && others.size() < 4; ++life)
+    others << count((*life)->progress.episodes);
+  if (before.size() > 4) others << tr("…");
+  const QString kept = before.size() == 1 ? tr("A life before this one, of %1 episodes,").arg(others[0])
+                                          : tr("%1 lives before this one, of %2 episodes,")
+                                                .arg(before.size())
+                                                .arg(others.join(QStringLiteral(", ")));
+  if (!session_.unsaved()) return before.empty() ? QString() : tr("%1 kept for Ctrl+Z only, not saved.").arg(kept);
+  const QString episodes = count(session_.progress().episodes - session_.file().saved.episodes);
+  const QString now = session_.file().path.isEmpty()
+                          ? tr("What this life learned in %1 episodes is not saved.").arg(episodes)
+                          : tr("What %1 learned in %2 episodes is not saved.").arg(sessionName(), episodes);
+  return before.empty() ? now : now + ' ' + tr("%1 kept for Ctrl+Z only.").arg(kept);
+}
+
+/// Whether there is something to be asked. Saved one after the other, until nothing is left.
+bool MainWindow::askBeforeQuit() {
+  const QString sentence = asksOnQuit_ ? whatIsNotSaved() : QString();
+  if (sentence.isEmpty()) return false;
+  const auto save = [this] {
+    const auto before = session_.unsavedBefore();
+    if (session_.unsaved())
+      saveSession([this] { close(); });
+    else if (before.empty())
+      close();
+    else
+      saveKept(before.back(), [this] { close(); });
+  };
+  messages_->ask(sentence, {{tr("Save"), save}, {tr("Don't save"), [this] { quit(); }}}, MessageBar::Question::Quit);
   return true;
 }
 
-void MainWindow::saveKept() {
+void MainWindow::saveKept(const std::shared_ptr<KeptLife>& kept, const std::function<void()>& then) {
   askForNewFile(this, tr("Save the session"), "session.surefoot", "*.surefoot", "surefoot",
-                [this](const QString& path) {
-                  const auto before = session_.unsavedBefore();
-                  if (before.empty()) return static_cast<void>(close());
-                  const auto kept = before.back();
-                  session_.saveKept(*kept, path.toStdString(), [this, kept, path](const Status& s) {
+                [this, kept, then](const QString& path) {
+                  session_.saveKept(*kept, path.toStdString(), [this, kept, path, then](const Status& s) {
                     if (!s) return messages_->say(toText(s.error().message));
                     remember(path);
                     kept->file = {path, kept->progress};
-                    close();
+                    then();
                   });
                 });
 }
 
-/// What was learned stays for the next start, whatever was answered.
+/// What was learned stays for the next start, whatever was answered. Where it cannot be written, the window stays once.
 void MainWindow::quit() {
   if (closing_) return;
   closing_ = true;
   constexpr int kPatience = 60'000;  // [ms]
-  QTimer::singleShot(kPatience, this, &QWidget::close);
-  autosave_->keepLast([this] { close(); });
+  const bool again = std::exchange(couldNotKeep_, false);
+  QTimer::singleShot(kPatience, this, [this] {
+    if (closing_) close();
+  });
+  autosave_->keepLast([this, again](const Status& s) {
+    if (s || again) return static_cast<void>(close());
+    closing_ = false;
+    couldNotKeep_ = true;
+    messages_->say(tr("The session could not be kept for the next start: %1 Closing the window again gives it up.")
+                       .arg(toText(s.error().message)));
+  });
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
@@ -199,9 +236,12 @@ void MainWindow::restore(const QString& file) {
       setPage(0);
       return autosave_->takeOver(file);
     }
-    messages_->say(toText(s.error().message) + ' ' + tr("It is set aside as %1.damaged.").arg(file));
-    QFile::rename(file, file + QStringLiteral(".damaged"));
-    offerToRestore();
+    const bool damaged = s.error().kind == ErrorKind::File || s.error().kind == ErrorKind::Mismatch;
+    const QString aside = damaged ? autosave_->setAside(file) : QString();
+    messages_->say(toText(s.error().message) + ' ' +
+                   (aside.isEmpty() ? tr("It stays where it is: %1.").arg(file)
+                                    : tr("It is set aside as %1.").arg(aside)));
+    if (!aside.isEmpty()) offerToRestore();
   });
 }
 

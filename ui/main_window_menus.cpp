@@ -13,6 +13,7 @@
 #include "ui/live_page.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
+#include "ui/painted.h"
 #include "ui/panel.h"
 #include "ui/plain_text.h"
 #include "ui/session.h"
@@ -26,22 +27,23 @@ namespace surefoot {
 namespace {
 
 /// A page's name at the right end of the menu; a line below the one that is shown.
-class PageTab final : public QAbstractButton {
+class PageTab final : public Painted<QAbstractButton> {
  public:
-  PageTab(const QString& text, QWidget* parent) : QAbstractButton(parent) {
+  PageTab(const QString& text, QWidget* parent) : Painted(parent) {
     setText(text);
     setAccessibleName(text);
     setCheckable(true);
     setAutoExclusive(true);
     setFocusPolicy(Qt::TabFocus);
     setCursor(Qt::PointingHandCursor);
-    setFixedSize(static_cast<int>(QFontMetricsF(textFont(13, 500)).horizontalAdvance(text)) + 20, 24);
+    const int words = static_cast<int>(QFontMetricsF(textFont(13, 500)).horizontalAdvance(text));
+    whenScaled(this, [this, words] { setFixedSize(scaled({words + 20, 24})); });
   }
 
  protected:
   void paintEvent(QPaintEvent*) override {
     const Theme& t = themeOf(*this);
-    QPainter p(this);
+    ScaledPainter p(this);
     p.setFont(textFont(13, isChecked() ? 500 : 400));
     p.setPen(isChecked() || underMouse() ? t.ink : t.quiet);
     p.drawText(rect().adjusted(0, 0, 0, -2), Qt::AlignCenter, text());
@@ -85,7 +87,9 @@ void MainWindow::makeActions() {
     const bool far = QApplication::keyboardModifiers() & Qt::ShiftModifier;
     session_.lookBack(far ? -60 : -1);
   });
-  connect(run_.live, &QAction::triggered, &session_, &Session::backToLive);
+  connect(run_.live, &QAction::triggered, this, [this] {
+    if (session_.playback() || !live_->leaveFullSize()) session_.backToLive();
+  });
   connect(run_.run, &QAction::triggered, &session_, [this] { session_.setRunning(!session_.running()); });
   connect(run_.step, &QAction::triggered, &session_, &Session::stepOnce);
   connect(run_.restart, &QAction::triggered, this, [this] {

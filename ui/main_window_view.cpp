@@ -5,6 +5,7 @@
 #include <QInputDialog>
 #include <QMenuBar>
 #include <QSettings>
+#include <cmath>
 
 #include "ui/autosave.h"
 #include "ui/live_page.h"
@@ -12,6 +13,7 @@
 #include "ui/message_bar.h"
 #include "ui/panel.h"
 #include "ui/preferences.h"
+#include "ui/scale.h"
 #include "ui/world_view.h"
 
 namespace surefoot {
@@ -80,9 +82,46 @@ void MainWindow::makeViewMenu() {
     });
   }
   view->addSeparator();
+  makeTextSizes(view);
   QAction* fullScreen = addAction(view, tr("F&ull screen"), tr("The whole screen"), Qt::Key_F11);
   fullScreen->setCheckable(true);
   connect(fullScreen, &QAction::toggled, this, [this](bool on) { on ? showFullScreen() : showNormal(); });
+}
+
+void MainWindow::makeTextSizes(QMenu* view) {
+  QAction* projector =
+      addAction(view, tr("&Projector"), tr("Everything as large as the last row of a lecture room needs it"), {});
+  projector->setCheckable(true);
+  connect(projector, &QAction::triggered, this, [this](bool on) { setTextSize(on ? kProjectorText : 1.0); });
+  QMenu* menu = view->addMenu(tr("Te&xt size"));
+  QAction* larger = addAction(menu, tr("&Larger"), tr("Larger text, controls and drawings"), {});
+  larger->setShortcuts({QKeySequence(Qt::CTRL | Qt::Key_Plus), QKeySequence(Qt::CTRL | Qt::Key_Equal)});
+  shortcuts_.push_back(larger);
+  connect(larger, &QAction::triggered, this, [this] { setTextSize(textSize() + kTextStep); });
+  connect(addAction(menu, tr("&Smaller"), tr("Smaller text, controls and drawings"), Qt::CTRL | Qt::Key_Minus),
+          &QAction::triggered, this, [this] { setTextSize(textSize() - kTextStep); });
+  connect(addAction(menu, tr("&Usual"), tr("Text, controls and drawings in their usual size"), Qt::CTRL | Qt::Key_0),
+          &QAction::triggered, this, [this] { setTextSize(1.0); });
+  menu->addSeparator();
+  std::vector<QAction*> sizes;
+  for (const int percent : {80, 100, 120, 140, 160, 180, 200}) {
+    sizes.push_back(addAction(menu, tr("%1 %").arg(percent), tr("Everything at %1 %").arg(percent), {}));
+    sizes.back()->setCheckable(true);
+    sizes.back()->setData(percent);
+    connect(sizes.back(), &QAction::triggered, this, [this, percent] { setTextSize(percent / 100.0); });
+  }
+  whenScaled(this, [projector, sizes] {
+    const auto percent = static_cast<int>(std::lround(100 * textSize()));
+    projector->setChecked(percent == std::lround(100 * kProjectorText));
+    for (QAction* size : sizes) size->setChecked(size->data().toInt() == percent);
+  });
+}
+
+void MainWindow::setTextSize(double size) {
+  applyTextSize(size);
+  Preferences p = readPreferences();
+  p.textSize = textSize();
+  writePreferences(p);
 }
 
 void MainWindow::keepLayout() {
@@ -126,6 +165,7 @@ void MainWindow::usePreferences(const Preferences& p) {
     action->setChecked(action->data().toInt() == static_cast<int>(p.appearance));
   if (p.appearance != appearance_) applyAppearance(*qApp, p.appearance);
   appearance_ = p.appearance;
+  applyTextSize(p.textSize);
   if (autosave_) autosave_->setMinutes(p.autosaveMinutes);
 }
 

@@ -11,6 +11,7 @@
 #include "ui/link_button.h"
 #include "ui/panel.h"
 #include "ui/plain_text.h"
+#include "ui/scale.h"
 #include "ui/slider.h"
 #include "ui/symbol_text.h"
 
@@ -19,7 +20,7 @@ namespace surefoot {
 MapBar::MapBar(QWidget* parent) : QWidget(parent) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(2);
+  whenScaled(this, [row] { row->setSpacing(scaled(2)); });
   quantity_ = addButton(tr("Quantity"), &MapBar::fillQuantities);
   axes_ = addButton(tr("Axes"), &MapBar::fillAxes);
   others_ = addButton(tr("Other variables"), &MapBar::fillOthers);
@@ -166,7 +167,7 @@ void MapBar::addOther(QMenu& menu, std::size_t d) {
 
   const StateVariable v = task_.state[d];
   auto* slider = new Slider(&menu);
-  slider->setMinimumWidth(180);
+  slider->setMinimumWidth(scaled(180));
   slider->setAccessibleName(tr("Fixed %1").arg(toText(v.title)));
   const auto whole = [v](double value) { return v.whole ? std::round(value) : value; };
   const double now = choice_.across[d] == Across::Fixed ? choice_.fixed[d] : d < live_.size() ? live_[d] : 0.0;

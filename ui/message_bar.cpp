@@ -23,19 +23,7 @@ MessageBar::MessageBar(QWidget* parent) : QWidget(parent), rows_(new QVBoxLayout
   connect(qApp, &QApplication::focusChanged, this, [this](QWidget* old, QWidget* now) {
     if (now && isAncestorOf(now) && old && !isAncestorOf(old)) before_ = old;
   });
-  parent->installEventFilter(this);
   hide();
-}
-
-void MessageBar::place() {
-  const int w = parentWidget()->width();
-  const int h = std::max(36, rows_->hasHeightForWidth() ? rows_->heightForWidth(w) : sizeHint().height());
-  setGeometry(0, parentWidget()->height() - kStatusLine - h, w, h);
-}
-
-bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::Resize) place();
-  return QWidget::eventFilter(watched, event);
 }
 
 void MessageBar::say(const QString& sentence) {
@@ -97,8 +85,6 @@ void MessageBar::refresh() {
   setVisible(!sentences.isEmpty());
   if (sentences.isEmpty()) return;
   rows_->invalidate();
-  place();
-  raise();
 }
 
 // Escape, wherever in the bar the focus is, before it is anyone's shortcut.

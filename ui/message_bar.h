@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sentences at the foot of the panels, with what can be done about them. No dialog boxes; nothing below it moves.
+// Sentences below the toolbar of a page, with what can be done about them. No dialog boxes; they cover nothing.
 //
 // A question never takes the keyboard: the focus stays where the person was, and no key that was meant for something
 // else presses an answer. Its answers are reached by the mouse, by Tab, or by Alt and a letter; none of
@@ -24,8 +24,7 @@ class MessageBar final : public QWidget {
   Q_OBJECT
 
  public:
-  static constexpr int kStatusLine = 24;  ///< [px] below it
-  /// Lies over the foot of its parent, as wide as it is, where it covers the fewest things that one works with.
+  /// A row of its own below the toolbar, so that it covers nothing; hidden while it has nothing to say.
   explicit MessageBar(QWidget* parent);
   /// Shows a sentence with only Dismiss.
   void say(const QString& sentence);
@@ -53,12 +52,10 @@ class MessageBar final : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent*) override;
-  bool eventFilter(QObject* watched, QEvent* event) override;
   bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
-  void place();
   void remove(Question kind);
   void refresh();
 

@@ -8,13 +8,16 @@
 #include <QSet>
 
 #include "ui/plain_text.h"
+#include "ui/scale.h"
 #include "ui/theme.h"
 
 namespace surefoot {
 
 MessageRow::MessageRow(QWidget* parent) : QWidget(parent), row_(new QHBoxLayout(this)), text_(new QLabel) {
-  row_->setContentsMargins(15, 4, 12, 5);
-  row_->setSpacing(8);
+  whenScaled(this, [this] {
+    row_->setContentsMargins(scaled({15, 4, 12, 5}));
+    row_->setSpacing(scaled(8));
+  });
   text_->setWordWrap(true);
   text_->setTextFormat(Qt::PlainText);
   row_->addWidget(text_, 1);
@@ -63,7 +66,7 @@ void MessageRow::paintEvent(QPaintEvent*) {
   const Theme& t = themeOf(*this);
   QPainter p(this);
   p.fillRect(rect(), t.fill);
-  p.fillRect(QRect(0, 0, 3, height()), good_ ? t.outline : t.caution);
+  p.fillRect(QRect(0, 0, scaled(3), height()), good_ ? t.outline : t.caution);
   p.fillRect(QRect(0, 0, width(), 1), t.hairline);
 }
 

@@ -16,19 +16,18 @@ namespace {
 
 constexpr int kPadding = 12, kHeight = 32, kBaseline = 21, kButton = 24;  // [px], with texts of the usual size
 
-class HeaderButton final : public QAbstractButton {
+class HeaderButton final : public Painted<QAbstractButton> {
  public:
-  HeaderButton(Icon icon, Icon checked, QWidget* parent) : QAbstractButton(parent), icon_(icon), checked_(checked) {
+  HeaderButton(Icon icon, Icon checked, QWidget* parent) : Painted(parent), icon_(icon), checked_(checked) {
     setCheckable(icon != checked);
     setFocusPolicy(Qt::TabFocus);
-    resize(kButton, kButton);
     setCursor(Qt::PointingHandCursor);
   }
 
  protected:
   void paintEvent(QPaintEvent*) override {
     const Theme& t = themeOf(*this);
-    QPainter p(this);
+    ScaledPainter p(this);
     p.setRenderHint(QPainter::Antialiasing);
     if (underMouse()) {
       p.setPen(Qt::NoPen);
@@ -50,7 +49,7 @@ class HeaderButton final : public QAbstractButton {
 }  // namespace
 
 PanelHeader::PanelHeader(const QString& title, bool canFill, QWidget* parent)
-    : QWidget(parent),
+    : Painted(parent),
       title_(title),
       close_(new HeaderButton(Icon::Close, Icon::Close, this)) {
   close_->setToolTip(tipText(tr("Close %1; the View menu brings it back").arg(title_)));
@@ -63,8 +62,22 @@ PanelHeader::PanelHeader(const QString& title, bool canFill, QWidget* parent)
   connect(button_, &QAbstractButton::clicked, this, &PanelHeader::fullSizeAsked);
 }
 
+namespace {
+
+/// As much of a note as has room: all of it, or its first parts, but never half a word.
+QString wholeParts(const QString& note, const QFont& font, double room) {
+  QString part = note;
+  while (!part.isEmpty() && symbolWidth(font, part) > room) {
+    const auto end = std::max({part.lastIndexOf(';'), part.lastIndexOf(':'), part.lastIndexOf(',')});
+    part = part.left(std::max<qsizetype>(end, 0));
+  }
+  return part;
+}
+
+}  // namespace
+
 int PanelHeader::usualHeight() {
-  return static_cast<int>(std::lround(kHeight * textScale()));
+  return kHeight;
 }
 
 double PanelHeader::titleEnd() const {
@@ -108,36 +121,33 @@ void PanelHeader::resizeEvent(QResizeEvent*) {
   int right = width() - 6;
   for (QAbstractButton* button : {close_, button_})
     if (button && !button->isHidden()) {
-      button->move(right - kButton, (height() - kButton) / 2);
+      place(*button, {right - kButton, (height() - kButton) / 2, kButton, kButton});
       right -= kButton + 4;
     }
   if (!extra_) return;
   const int room = right - static_cast<int>(titleEnd()) - 8;
-  if (auto* folding = dynamic_cast<Folding*>(extra_)) folding->fold(room);
+  if (auto* folding = dynamic_cast<Folding*>(extra_)) folding->fold(scaled(room));
   extra_->adjustSize();
-  extra_->move(right - extra_->width(), (height() - extra_->height()) / 2);
-  extra_->setVisible(extra_->width() <= room);  // a panel that is too narrow shows its title
+  extra_->move(scaled(right) - extra_->width(), (QWidget::height() - extra_->height()) / 2);
+  extra_->setVisible(extra_->width() <= scaled(room));  // a panel that is too narrow shows its title
 }
 
 void PanelHeader::paintEvent(QPaintEvent*) {
   const Theme& t = themeOf(*this);
-  QPainter p(this);
+  ScaledPainter p(this);
   p.fillRect(rect(), floating_ ? t.fill : paper_ ? t.paper : t.panel);
   p.setPen(t.ink);
   p.setFont(textFont(13, 500));
-  const double baseline = kBaseline * textScale();
+  const double baseline = kBaseline;
   p.drawText(QPointF(kPadding, baseline), title_);
   const double x = titleEnd() + 8;
-  const double right = extra_ && !extra_->isHidden() ? extra_->x() - 8
-                       : button_ && !button_->isHidden() ? button_->x() - 4
-                       : floating_ ? close_->x() - 4
+  const double right = extra_ && !extra_->isHidden() ? placeOf(*extra_).x() - 8
+                       : button_ && !button_->isHidden() ? placeOf(*button_).x() - 4
+                       : floating_ ? placeOf(*close_).x() - 4
                                    : width() - kPadding;
   p.setFont(textFont(11));
   p.setPen(t.quiet);
-  constexpr double kLeast = 40;  // a shorter rest says nothing
-  const bool fits = symbolWidth(p.font(), note_) <= right - x;
-  if (!fits && right - x < kLeast * textScale()) return;
-  drawSymbol(p, x, baseline, fits ? note_ : QFontMetricsF(p.font()).elidedText(note_, Qt::ElideRight, right - x));
+  drawSymbol(p, x, baseline, wholeParts(note_, p.font(), right - x));
 }
 
 Panel::Panel(const QString& title, const QString& name, QWidget* content, bool canFill, QWidget* parent)

@@ -4,6 +4,8 @@
 
 #include <QDockWidget>
 
+#include "ui/painted.h"
+
 class QAbstractButton;
 
 namespace surefoot {
@@ -17,7 +19,7 @@ class Folding {
 };
 
 /// The 32 px above a panel's content. Drawn, so that every panel's baseline is the same.
-class PanelHeader final : public QWidget {
+class PanelHeader final : public Painted<> {
   Q_OBJECT
 
  public:
@@ -34,8 +36,8 @@ class PanelHeader final : public QWidget {
   void addWidget(QWidget* widget);
   /// Places that widget again, when its width has changed.
   void layOutExtra() { resizeEvent(nullptr); }
-  QSize sizeHint() const override { return {100, usualHeight()}; }
-  QSize minimumSizeHint() const override { return {60, usualHeight()}; }
+  QSize sizeHint() const override { return scaled({100, usualHeight()}); }
+  QSize minimumSizeHint() const override { return scaled({60, usualHeight()}); }
 
  Q_SIGNALS:
   void fullSizeAsked();

@@ -18,21 +18,21 @@ namespace {
 constexpr int kRoomForMore = 860;  // [px] from this height on the second rank of parameters is shown as well
 
 /// "POLICY", and when a change of what stands below takes effect, if not at once.
-class SectionHead final : public QWidget {
+class SectionHead final : public Painted<> {
  public:
   SectionHead(const QString& title, const QString& tag, bool caution, bool first, QWidget* parent)
-      : QWidget(parent),
+      : Painted(parent),
         title_(title),
         tag_(tag),
         caution_(caution),
         first_(first) {
-    setFixedHeight(first ? 26 : 42);
+    whenScaled(this, [this] { setFixedHeight(scaled(first_ ? 26 : 42)); });
   }
 
  protected:
   void paintEvent(QPaintEvent*) override {
     const Theme& t = themeOf(*this);
-    QPainter p(this);
+    ScaledPainter p(this);
     if (!first_) p.fillRect(QRect(0, 7, width(), 1), t.hairline);
     QFont font = textFont(11, 500);
     font.setLetterSpacing(QFont::AbsoluteSpacing, 0.6);
@@ -89,7 +89,7 @@ ParameterForm::ParameterForm(Session& session, QWidget* parent) : QScrollArea(pa
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setFrameShape(QFrame::NoFrame);
   setFocusPolicy(Qt::NoFocus);
-  setMinimumWidth(264);
+  whenScaled(this, [this] { setMinimumWidth(scaled(264)); });
   build();
   connect(&session_, &Session::parametersReplaced, this, &ParameterForm::build);
   connect(&session_, &Session::configurationChanged, this, &ParameterForm::refresh);
@@ -100,7 +100,7 @@ void ParameterForm::build() {
   sections_.clear();  // setWidget() below deletes the old page
   auto* page = new QWidget;
   auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(12, 0, 8, 12);
+  whenScaled(page, [column] { column->setContentsMargins(scaled({12, 0, 8, 12})); });
   column->setSpacing(0);
   for (const Group group : {Group::Policy, Group::Learning, Group::Rewards, Group::Representation, Group::Model}) {
     const bool newTable = group == Group::Representation, nextEpisode = group == Group::Model;
@@ -146,7 +146,7 @@ void ParameterForm::orderTabs() {
 }
 
 void ParameterForm::chooseRows() {
-  const int most = all_ ? 3 : height() >= kRoomForMore ? 2 : 1;
+  const int most = all_ ? 3 : height() >= scaled(kRoomForMore) ? 2 : 1;
   const Parameters& parameters = session_.configuration().parameters;
   const auto hasEffect = [&](const Parameter& p) { return p.needs.empty() || parameters.get(p.needs) != 0.0; };
   bool made = false;
@@ -195,10 +195,10 @@ void ParameterForm::edit(const QString& key, double value) {
 
 void ParameterForm::resetAll() {
   const Parameters before = session_.configuration().parameters;
-  session_.undo().beginMacro(tr("all parameters"));
+  session_.beginMacro(tr("all parameters"));
   for (const auto& entry : before.all())
     if (entry.parameter.when != When::NewTable) edit(toText(entry.parameter.key), session_.base(entry.parameter.key));
-  session_.undo().endMacro();
+  session_.endMacro();
 }
 
 }  // namespace surefoot

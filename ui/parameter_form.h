@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/parameters.h"
+#include "ui/scale.h"
 
 namespace surefoot {
 
@@ -21,7 +22,7 @@ class ParameterForm final : public QScrollArea {
   /// All parameters, or only those that fit the usual window.
   void setShowAll(bool all);
   bool showsAll() const { return all_; }
-  QSize sizeHint() const override { return {264, 640}; }
+  QSize sizeHint() const override { return scaled({264, 640}); }
 
  public Q_SLOTS:
   void resetAll();

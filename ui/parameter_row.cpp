@@ -22,7 +22,7 @@ constexpr int kNumber = 46;  // room for a number at the usual size of text [px]
 }  // namespace
 
 ParameterRow::ParameterRow(const Parameter& parameter, const std::string& policy, QWidget* parent)
-    : QWidget(parent),
+    : Painted(parent),
       parameter_(parameter),
       policy_(policy),
       value_(parameter.fallback) {
@@ -41,7 +41,11 @@ ParameterRow::ParameterRow(const Parameter& parameter, const std::string& policy
   forget_.setSingleShot(true);
   connect(&forget_, &QTimer::timeout, this, &ParameterRow::forgetRefusal);
   showTips();
-  layOut();
+  whenScaled(this, [this] {
+    if (number_) number_->setFont(scaledFont(13, value_ == base_ ? 400 : 500));
+    if (number_ && shown_ && !number_->isModified()) number_->setText(textOf(value_));
+    layOut();
+  });
 }
 
 void ParameterRow::makeNumber(const QString& name) {
@@ -93,7 +97,7 @@ QString ParameterRow::textOf(double value) const {
     return text.replace(QStringLiteral("e-0"), QStringLiteral("e-")).replace('-', QChar(0x2212));
   };
   const auto fits = [&](const QString& text) {
-    return !number_ || number_->fontMetrics().horizontalAdvance(text) <= kNumber - 3;
+    return !number_ || number_->fontMetrics().horizontalAdvance(text) <= scaled(kNumber) - 4;
   };
   const double shown = QString::number(value, 'f', decimals).toDouble();
   const bool precise = value == 0.0 || std::abs(shown / value - 1.0) < 0.01;
@@ -117,7 +121,7 @@ void ParameterRow::show(double value, double base, std::optional<std::int64_t> c
   } else {
     const QSignalBlocker blockSlider(slider_), blockNumber(number_);
     if (!slider_->isSliderDown()) slider_->setValue(sliderAt(value));
-    number_->setFont(textFont(13, value == base ? 400 : 500));
+    number_->setFont(scaledFont(13, value == base ? 400 : 500));
     const QString text = textOf(value);
     const bool typing = number_->hasFocus() && number_->isModified();
     if (!typing && number_->text() != text) number_->setText(text);

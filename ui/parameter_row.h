@@ -9,6 +9,8 @@
 #include <string>
 
 #include "core/parameters.h"
+#include "ui/painted.h"
+#include "ui/painted.h"
 
 class QLineEdit;
 class QMouseEvent;
@@ -19,7 +21,7 @@ namespace surefoot {
 class Combo;
 class Slider;
 
-class ParameterRow final : public QWidget {
+class ParameterRow final : public Painted<> {
   Q_OBJECT
 
  public:

@@ -22,14 +22,14 @@ namespace {
 constexpr int kRow = 24, kName = 20, kUnit = 32, kNumber = 46, kBeforeMiddle = 16, kReset = 18;  // [px]
 
 /// An arrow that turns back.
-class ResetButton final : public QToolButton {
+class ResetButton final : public Painted<QToolButton> {
  public:
-  using QToolButton::QToolButton;
+  using Painted::Painted;
 
  protected:
   void paintEvent(QPaintEvent*) override {
     const Theme& t = themeOf(*this);
-    QPainter p(this);
+    ScaledPainter p(this);
     p.setRenderHint(QPainter::Antialiasing);
     if (hasFocus()) {
       p.setPen(QPen(t.accent, 2));
@@ -54,19 +54,19 @@ void ParameterRow::makeReset(const QString& name) {
 
 void ParameterRow::layOut() {
   const int w = width();
-  setFixedHeight(kRow);
+  setFixedHeight(scaled(kRow));
   const double unitWidth = symbolWidth(textFont(11), toText(parameter_.unit)) + 4;
   const int unit = std::max(kUnit, static_cast<int>(std::ceil(unitWidth)));
   const int right = w - unit - 2;
   // Reset has the place of the marker, or, where there is one, that of the unit, which no policy's parameter has.
-  reset_->setGeometry(policy_.empty() ? 0 : w - kReset, (kRow - kReset) / 2, kReset, kReset);
+  place(*reset_, {policy_.empty() ? 0 : w - kReset, (kRow - kReset) / 2, kReset, kReset});
   if (choice_) {
-    choice_->setGeometry(w / 2, 1, w - w / 2 - (policy_.empty() ? 0 : kReset + 2), kRow - 2);
+    place(*choice_, {w / 2, 1, w - w / 2 - (policy_.empty() ? 0 : kReset + 2), kRow - 2});
     return;
   }
   const int left = w / 2 - kBeforeMiddle;
-  number_->setGeometry(right - kNumber, 2, kNumber, kRow - 4);
-  slider_->setGeometry(left, 0, number_->x() - left - 1, kRow);
+  place(*number_, {right - kNumber, 2, kNumber, kRow - 4});
+  place(*slider_, {left, 0, right - kNumber - left - 1, kRow});
 }
 
 void ParameterRow::resizeEvent(QResizeEvent*) {
@@ -114,7 +114,7 @@ bool ParameterRow::dragged(QMouseEvent* event) {
 
 void ParameterRow::paintName(QPainter& p) const {
   const Theme& t = themeOf(*this);
-  const double end = slider_ ? slider_->x() + 2 : choice_->x() - 4;  // of the room for words
+  const double end = slider_ ? placeOf(*slider_).x() + 2 : placeOf(*choice_).x() - 4;  // of the room for words
   const double left = kName, room = end - left;
   const QString symbol = toText(parameter_.symbol);
   QFont font = textFont(13);
@@ -145,28 +145,28 @@ void ParameterRow::paintRefusal(QPainter& p) const {
   p.drawPolygon(QPolygonF({{left, foot}, {left + side / 2, top}, {left + side, foot}}));
   p.drawLine(QPointF(left + side / 2, middle - side / 6), QPointF(left + side / 2, middle + side / 6));
   p.drawPoint(QPointF(left + side / 2, middle + side / 3));
-  const double begin = left + side + 5, end = (number_ ? number_->x() : choice_->x()) - 4;
+  const double begin = left + side + 5, end = (number_ ? placeOf(*number_) : placeOf(*choice_)).x() - 4;
   p.setFont(textFont(11));
   const QString words = QFontMetricsF(p.font()).elidedText(refusal_, Qt::ElideRight, end - begin);
   p.drawText(QRectF(begin, 0, end - begin, height()), Qt::AlignLeft | Qt::AlignVCenter, words);
-  if (number_) p.drawRoundedRect(QRectF(number_->geometry()).adjusted(-2, -0.5, 2, 0.5), 3, 3);
+  if (number_) p.drawRoundedRect(placeOf(*number_).adjusted(-2, -0.5, 2, 0.5), 3, 3);
 }
 
 void ParameterRow::paintEvent(QPaintEvent*) {
   const Theme& t = themeOf(*this);
-  QPainter p(this);
+  ScaledPainter p(this);
   if (!policy_.empty()) drawMarker(p, {5, height() / 2.0}, policyLook(policy_, t), inForce_);
   refusal_.isEmpty() ? paintName(p) : paintRefusal(p);
   if (number_ && number_->hasFocus()) {
     p.setBrush(Qt::NoBrush);
     p.setPen(QPen(t.accent, 2));
-    p.drawRoundedRect(number_->geometry().adjusted(-2, 0, 2, 0), 3, 3);
+    p.drawRoundedRect(placeOf(*number_).adjusted(-2, 0, 2, 0), 3, 3);
   }
   p.setFont(textFont(11));
   p.setPen(t.quiet);
   if (!number_) return;
   const double baseline = height() / 2.0 + QFontMetricsF(p.font()).capHeight() / 2.0;
-  p.drawText(QPointF(number_->geometry().right() + 6, baseline), toText(parameter_.unit));
+  p.drawText(QPointF(placeOf(*number_).right() + 5, baseline), toText(parameter_.unit));
 }
 
 }  // namespace surefoot

@@ -17,6 +17,7 @@
 #include "core/laboratory/plan_time.h"
 #include "ui/condition_name.h"
 #include "ui/plain_text.h"
+#include "ui/scale.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
 
@@ -63,7 +64,7 @@ PlanChooser::PlanChooser(const QString& name, std::vector<PlanSource> sources, Q
 }
 
 QSize PlanChooser::minimumSizeHint() const {
-  return {12 * QFontMetrics(textFont(13)).averageCharWidth(), QComboBox::minimumSizeHint().height()};
+  return {12 * QFontMetrics(scaledFont(13)).averageCharWidth(), QComboBox::minimumSizeHint().height()};
 }
 
 void PlanChooser::setCurrent(const QString& title) {
@@ -94,17 +95,20 @@ void PlanChooser::makeList() {
   list_->setColumnCount(3);
   list_->setHeaderLabels({tr("Figure"), tr("Title"), tr("Takes")});
   list_->setRootIsDecorated(false);
-  list_->setIndentation(12);
   list_->setUniformRowHeights(true);
   list_->setFrameShape(QFrame::NoFrame);
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   answer_ = new QLabel;
   answer_->setTextFormat(Qt::PlainText);
   answer_->setWordWrap(true);
-  answer_->setMinimumHeight(2 * QFontMetrics(textFont(13)).lineSpacing());
   auto* open = new QPushButton(tr("Open a plan or results …"));
   auto* column = new QVBoxLayout(popup_);
-  column->setContentsMargins(8, 8, 8, 8);
+  whenScaled(popup_, [this, column] {
+    answer_->setMinimumHeight(2 * QFontMetrics(scaledFont(13)).lineSpacing());
+    list_->setIndentation(scaled(12));
+    column->setContentsMargins(scaled({8, 8, 8, 8}));
+    column->setSpacing(scaled(6));
+  });
   column->addWidget(words_);
   column->addWidget(list_, 1);
   column->addWidget(answer_);
@@ -128,7 +132,7 @@ void PlanChooser::fill() {
     auto* head = new QTreeWidgetItem(list_, {group.empty() ? tr("Plans") : toText(group)});
     head->setFirstColumnSpanned(true);
     head->setFlags(Qt::ItemIsEnabled);
-    head->setFont(0, textFont(11, 500));
+    head->setFont(0, scaledFont(11, 500));
     for (std::size_t i = 0; i < sources_.size(); ++i) {
       const PlanSource& s = sources_[i];
       if (s.group != group) continue;
@@ -185,7 +189,7 @@ void PlanChooser::showPopup() {
   if (!popup_) makeList();
   fill();
   const QRect room = screen()->availableGeometry();
-  const QFontMetrics metrics(textFont(13));
+  const QFontMetrics metrics(scaledFont(13));
   const QSize size = QSize(std::max(width(), 70 * metrics.averageCharWidth()), 28 * metrics.lineSpacing())
                          .boundedTo(room.size() - QSize(16, 16));
   QPoint at = mapToGlobal(QPoint(0, height() + 2));

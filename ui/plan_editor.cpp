@@ -12,6 +12,7 @@
 #include "core/laboratory/plan_writing.h"
 #include "ui/condition_form.h"
 #include "ui/experiment.h"
+#include "ui/scale.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
 
@@ -29,24 +30,26 @@ PlanEditor::PlanEditor(Experiment& experiment, QWidget* parent)
       verdict_(new QLabel),
       use_(new QPushButton(tr("Use this plan"))) {
   edit_->setAccessibleName(tr("Plan"));
-  QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-  fixed.setPixelSize(13);
-  edit_->setFont(fixed);
   edit_->setFrameShape(QFrame::NoFrame);
   edit_->setLineWrapMode(QPlainTextEdit::NoWrap);
-  verdict_->setFont(textFont(11));
   verdict_->setWordWrap(true);
   verdict_->setTextFormat(Qt::PlainText);
   auto* live = new QPushButton(tr("Add what the Live page runs"));
   auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(12, 4, 12, 12);
   auto* form = new ConditionForm(experiment.registry());
   auto* scroll = new QScrollArea;
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setFocusPolicy(Qt::NoFocus);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFixedWidth(360);
+  whenScaled(this, [this, column, scroll] {
+    QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+    fixed.setPixelSize(scaled(13));
+    edit_->setFont(fixed);
+    verdict_->setFont(scaledFont(11));
+    column->setContentsMargins(scaled({12, 4, 12, 12}));
+    scroll->setFixedWidth(scaled(360));
+  });
   scroll->setWidget(form);
   auto* upper = new QHBoxLayout;
   upper->addWidget(edit_, 1);
@@ -64,6 +67,7 @@ PlanEditor::PlanEditor(Experiment& experiment, QWidget* parent)
   row->addWidget(live);
   row->addWidget(use_);
   column->addLayout(row);
+  connect(&checking_, &Background::failed, this, &PlanEditor::say);
   auto* pause = new QTimer(this);
   pause->setSingleShot(true);
   pause->setInterval(kCheckAfter);
@@ -72,7 +76,10 @@ PlanEditor::PlanEditor(Experiment& experiment, QWidget* parent)
   connect(use_, &QPushButton::clicked, this, &PlanEditor::use);
   connect(live, &QPushButton::clicked, this, &PlanEditor::liveConditionAsked);
   connect(&experiment_, &Experiment::planChanged, this, [this] {
-    if (text() != toText(experiment_.text())) setText(toText(experiment_.text()));
+    // Edits that are not used yet stay while the plan is the one that they began with; else undo brings them back.
+    const QString now = toText(experiment_.text());
+    if (std::exchange(used_, now) == now && !text().isEmpty()) return;
+    setText(now);
   });
 }
 
@@ -81,8 +88,16 @@ QString PlanEditor::text() const {
 }
 
 void PlanEditor::setText(const QString& text) {
-  edit_->setPlainText(text);
+  if (this->text() != text) {
+    QTextCursor cursor(edit_->document());
+    cursor.select(QTextCursor::Document);
+    cursor.insertText(text);
+  }
   check();
+}
+
+bool PlanEditor::hasEdits() const {
+  return !text().isEmpty() && text() != used_;
 }
 
 std::string PlanEditor::path() const {

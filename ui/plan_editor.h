@@ -22,7 +22,10 @@ class PlanEditor final : public QWidget {
  public:
   explicit PlanEditor(Experiment& experiment, QWidget* parent = nullptr);
   QString text() const;
+  /// As one step that can be undone.
   void setText(const QString& text);
+  /// Something was written that is not the experiment's plan yet.
+  bool hasEdits() const;
   /// Writes a [[condition]] block behind the others, as one step that can be undone; refused, with the reason below the
   /// text, where the plan would not run with it.
   void addCondition(const std::string& toml);
@@ -44,6 +47,7 @@ class PlanEditor final : public QWidget {
   std::string path() const;
 
   Experiment& experiment_;
+  QString used_;  // the experiment's plan
   QPlainTextEdit* edit_;
   QLabel* verdict_;
   QPushButton* use_;

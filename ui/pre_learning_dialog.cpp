@@ -6,13 +6,17 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
 #include <QSpinBox>
 #include <QTableWidget>
+#include <QVBoxLayout>
 
 #include "core/experiment/q_file.h"
 #include "core/text.h"
 #include "ui/combo.h"
-#include "ui/plain_text.h"
+#include "ui/model_rows.h"
+#include "ui/scale.h"
 #include "ui/session.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
@@ -20,83 +24,67 @@
 namespace surefoot {
 
 namespace {
-
-constexpr int kField = 96;  // [px]
-
-/// What a model may be wrong about: what the scenarios change, or else all that takes effect with the next episode.
-std::vector<Parameter> modelParameters(const Session& session) {
-  std::vector<Parameter> list;
-  const std::string& environment = session.configuration().names.environment;
-  for (const auto& entry : session.configuration().parameters.all()) {
-    const Parameter& p = entry.parameter;
-    if (!p.key.starts_with("environment.") || !p.choices.empty()) continue;
-    bool any = false, named = false;
-    for (const auto& scenario : session.registry().scenarios) {
-      if (scenario.environment != environment) continue;
-      any = true;
-      for (const auto& [key, value] : scenario.values) named |= key == p.key;
-    }
-    if (any ? named : p.when == When::NextEpisode) list.push_back(p);
-  }
-  return list;
-}
-
+constexpr int kField = 104, kTable = 132;  // [px]
+constexpr QSize kRoomy(620, 580);          // [px] what it asks for
+constexpr int kScreenEdge = 48;            // [px] of the screen kept clear: the title bar
 }  // namespace
 
 PreLearningDialog::PreLearningDialog(Session& session, QWidget* parent)
     : QDialog(parent),
       session_(session),
-      pool_(session.registry()) {
+      pool_(session.registry()),
+      model_(new ModelRows(session)) {
   setWindowTitle(tr("Pre-learn, then transfer"));
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(24, 20, 24, 20);
-  grid->setHorizontalSpacing(16);
-  grid->setVerticalSpacing(8);
+  auto* body = new QWidget;
+  auto* grid = new QGridLayout(body);
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidget(body);
+  auto* column = new QVBoxLayout(this);
+  column->addWidget(scroll, 1);
   makeModel(grid);
   makeLearning(grid);
   makePool(grid);
+  makeFoot(column);
+  whenScaled(this, [this, grid, column] {
+    grid->setContentsMargins(scaled({24, 20, 24, 8}));
+    grid->setHorizontalSpacing(scaled(16));
+    grid->setVerticalSpacing(scaled(8));
+    column->setContentsMargins(0, 0, 0, scaled(16));
+    fitToScreen();
+  });
   connect(&pool_, &QPool::changed, this, &PreLearningDialog::refresh);
   connect(&pool_, &QPool::refused, words_, &QLabel::setText);
   refresh();
 }
 
+void PreLearningDialog::fitToScreen() {
+  const QSize room = screen()->availableGeometry().size() - QSize(kScreenEdge, kScreenEdge);
+  setMinimumSize(scaled({420, 300}).boundedTo(room));
+  resize(scaled(kRoomy).boundedTo(room));
+}
+
 void PreLearningDialog::makeModel(QGridLayout* grid) {
-  const auto head = [&](int column, const QString& text) {
-    auto* label = new QLabel(text);
-    label->setFont(textFont(13, 500));
-    grid->addWidget(label, grid->rowCount() - (column > 0), column);
-  };
-  head(0, tr("Model"));
-  head(1, tr("Simulation"));
-  head(2, tr("Reality"));
-  for (const Parameter& p : modelParameters(session_)) {
-    const int row = grid->rowCount();
-    auto* name = new QLabel(toText(p.title + (p.unit.empty() ? "" : " [" + p.unit + "]")));
-    name->setToolTip(tipText(linesOf(p).join('\n')));
-    grid->addWidget(name, row, 0);
-    Row fields{p, new QLineEdit, new QLineEdit};
-    for (auto [field, column, where] :
-         {std::tuple{fields.simulation, 1, tr("in simulation")}, std::tuple{fields.reality, 2, tr("in reality")}}) {
-      field->setText(toText(formatValue(p, session_.configuration().parameters.get(p.key))));
-      field->setAlignment(Qt::AlignRight);
-      field->setFixedWidth(kField);
-      field->setAccessibleName(toText(p.title) + ' ' + where);
-      grid->addWidget(field, row, column);
-    }
-    rows_.push_back(fields);
-  }
   scenario_ = new Combo(tr("Scenario of the simulation"));
   scenario_->addItem(tr("a model of your own"));
   for (const auto& entry : session_.registry().scenarios)
     if (entry.environment == session_.configuration().names.environment)
       scenario_->addItem(toText(entry.title), toText(entry.name));
-  const int row = grid->rowCount();
-  grid->addWidget(new QLabel(tr("The simulation is scenario")), row, 0);
-  grid->addWidget(scenario_, row, 1, 1, 2);
+  grid->setColumnStretch(0, 1);
+  if (scenario_->count() > 1) {
+    grid->addWidget(new QLabel(tr("The simulation is scenario")), 0, 0);
+    grid->addWidget(scenario_, 0, 1, 1, 2);
+  } else {
+    scenario_->setParent(this);
+    scenario_->hide();
+  }
+  grid->addWidget(model_, 1, 0, 1, 3);
+  model_->setVisible(!model_->empty());
   connect(scenario_, &QComboBox::activated, this,
           [this] { useScenario(scenario_->currentData().toString().toStdString()); });
-  for (const Row& r : rows_)
-    connect(r.simulation, &QLineEdit::textEdited, scenario_, [this] { scenario_->setCurrentIndex(0); });
+  connect(model_, &ModelRows::simulationTyped, scenario_, [this] { scenario_->setCurrentIndex(0); });
   if (scenario_->count() > 2) {
     scenario_->setCurrentIndex(scenario_->findData(QStringLiteral("2")));
     useScenario(scenario_->currentData().toString().toStdString());
@@ -104,18 +92,14 @@ void PreLearningDialog::makeModel(QGridLayout* grid) {
 }
 
 void PreLearningDialog::useScenario(const std::string& name) {
-  for (const auto& entry : session_.registry().scenarios) {
-    if (entry.name != name || entry.environment != session_.configuration().names.environment) continue;
-    for (const Row& row : rows_)
-      for (const auto& [key, value] : entry.values)
-        if (key == row.parameter.key) row.simulation->setText(toText(formatValue(row.parameter, value)));
-  }
+  for (const auto& entry : session_.registry().scenarios)
+    if (entry.name == name && entry.environment == session_.configuration().names.environment)
+      model_->simulate(entry.values);
 }
 
 void PreLearningDialog::makeLearning(QGridLayout* grid) {
   until_ = new QLineEdit;
   until_->setAlignment(Qt::AlignRight);
-  until_->setFixedWidth(kField);
   until_->setAccessibleName(tr("Average reward that ends the pre-learning"));
   const auto goal = session_.task().goalReward;
   if (goal) until_->setText(toText(fixedText(0.99 * *goal, 0)));
@@ -123,18 +107,21 @@ void PreLearningDialog::makeLearning(QGridLayout* grid) {
   size_->setRange(1, 20);
   size_->setValue(5);
   size_->setAccessibleName(tr("Q-functions to learn"));
-  start_ = new QPushButton;
-  start_->setAutoDefault(false);
+  whenScaled(this, [this] {
+    until_->setFixedWidth(scaled(kField));
+    size_->setFixedWidth(scaled(kField));
+  });
   int row = grid->rowCount();
-  grid->addWidget(new QLabel(tr("ε-greedy, until the average reward is")), row, 0);
+  auto* words = new QLabel(tr("ε-greedy, until the average reward is"));
+  words->setWordWrap(true);
+  grid->addWidget(words, row, 0);
   grid->addWidget(until_, row, 1);
   if (goal)
-    grid->addWidget(new QLabel(tr("%1: converged, %2: not").arg(0.99 * *goal, 0, 'f', 0).arg(0.8 * *goal, 0, 'f', 0)),
+    grid->addWidget(new QLabel(tr("%1 has converged, %2 has not")
+                                   .arg(toText(fixedText(0.99 * *goal, 0)), toText(fixedText(0.8 * *goal, 0)))),
                     row, 2);
   grid->addWidget(new QLabel(tr("Q-functions in the pool")), ++row, 0);
   grid->addWidget(size_, row, 1);
-  grid->addWidget(start_, row, 2);
-  connect(start_, &QPushButton::clicked, this, &PreLearningDialog::startOrStop);
 }
 
 void PreLearningDialog::makePool(QGridLayout* grid) {
@@ -146,35 +133,46 @@ void PreLearningDialog::makePool(QGridLayout* grid) {
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setTabKeyNavigation(false);
-  table_->setMinimumSize(480, 176);
+  whenScaled(table_, [this] {
+    table_->setMinimumHeight(scaled(kTable));
+    table_->verticalHeader()->setDefaultSectionSize(scaled(26));
+  });
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  words_ = new QLabel;
-  words_->setWordWrap(true);
-  words_->setMinimumHeight(34);
-  transfer_ = new QPushButton(tr("Begin a life in reality with it"));
-  transfer_->setAutoDefault(false);
-  int row = grid->rowCount();
+  const int row = grid->rowCount();
   grid->addWidget(table_, row, 0, 1, 3);
-  grid->addWidget(words_, ++row, 0, 1, 3);
-  grid->addWidget(transfer_, ++row, 2);
+  grid->setRowStretch(row, 1);
   connect(table_, &QTableWidget::itemSelectionChanged, this, &PreLearningDialog::refresh);
   connect(table_, &QTableWidget::itemActivated, this, &PreLearningDialog::transfer);
-  connect(transfer_, &QPushButton::clicked, this, &PreLearningDialog::transfer);
 }
 
-Result<Configuration> PreLearningDialog::model(QLineEdit* Row::*column) const {
-  Configuration c = session_.configuration();
-  for (const Row& row : rows_) {
-    const std::string text = (row.*column)->text().trimmed().toStdString();
-    if (const Status s = c.parameters.set(row.parameter.key, std::string_view(text)); !s) return s.error();
-  }
-  if (const auto environment = makeEnvironment(session_.registry(), c); !environment) return environment.error();
-  return c;
+/// What it says and what can be done, below what scrolls.
+void PreLearningDialog::makeFoot(QVBoxLayout* column) {
+  words_ = new QLabel;
+  words_->setWordWrap(true);
+  words_->setTextFormat(Qt::PlainText);
+  start_ = new QPushButton;
+  start_->setAutoDefault(false);
+  transfer_ = new QPushButton(tr("Begin a life in reality with it"));
+  transfer_->setAutoDefault(false);
+  auto* buttons = new QHBoxLayout;
+  buttons->addStretch(1);
+  buttons->addWidget(start_);
+  buttons->addWidget(transfer_);
+  column->addWidget(words_);
+  column->addLayout(buttons);
+  whenScaled(this, [this, column, buttons] {
+    words_->setMinimumHeight(scaled(34));
+    words_->setContentsMargins(scaled({24, 0, 24, 0}));
+    buttons->setContentsMargins(scaled({24, 0, 24, 0}));
+    column->setSpacing(scaled(8));
+  });
+  connect(start_, &QPushButton::clicked, this, &PreLearningDialog::startOrStop);
+  connect(transfer_, &QPushButton::clicked, this, &PreLearningDialog::transfer);
 }
 
 void PreLearningDialog::startOrStop() {
   if (pool_.busy()) return pool_.cancel();
-  auto simulation = model(&Row::simulation);
+  auto simulation = model_->model(ModelRows::Side::Simulation);
   if (!simulation) return words_->setText(toText(simulation.error().message));
   const auto until =
       parseValue({.key = "average reward", .low = -1e9, .high = 1e9}, until_->text().trimmed().toStdString());
@@ -188,7 +186,7 @@ void PreLearningDialog::startOrStop() {
 void PreLearningDialog::transfer() {
   const int row = table_->currentRow();
   if (row < 0 || row >= static_cast<int>(pool_.pool().size())) return;
-  auto reality = model(&Row::reality);
+  auto reality = model_->model(ModelRows::Side::Reality);
   if (!reality) return words_->setText(toText(reality.error().message));
   const PreLearned& one = pool_.pool()[static_cast<std::size_t>(row)];
   beginWith(*reality, one.file);
@@ -221,7 +219,7 @@ void PreLearningDialog::refresh() {
   start_->setText(pool_.busy() ? tr("Stop") : tr("Pre-learn"));
   transfer_->setEnabled(there > 0 && table_->currentRow() >= 0);
   words_->setText(
-      rows_.empty()        ? tr("This environment's model has nothing to be wrong about; what is learned is "
+      model_->empty()      ? tr("This environment's model has nothing to be wrong about; what is learned is "
                                        "carried over as it is.")
       : pool_.busy()       ? tr("%1 of %2 are learned. The world goes on meanwhile.").arg(there).arg(pool_.asked())
       : pool_.asked() == 0 ? tr("The pool appears here: learn on the simulation, then choose one and begin a "

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// "Pre-learn, then transfer": two columns of the model, simulation and reality, a pool of Q-functions learned on the
-// first, and the life on the second that begins with one of them.
+// "Pre-learn, then transfer": where the model differs between simulation and reality, a pool of Q-functions learned on
+// the first, and the life on the second that begins with one of them. It fits every screen: what is too long scrolls.
 #pragma once
 
 #include <QDialog>
-#include <vector>
+#include <string>
 
-#include "core/parameters.h"
 #include "ui/q_pool.h"
 
 class QGridLayout;
@@ -15,10 +14,12 @@ class QLineEdit;
 class QPushButton;
 class QSpinBox;
 class QTableWidget;
+class QVBoxLayout;
 
 namespace surefoot {
 
 class Combo;
+class ModelRows;
 class Session;
 
 class PreLearningDialog final : public QDialog {
@@ -32,15 +33,12 @@ class PreLearningDialog final : public QDialog {
   void transferred(const QString& sentence);
 
  private:
-  struct Row {
-    Parameter parameter;
-    QLineEdit *simulation, *reality;
-  };
   void makeModel(QGridLayout* grid);
   void makeLearning(QGridLayout* grid);
   void makePool(QGridLayout* grid);
+  void makeFoot(QVBoxLayout* column);
+  void fitToScreen();
   void useScenario(const std::string& name);
-  Result<Configuration> model(QLineEdit* Row::*column) const;
   void startOrStop();
   void transfer();
   void refresh();
@@ -48,7 +46,7 @@ class PreLearningDialog final : public QDialog {
 
   Session& session_;
   QPool pool_;
-  std::vector<Row> rows_;
+  ModelRows* model_;
   Combo* scenario_ = nullptr;
   QLineEdit* until_ = nullptr;
   QSpinBox* size_ = nullptr;

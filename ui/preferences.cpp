@@ -6,11 +6,17 @@
 #include <QCheckBox>
 #include <QDialogButtonBox>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QRadioButton>
 #include <QSettings>
 #include <QSpinBox>
 #include <algorithm>
+#include <cmath>
+
+#include "ui/combo.h"
+#include "ui/fitted_dialog.h"
+#include "ui/scale.h"
 
 namespace surefoot {
 
@@ -25,6 +31,8 @@ Preferences readPreferences() {
   p.reduceMotion = settings.value(kReduceMotion, false).toBool();
   p.beginRunning = settings.value("beginRunning", true).toBool();
   p.autosaveMinutes = std::clamp(settings.value("autosaveMinutes", 1).toInt(), 1, 60);
+  const double size = settings.value("textSize", 1.0).toDouble();
+  p.textSize = std::isfinite(size) ? std::clamp(size, kSmallestText, kLargestText) : 1.0;
   qApp->setProperty(kReduceMotion, p.reduceMotion);
   return p;
 }
@@ -35,6 +43,7 @@ void writePreferences(const Preferences& p) {
   settings.setValue(kReduceMotion, p.reduceMotion);
   settings.setValue("beginRunning", p.beginRunning);
   settings.setValue("autosaveMinutes", p.autosaveMinutes);
+  settings.setValue("textSize", p.textSize);
   qApp->setProperty(kReduceMotion, p.reduceMotion);
 }
 
@@ -45,10 +54,13 @@ bool reducedMotion() {
 PreferencesDialog::PreferencesDialog(QWidget* parent) : QDialog(parent) {
   setWindowTitle(tr("Preferences"));
   const Preferences now = readPreferences();
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(24, 20, 24, 20);
-  grid->setHorizontalSpacing(24);
-  grid->setVerticalSpacing(10);
+  auto* body = new QWidget;
+  auto* grid = new QGridLayout(body);
+  whenScaled(this, [grid] {
+    grid->setContentsMargins(scaled({24, 20, 24, 20}));
+    grid->setHorizontalSpacing(scaled(24));
+    grid->setVerticalSpacing(scaled(10));
+  });
   int row = 0;
   const auto label = [&](const QString& text) { grid->addWidget(new QLabel(text), row, 0, Qt::AlignTop); };
 
@@ -65,6 +77,15 @@ PreferencesDialog::PreferencesDialog(QWidget* parent) : QDialog(parent) {
     connect(button, &QRadioButton::clicked, this,
             [this, appearance = appearance] { change([&](Preferences& p) { p.appearance = appearance; }); });
   }
+  label(tr("Text size"));
+  auto* sizes = new Combo(tr("Text size"));
+  for (const int percent : {80, 90, 100, 110, 120, 130, 140, 150, 160, 170, 180, 190, 200})
+    sizes->addItem(percent == 160 ? tr("160 %: projector") : tr("%1 %").arg(percent), percent / 100.0);
+  sizes->setCurrentIndex(static_cast<int>(std::lround((now.textSize - kSmallestText) / kTextStep)));
+  grid->addWidget(sizes, row++, 1, Qt::AlignLeft);
+  connect(sizes, &QComboBox::activated, this, [this, sizes] {
+    change([&](Preferences& p) { p.textSize = sizes->currentData().toDouble(); });
+  });
   const auto check = [&](const QString& text, bool on, bool Preferences::*member) {
     auto* box = new QCheckBox(text);
     box->setChecked(on);
@@ -91,7 +112,11 @@ PreferencesDialog::PreferencesDialog(QWidget* parent) : QDialog(parent) {
 
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  grid->addWidget(buttons, row, 0, 1, 2);
+  auto* foot = new QWidget;
+  auto* line = new QHBoxLayout(foot);
+  line->addWidget(buttons);
+  whenScaled(foot, [line] { line->setContentsMargins(scaled({24, 0, 24, 20})); });
+  fillDialog(*this, body, foot);
 }
 
 void PreferencesDialog::change(const std::function<void(Preferences&)>& how) {

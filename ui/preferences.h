@@ -14,6 +14,7 @@ struct Preferences {
   bool reduceMotion = false;  ///< no trail, no flash, no gliding camera, replays stand still
   bool beginRunning = true;   ///< the window learns as soon as it is open
   int autosaveMinutes = 1;    ///< 1 … 60, between two copies on the disk
+  double textSize = 1.0;      ///< 0.8 … 2.0, of everything (ui/scale.h)
 };
 
 Preferences readPreferences();

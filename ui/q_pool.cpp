@@ -10,6 +10,7 @@ namespace surefoot {
 
 QPool::QPool(const Registry& registry, QObject* parent) : QObject(parent), registry_(registry) {
   connect(&background_, &Background::busyChanged, this, &QPool::changed);
+  connect(&background_, &Background::failed, this, &QPool::refused);
 }
 
 namespace {

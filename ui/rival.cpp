@@ -36,7 +36,9 @@ Rival::Rival(Session& first, QWidget* parent)
       firstHad_(valuesOf(first.configuration().parameters)),
       session_(std::make_unique<Session>(first.registry(), configurationLikeFirst(), false)),
       lineage_(first.lineage()),
+      ranBeside_(lineage_),
       keptBeside_(lineage_) {
+  connect(&reading_, &Background::failed, this, &Rival::refused);
   world_ = new WorldView(*session_, this);
   world_->setAccessibleName(tr("World of the second"));
   auto* column = new QVBoxLayout(this);
@@ -46,7 +48,12 @@ Rival::Rival(Session& first, QWidget* parent)
   connect(&first_, &Session::stateChanged, this, &Rival::follow);
   connect(&first_, &Session::configurationChanged, this, &Rival::followParameters);
   connect(&first_, &Session::lifeReplaced, this, &Rival::firstReplaced);
-  connect(session_.get(), &Session::refused, this, &Rival::refused);
+  connect(session_.get(), &Session::refused, this, [this](const QString& why) {  // the life goes on as it was
+    begin_ = began_;
+    Q_EMIT changed();
+    Q_EMIT refused(why);
+  });
+  connect(session_.get(), &Session::lifeReplaced, this, &Rival::secondReplaced);
   connect(session_.get(), &Session::needsNewTable, this, &Rival::askForNewTable);
   connect(session_.get(), &Session::configurationChanged, this, &Rival::changed);
   connect(session_.get(), &Session::lifeKept, this, [this] {
@@ -73,8 +80,8 @@ Configuration Rival::configurationLikeFirst() {
     if (own.parameters.find(key)) static_cast<void>(static_cast<bool>(own.parameters.set(key, value)));
   own.start.reset();
   own.beganWith = {};
-  if (start_ == Start::File && file_) beginWith(own, file_);
-  if (start_ == Start::Same && fits(own)) {
+  if (begin_.start == Start::File && begin_.file) beginWith(own, begin_.file);
+  if (begin_.start == Start::Same && fits(own)) {
     own.start = first_.began().start;
     own.beganWith = first_.began().beganWith;
   }
@@ -96,11 +103,14 @@ void Rival::startAgain() {
   Configuration own = configurationLikeFirst();
   const bool empty = !own.start;
   const QString began = first_.beginning();
-  if (const Status s = session_->begin(std::move(own)); !s) return Q_EMIT refused(toText(s.error().message));
+  if (const Status s = session_->begin(std::move(own)); !s) {
+    begin_ = began_;
+    return Q_EMIT refused(toText(s.error().message));
+  }
   follow();
-  if (start_ == Start::Same && empty && !began.isEmpty())
+  if (begin_.start == Start::Same && empty && !began.isEmpty())
     Q_EMIT told(
-        tr("The second cannot have the same start (%1): its tables are other ones. It begins empty.").arg(began));
+        tr("The second cannot have the same start (%1): its tables differ. It begins empty.").arg(began));
 }
 
 /// The second begins anew with the first; a life of the first that was brought back brings the one beside it back.
@@ -109,9 +119,9 @@ void Rival::firstReplaced() {
     startsLate_ = true;
     return;
   }
-  keptBeside_ = std::exchange(lineage_, first_.lineage());
+  const std::uint64_t before = std::exchange(lineage_, first_.lineage());
   const auto beside = beside_.find(lineage_);
-  if (keptBeside_ == lineage_ || beside == beside_.end() || !beside->second->aside) return startAgain();
+  if (before == lineage_ || beside == beside_.end() || !beside->second->aside) return startAgain();
   std::shared_ptr<KeptLife> kept = beside->second;
   beside_.erase(beside);
   session_->bringBack(kept);
@@ -120,6 +130,11 @@ void Rival::firstReplaced() {
   policy_ = session_->configuration().names.policy;
   follow();
   Q_EMIT changed();
+}
+
+void Rival::secondReplaced() {
+  keptBeside_ = std::exchange(ranBeside_, lineage_);
+  began_ = begin_;
 }
 
 void Rival::follow() {
@@ -142,21 +157,36 @@ void Rival::followParameters() {
   }
 }
 
-void Rival::choose(const std::string& agent, const std::string& policy) {
-  policy_ = policy;
-  if (agent == agent_) {
-    session_->setPolicy(policy_);
-  } else {
-    agent_ = agent;
+/// Chooses and begins, at once where nothing was learned.
+void Rival::askToStartAgain(const QString& why, std::function<void()> choose) {
+  const auto goOn = [this, choose = std::move(choose)] {
+    choose();
     startAgain();
+    Q_EMIT changed();
+  };
+  if (!session_->learned()) return goOn();
+  Q_EMIT changed();  // until it is answered all is as it was
+  Q_EMIT newTableAsked(
+      tr("%1: the second starts again from the beginning, and what it learned in %2 episodes is given up.")
+          .arg(why, toText(countText(static_cast<double>(session_->progress().episodes)))),
+      goOn);
+}
+
+void Rival::choose(const std::string& agent, const std::string& policy) {
+  if (agent == agent_) {
+    policy_ = policy;
+    session_->setPolicy(policy_);
+    Q_EMIT changed();
+  } else {
+    askToStartAgain(tr("Another learning rule needs a new table"), [this, agent, policy] {
+      agent_ = agent;
+      policy_ = policy;
+    });
   }
-  Q_EMIT changed();
 }
 
 void Rival::setStart(Start start) {
-  start_ = start;
-  startAgain();
-  Q_EMIT changed();
+  askToStartAgain(tr("Another start"), [this, start] { begin_.start = start; });
 }
 
 void Rival::startWith(const QString& path) {
@@ -164,8 +194,7 @@ void Rival::startWith(const QString& path) {
   reading_.start([read, name = path.toStdString()](const std::atomic<bool>&) { *read = readQFile(name); },
                  [this, read] {
                    if (!*read) return Q_EMIT refused(toText(read->error().message));
-                   file_ = **read;
-                   setStart(Start::File);
+                   askToStartAgain(tr("Another start"), [this, file = **read] { begin_ = {Start::File, file}; });
                  });
 }
 

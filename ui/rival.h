@@ -36,8 +36,9 @@ class Rival final : public QWidget {
 
   const std::string& policy() const { return policy_; }
   const std::string& agent() const { return agent_; }
+  Start start() const { return begin_.start; }
+  // Another learning rule or start begins a new life; one that has learned anything is asked for first.
   void choose(const std::string& agent, const std::string& policy);
-  Start start() const { return start_; }
   void setStart(Start start);
   /// … a Q-function in a file.
   void startWith(const QString& path);
@@ -50,27 +51,33 @@ class Rival final : public QWidget {
  Q_SIGNALS:
   void refused(const QString& sentence);
   void told(const QString& sentence);
-  void newTableAsked(const QString& sentence, const std::function<void()>& startAgain);
+  void newTableAsked(const QString& sentence, const std::function<void()>& goOn);
   void changed();  ///< policy, learning rule, start or parameters
 
  private:
   Configuration configurationLikeFirst();
   bool fits(const Configuration& own) const;
   void firstReplaced();
+  void secondReplaced();
   void startAgain();
+  void askToStartAgain(const QString& why, std::function<void()> choose);
   void follow();
   void followParameters();
   void askForNewTable(const QString& key, double value);
 
   Session& first_;
+  struct Beginning {
+    Start start = Start::Same;
+    std::shared_ptr<const TensorFile> file{};
+  };
   std::string policy_, agent_;
-  Start start_ = Start::Same;
-  std::shared_ptr<const TensorFile> file_;
+  Beginning begin_, began_;  // what is chosen; what the life began with
   std::map<std::string, double> firstHad_, own_;
   std::unique_ptr<Session> session_;
   /// The lives that the second had beside lives of the first, by their lineage.
   std::map<std::uint64_t, std::shared_ptr<KeptLife>> beside_;
-  std::uint64_t lineage_, keptBeside_;
+  std::uint64_t lineage_;                  // of the first's life
+  std::uint64_t ranBeside_, keptBeside_;  // the first's life beside the second's; beside that of the second before
   bool resting_ = false, startsLate_ = false;
   WorldView* world_ = nullptr;
   QPointer<CompareStrip> strip_;

@@ -22,7 +22,7 @@ QString oneDecimal(double value) {
 }  // namespace
 
 RuleView::RuleView(Session& session, QWidget* parent)
-    : QWidget(parent),
+    : Painted(parent),
       session_(session),
       use_(new QPushButton(this)) {
   use_->setToolTip(tr("Sets TRL's threshold to the rule's number, rounded; Edit › Undo takes it back"));
@@ -94,12 +94,13 @@ QStringList RuleView::lines() const {
 
 void RuleView::resizeEvent(QResizeEvent*) {
   const QSize size = use_->sizeHint();
-  use_->setGeometry(std::max(kPadding, width() - kPadding - size.width()), 4, size.width(), size.height());
+  const int padding = scaled(kPadding);
+  use_->setGeometry(std::max(padding, QWidget::width() - padding - size.width()), scaled(4), size.width(), size.height());
 }
 
 void RuleView::paintEvent(QPaintEvent*) {
   const Theme& t = themeOf(*this);
-  QPainter p(this);
+  ScaledPainter p(this);
   p.fillRect(rect(), t.panel);
   const QStringList list = lines();
   const QFont text = textFont(kText);
@@ -110,7 +111,7 @@ void RuleView::paintEvent(QPaintEvent*) {
     return;
   }
   const QFont large = textFont(kNumber, 500);
-  const double head = std::max<double>(QFontMetricsF(large).height(), use_->height()) + 4;
+  const double head = std::max<double>(QFontMetricsF(large).height(), placeOf(*use_).height()) + 4;
   p.setFont(large);
   p.setPen(t.trl);
   p.drawText(QRectF(kPadding, 4, width() - 2 * kPadding, head - 4), Qt::AlignVCenter, list[0]);

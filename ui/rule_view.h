@@ -6,6 +6,8 @@
 #include <QStringList>
 #include <QWidget>
 
+#include "ui/painted.h"
+
 class QPushButton;
 
 namespace surefoot {
@@ -13,13 +15,13 @@ namespace surefoot {
 class Session;
 struct RuleOfThumb;
 
-class RuleView final : public QWidget {
+class RuleView final : public Painted<> {
   Q_OBJECT
 
  public:
   explicit RuleView(Session& session, QWidget* parent = nullptr);
-  QSize sizeHint() const override { return {300, 200}; }
-  QSize minimumSizeHint() const override { return {240, 150}; }
+  QSize sizeHint() const override { return scaled({300, 200}); }
+  QSize minimumSizeHint() const override { return scaled({240, 150}); }
   /// What it says: the number first; one sentence where there is no rule.
   QStringList lines() const;
 

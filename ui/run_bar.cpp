@@ -38,10 +38,10 @@ int positionOf(double pace) {
 }
 
 QIcon markerIcon(const std::string& policy, const Theme& t) {
-  QPixmap pixmap(32, 32);
+  QPixmap pixmap(scaled({32, 32}));
   pixmap.setDevicePixelRatio(2);
   pixmap.fill(Qt::transparent);
-  QPainter p(&pixmap);
+  ScaledPainter p(&pixmap);
   drawMarker(p, {8, 8}, policyLook(policy, t), true);
   return pixmap;
 }
@@ -49,10 +49,9 @@ QIcon markerIcon(const std::string& policy, const Theme& t) {
 }  // namespace
 
 RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
-    : QWidget(parent),
+    : Painted(parent),
       session_(session),
       actions_(actions) {
-  setFixedHeight(48);
   auto* run = new BarButton(actions.run, Icon::Run, BarButton::Look::Main, this);
   buttons_ = {run, new BarButton(actions.step, Icon::Step, BarButton::Look::Quiet, this),
               new BarButton(actions.restart, Icon::Restart, BarButton::Look::Quiet, this)};
@@ -104,8 +103,12 @@ RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
   for (const auto changed : {&Session::valuesArrived, &Session::lifeReplaced, &Session::stateChanged})
     connect(&session_, changed, this, &RunBar::readNumbers);
   makeMeaning();
-  setMarkers();
-  refresh();
+  whenScaled(this, [this] {
+    setFixedHeight(scaled(48));
+    setMarkers();
+    fillTasks();
+    refresh();
+  });
   readNumbers();
 }
 
@@ -156,7 +159,7 @@ void RunBar::fillTasks() {
     const int i = task_->count() - 1;
     task_->setItemData(i, kIsHead, Qt::UserRole);
     task_->setItemData(i, 0, Qt::UserRole - 1);  // its flags: nothing to choose
-    task_->setItemData(i, textFont(11, 500), Qt::FontRole);
+    task_->setItemData(i, scaledFont(11, 500), Qt::FontRole);
   };
   const auto add = [&](const auto& entry, const std::string& name, bool isEnvironment) {
     task_->addItem(toText(entry.title), toText(name));
@@ -176,7 +179,7 @@ void RunBar::fillTasks() {
       add(entry, entry.name, true);
     else if (!any)
       add(entry, "", false);
-  task_->view()->setMinimumWidth(task_->view()->sizeHintForColumn(0) + 24);
+  task_->view()->setMinimumWidth(task_->view()->sizeHintForColumn(0) + scaled(24));
 }
 
 void RunBar::fillAgents() {
@@ -191,6 +194,7 @@ void RunBar::fillAgents() {
 
 void RunBar::setMarkers() {
   const Theme& t = themeOf(*this);
+  policy_->setIconSize(scaled({16, 16}));
   for (int i = 0; i < policy_->count(); ++i)
     policy_->setItemIcon(i, markerIcon(policy_->itemData(i).toString().toStdString(), t));
 }

@@ -8,6 +8,8 @@
 #include <QWidget>
 #include <vector>
 
+#include "ui/painted.h"
+
 class QToolButton;
 
 namespace surefoot {
@@ -21,12 +23,12 @@ struct RunActions {
   QAction *run, *step, *restart, *turbo, *faster, *slower, *back, *live;
 };
 
-class RunBar final : public QWidget {
+class RunBar final : public Painted<> {
   Q_OBJECT
 
  public:
   RunBar(Session& session, const RunActions& actions, QWidget* parent = nullptr);
-  QSize sizeHint() const override { return {1280, 48}; }
+  QSize sizeHint() const override { return scaled({1280, 48}); }
   /// One notch up or down the slider.
   void changePace(int notches);
   /// What the counters say: falls, episodes, and how much faster than real time it runs (empty: not known).
@@ -58,7 +60,7 @@ class RunBar final : public QWidget {
 
  private:
   /// What there is no room for, the first of them first.
-  enum Fold { kNothing, kBoxes, kPaceWord, kEpisodes, kPace, kFactor, kShortBoxes, kFolds };
+  enum Fold { kNothing, kPaceWord, kEpisodes, kFactor, kPace, kBoxes, kShortBoxes, kFolds };
   void layOut();
   int place(int fold, int spare);
   std::vector<Word> counter() const;

@@ -41,8 +41,9 @@ int RunBar::place(int fold, int spare) {
   const int middle = height() / 2;
   int x = 8;
   const auto put = [&](QWidget* w, int gap) {
-    w->move(x, middle - w->height() / 2);
-    x += w->width() + gap;
+    const QSize size = placeOf(*w).size().toSize();
+    w->move(scaled(x), scaled(middle - size.height() / 2));
+    x += size.width() + gap;
   };
   for (std::size_t i = 0; i < 3; ++i) put(buttons_[i], 8);
   x += 16;
@@ -51,8 +52,9 @@ int RunBar::place(int fold, int spare) {
   paceLabel_ = factorLabel_ = 0;
   if (pace) {
     if (fold < kPaceWord) x += px(40);
-    pace_->setGeometry(x, middle - 12, fold < kPaceWord ? px(106) : px(72), 24);
-    x += pace_->width() + 6;
+    const int length = fold < kPaceWord ? px(106) : px(72);
+    Painted::place(*pace_, {x, middle - 12, length, 24});
+    x += length + 6;
     paceLabel_ = x;
     x += px(40);
   }
@@ -63,18 +65,19 @@ int RunBar::place(int fold, int spare) {
   }
   x += 8;
   const int least = fold < kShortBoxes ? px(100) : px(64);
-  const double name = symbolWidth(textFont(13), task_->currentText());
-  const int wanted[] = {std::clamp(static_cast<int>(name) + px(46), px(132), px(240)), px(132), px(116)};
+  const auto wanted = [&](const QComboBox* combo) {  // for all of its text
+    const double name = symbolWidth(textFont(13), combo->currentText()) + (combo == policy_ ? px(20) : 0);
+    return std::clamp(static_cast<int>(name) + px(46), px(combo == policy_ ? 116 : 132), px(280));
+  };
   int need = 0;
-  for (const int w : wanted) need += std::max(0, w - least);
-  const double share = fold == kNothing ? 1.0 : std::clamp(spare / std::max(1.0, static_cast<double>(need)), 0.0, 1.0);
-  int i = 0;
+  for (const QComboBox* combo : {task_, agent_, policy_}) need += std::max(0, wanted(combo) - least);
+  const double share = fold < kBoxes ? 1.0 : std::clamp(spare / std::max(1.0, static_cast<double>(need)), 0.0, 1.0);
   for (QComboBox* combo : {task_, agent_, policy_}) {
-    const int w = least + static_cast<int>(share * std::max(0, wanted[i++] - least));
-    combo->setGeometry(x, middle - px(kButton) / 2, w, px(kButton));
+    const int w = least + static_cast<int>(share * std::max(0, wanted(combo) - least));
+    Painted::place(*combo, {x, middle - px(kButton) / 2, w, px(kButton)});
     x += w + 8;
   }
-  meaning_->resize(px(20), px(28));
+  meaning_->resize(scaled({24, 28}));
   x -= 6;
   put(meaning_, 8);
   return x;
@@ -94,16 +97,16 @@ void RunBar::layOut() {
 void RunBar::paintEvent(QPaintEvent*) {
   const Theme& t = themeOf(*this);
   const double k = textScale();
-  QPainter p(this);
+  ScaledPainter p(this);
   p.fillRect(rect(), t.panel);
   p.fillRect(QRect(0, height() - 1, width(), 1), t.hairline);
-  for (const int x : {buttons_[2]->geometry().right() + 14, task_->x() - 10})
-    p.fillRect(QRect(x, height() / 4, 1, height() / 2), t.hairline);
+  for (const double x : {placeOf(*buttons_[2]).right() + 13, placeOf(*task_).x() - 10})
+    p.fillRect(QRectF(x, height() / 4, 1, height() / 2), t.hairline);
   const QRectF line(0, 0, width(), height());
   p.setFont(textFont(13));
   p.setPen(t.quiet);
   if (fold_ < kPaceWord)
-    drawSymbol(p, line.adjusted(0, 0, pace_->x() - 6 - width(), 0), Qt::AlignRight, tr("Pace"));
+    drawSymbol(p, line.adjusted(0, 0, placeOf(*pace_).x() - 6 - width(), 0), Qt::AlignRight, tr("Pace"));
   p.setPen(t.ink);
   const double pace = session_.pace();
   if (paceLabel_ > 0)

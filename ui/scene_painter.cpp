@@ -86,6 +86,18 @@ QRectF ScenePainter::within(QRectF text) const {
   return text;
 }
 
+QRectF ScenePainter::free(const QRectF& text) const {
+  for (const double lines : {0.0, -1.0, 1.0}) {
+    const QRectF where = within(text.translated(0, 0.85 * lines * text.height()));
+    const QRectF letters = where.adjusted(0, 0.2 * where.height(), 0, -0.2 * where.height());
+    const auto covers = [&](const QRectF& other) { return other.intersects(letters); };
+    if (std::any_of(words_.begin(), words_.end(), covers)) continue;
+    words_.push_back(letters);
+    return where;
+  }
+  return {};
+}
+
 void ScenePainter::operator()(const Arrow& arrow) const {
   const QPointF from = toPixel_(arrow.from);
   const double side = arrow.length > 0 ? 1 : -1, head = std::clamp(Arrow::kHead * scale_, 8.0 * strokes_, 12.0 * strokes_);
@@ -100,7 +112,7 @@ void ScenePainter::operator()(const Arrow& arrow) const {
   const QString text = QString::fromStdString(arrow.text);
   const double width = symbolWidth(p_.font(), text), height = QFontMetricsF(p_.font()).height();
   const QRectF where((from.x() + to.x() - width) / 2, from.y() - 0.6 * head - 4 - height, width, height);
-  drawSymbol(p_, within(where), Qt::AlignHCenter, text);
+  if (const QRectF place = free(where); !place.isNull()) drawSymbol(p_, place, Qt::AlignHCenter, text);
 }
 
 QFont ScenePainter::fontOf(const Label& label) {
@@ -121,7 +133,8 @@ void ScenePainter::operator()(const Label& label) const {
   const double k = textScale(), height = QFontMetricsF(font).height();
   const QPointF at = toPixel_(label.at) + k * QPointF(label.dx, label.dy);
   const double left = label.align == 0 ? at.x() - width / 2 : label.align > 0 ? at.x() : at.x() - width;
-  const QRectF where = within({left, at.y() - height / 2, width, height});
+  const QRectF where = free({left, at.y() - height / 2, width, height});
+  if (where.isNull()) return;
   if (label.halo) {
     p_.setPen(Qt::NoPen);
     p_.setBrush(t_.paper);

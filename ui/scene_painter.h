@@ -4,6 +4,7 @@
 
 #include <QPainter>
 #include <functional>
+#include <vector>
 
 #include "core/scene.h"
 #include "ui/theme.h"
@@ -40,6 +41,8 @@ class ScenePainter {
   QPen outline(Ink ink, double width) const;
   QPolygonF pixels(const std::vector<Point>& points) const;
   QRectF within(QRectF text) const;
+  /// Beside the words that are there already; null: there is no room for it.
+  QRectF free(const QRectF& text) const;
 
   QPainter& p_;
   const Theme& t_;
@@ -47,6 +50,7 @@ class ScenePainter {
   std::function<QPointF(Point)> toPixel_;
   double scale_, strokes_ = 1.0;
   QRectF bounds_;
+  mutable std::vector<QRectF> words_;  // drawn so far
 };
 
 /// All of a scene; words that may lie over a body come last, so that no line goes through them.

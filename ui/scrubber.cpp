@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "ui/link_button.h"
+#include "ui/scale.h"
 #include "ui/session.h"
 #include "ui/slider.h"
 #include "ui/symbol_text.h"
@@ -20,9 +21,11 @@ Scrubber::Scrubber(Session& session, QWidget* parent)
       slider_(new Slider(this)) {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(4);
   slider_->setAccessibleName(tr("Moment"));
-  slider_->setMinimumWidth(24);
+  whenScaled(this, [this, row] {
+    row->setSpacing(scaled(4));
+    slider_->setMinimumWidth(scaled(24));
+  });
   row->addWidget(play_);
   row->addWidget(slider_, 1);
   row->addWidget(live_);
@@ -42,7 +45,7 @@ Scrubber::Scrubber(Session& session, QWidget* parent)
 }
 
 void Scrubber::fold(int room) {
-  const int usual = static_cast<int>(290 * textScale());
+  const int usual = scaled(290);
   setFixedWidth(session_.playback() ? std::clamp(usual, 0, std::max(0, room)) : 0);
 }
 

@@ -32,6 +32,7 @@ Session::Session(const Registry& registry, Configuration configuration, bool kee
   curves_.setBegan(beginningOf(began_));
   learner_ = std::make_unique<LearnerThread>(std::move(*life));
   makeViewer();
+  connect(&background_, &Background::failed, this, &Session::refused);
   timer_.setTimerType(Qt::PreciseTimer);
   connect(&timer_, &QTimer::timeout, this, &Session::tick);
   timer_.start(kFrame);

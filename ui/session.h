@@ -159,9 +159,14 @@ class Session final : public QObject {
   QUndoStack& undo() { return undo_; }
   /// Use this instead of undo().push(): a life that could be brought back by redo stays within reach of undo.
   void push(QUndoCommand* command);
-  /// Called before a life ends for good that was not saved; it ends when `goOn` is called. Not set: it ends.
+  /// … and these instead of its own for what is undone in one go.
+  void beginMacro(const QString& text);
+  void endMacro() { undo_.endMacro(); }
+  /// Called before a life ends for good that was not saved; it ends when `goOn` is called. Not set: it ends. `kept`:
+  /// one that is kept for undo, of which the memory is needed; nullptr: the one that runs.
   using GoOn = std::function<void()>;
-  void setAskBeforeEnding(std::function<void(const GoOn& goOn)> ask) { askBeforeEnding_ = std::move(ask); }
+  using Ask = std::function<void(const std::shared_ptr<KeptLife>& kept, const GoOn& goOn)>;
+  void setAskBeforeEnding(Ask ask) { askBeforeEnding_ = std::move(ask); }
   /// Memory for lives that undo can bring back [bytes].
   void setMostKept(std::size_t bytes) { mostKept_ = bytes; }
   /// Lives within reach of undo and redo of which something is not saved.
@@ -226,9 +231,12 @@ class Session final : public QObject {
   Result<std::unique_ptr<Life>> makeLifeOf(const Configuration& configuration) const;
   Parameters baseOf(const Names& names) const;
   void adopt(std::unique_ptr<Life> life, std::shared_ptr<KeptLife> before);
+  void keepCurves(std::shared_ptr<KeptLife> last);
   void begun(ReplaceLife replacement);
   friend class AnotherLife;
+  std::size_t bytesOfLife() const;
   bool canKeep() const;
+  std::shared_ptr<KeptLife> withoutRoom(std::size_t more, int lives) const;
   std::shared_ptr<KeptLife> putAside();
   std::shared_ptr<KeptLife> putAsideIfLearned();
   void keep(const std::shared_ptr<KeptLife>& kept);
@@ -273,7 +281,7 @@ class Session final : public QObject {
   std::size_t bytesOfLife_ = 0, mostKept_ = 600u << 20;
   std::uint64_t lineage_ = 1, lineages_ = 1;  // changes that were made to one life are not undone in another
   std::vector<std::weak_ptr<KeptLife>> kept_;
-  std::function<void(const GoOn&)> askBeforeEnding_;
+  Ask askBeforeEnding_;
   bool undoAgain_ = false;
 };
 

@@ -145,11 +145,10 @@ void Session::setScenario(const std::string& name) {
   if (!entry) return;
   configuration_.names.scenario = name;
   base_ = baseOf(configuration_.names);
-  saveRedone();
-  undo_.beginMacro(QString::fromStdString((*entry)->title));
+  beginMacro(QString::fromStdString((*entry)->title));
   for (const auto& [key, value] : (*entry)->values)
     if (!setParameter(key, value)) break;
-  undo_.endMacro();
+  endMacro();
   Q_EMIT configurationChanged();
 }
 

@@ -148,8 +148,10 @@ Status Session::whenMade(Make make, Adopt adopt, const Then& then) {
 }
 
 void Session::finishOrAsk(std::function<void()> finish) {
-  if (unsaved() && !canKeep() && askBeforeEnding_)
-    askBeforeEnding_(finish);
+  const bool keeps = canKeep();
+  const auto least = learned() && keeps ? withoutRoom(bytesOfLife(), 1) : nullptr;
+  if (askBeforeEnding_ && ((unsaved() && !keeps) || (least && least->unsaved())))
+    askBeforeEnding_(least, finish);
   else
     finish();
 }

@@ -9,7 +9,7 @@
 namespace surefoot {
 
 namespace {
-constexpr std::size_t kMostKept = 8;                // lives
+constexpr int kMostKept = 50;                       // lives
 constexpr std::size_t kLeastMemory = 256u << 20;    // [bytes] that must be left
 constexpr std::size_t kMostValuesThen = 16u << 20;  // [bytes] of values kept with falls
 constexpr std::size_t kBeside = 8u << 20;           // [bytes] that curves and falls take, about
@@ -25,6 +25,12 @@ std::optional<std::size_t> availableMemory() {
     if (good) return kilobytes * 1024;
   }
   return std::nullopt;
+}
+
+/// Whether one of them is rather let go than another: what is saved, then that in which less was learned.
+bool goesBefore(const KeptLife& one, const KeptLife& other) {
+  if (one.unsaved() != other.unsaved()) return other.unsaved();
+  return one.progress.steps < other.progress.steps;
 }
 
 /// Gives the life that runs way to another one, or to another one that was kept.
@@ -59,7 +65,7 @@ class AnotherLife final : public QUndoCommand {
 void Session::adopt(std::unique_ptr<Life> life, std::shared_ptr<KeptLife> before) {
   const bool wasFinished = runFinished();
   const bool elsewhere = curvesIn_ != configuration_.names.environment;
-  if (elsewhere && before) before->curves = curves_;
+  if (elsewhere) keepCurves(before);
   elsewhere ? curves_.forget() : curves_.archive();
   curvesIn_ = configuration_.names.environment;
   falls_.clear();
@@ -71,6 +77,13 @@ void Session::adopt(std::unique_ptr<Life> life, std::shared_ptr<KeptLife> before
   begun(ReplaceLife{.life = std::move(life), .back = {}, .before = before ? before->aside : nullptr});
   if (wasFinished) setRunning(true);
   if (before) keep(before);
+}
+
+/// Where another environment begins, the curves stay with the last life of this one that can be brought back.
+void Session::keepCurves(std::shared_ptr<KeptLife> last) {
+  for (auto other = kept_.rbegin(); !last && other != kept_.rend(); ++other)
+    if (auto life = other->lock(); life && life->aside && life->curvesIn == curvesIn_) last = std::move(life);
+  if (last) last->curves = curves_;
 }
 
 void Session::begun(ReplaceLife replacement) {
@@ -126,9 +139,15 @@ void Session::setFile(LifeFile file) {
   Q_EMIT fileChanged();
 }
 
+/// Hashed tables grow while a life goes on.
+std::size_t Session::bytesOfLife() const {
+  const ValueSnapshot* newest = values();
+  return std::max(bytesOfLife_, newest && newest->values ? newest->values->bytes() : 0);
+}
+
 bool Session::canKeep() const {
   const auto available = availableMemory();
-  return bytesOfLife_ <= mostKept_ && (!available || *available >= kLeastMemory);
+  return bytesOfLife() <= mostKept_ && (!available || *available >= kLeastMemory);
 }
 
 /// What the window knows of the life that runs goes into it; the life itself follows when the thread comes to it.
@@ -147,7 +166,7 @@ std::shared_ptr<KeptLife> Session::putAside() {
   std::size_t values = 0;
   for (const auto& [number, then] : valuesThen_) values += then->bytes();
   if (values <= kMostValuesThen) kept->valuesThen = valuesThen_;
-  kept->bytes = bytesOfLife_;
+  kept->bytes = bytesOfLife();
   return kept;
 }
 
@@ -156,22 +175,24 @@ std::shared_ptr<KeptLife> Session::putAsideIfLearned() {
   return learned() && canKeep() ? putAside() : nullptr;
 }
 
+/// Of the lives that are kept the one to let go if so many lives and bytes come to them; nullptr: there is room.
+std::shared_ptr<KeptLife> Session::withoutRoom(std::size_t more, int lives) const {
+  std::size_t bytes = more;
+  std::shared_ptr<KeptLife> least;
+  for (const auto& other : kept_) {
+    const auto life = other.lock();
+    if (!life || !life->aside) continue;
+    bytes += life->bytes + kBeside;
+    ++lives;
+    if (!least || goesBefore(*life, *least)) least = life;
+  }
+  return bytes > mostKept_ || lives > kMostKept ? least : nullptr;
+}
+
 void Session::keep(const std::shared_ptr<KeptLife>& kept) {
   std::erase_if(kept_, [](const auto& other) { return other.expired(); });
+  while (const auto least = withoutRoom(kept->bytes + kBeside, 1)) letGo(*least);
   kept_.push_back(kept);
-  for (;;) {
-    std::size_t bytes = 0, lives = 0;
-    std::shared_ptr<KeptLife> least;
-    for (const auto& other : kept_) {
-      const auto life = other.lock();
-      if (!life || !life->aside) continue;
-      bytes += life->bytes + kBeside;
-      ++lives;
-      if (life != kept && (!least || life->progress.steps < least->progress.steps)) least = life;
-    }
-    if (!least || (bytes <= mostKept_ && lives <= kMostKept)) return;
-    letGo(*least);
-  }
 }
 
 void Session::keepForUndo(std::shared_ptr<KeptLife> before) {
@@ -205,6 +226,11 @@ std::vector<std::shared_ptr<KeptLife>> Session::unsavedBefore() const {
 void Session::push(QUndoCommand* command) {
   saveRedone();
   undo_.push(command);
+}
+
+void Session::beginMacro(const QString& text) {
+  saveRedone();
+  undo_.beginMacro(text);
 }
 
 void Session::saveRedone() {
@@ -251,7 +277,7 @@ void Session::exchange(std::shared_ptr<KeptLife>& kept) {
   progressKnown_ = back->progress;
   bytesOfLife_ = back->bytes;
   begun(ReplaceLife{.life = {}, .back = std::exchange(back->aside, nullptr), .before = kept->aside});
-  keep(kept);
+  kept_.push_back(kept);  // both were there before
   Q_EMIT parametersReplaced();
   Q_EMIT configurationChanged();
   Q_EMIT lifeBroughtBack();

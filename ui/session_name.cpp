@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/session_name.h"
 
-#include <QPainter>
-
 #include "ui/theme.h"
 
 namespace surefoot {
@@ -12,7 +10,7 @@ constexpr int kPixels = 11;
 constexpr int kLetters = 24;  // of a name that is shown whole
 }  // namespace
 
-SessionName::SessionName(QWidget* parent) : QWidget(parent) {}
+SessionName::SessionName(QWidget* parent) : Painted(parent) {}
 
 QString SessionName::text() const {
   return unsaved_ ? name_ + '*' : name_;
@@ -29,11 +27,12 @@ void SessionName::say(const QString& name, bool unsaved, const QString& tip) {
 /// Always as wide, so that the tabs stand still.
 QSize SessionName::sizeHint() const {
   const QFontMetricsF metrics(textFont(kPixels));
-  return {static_cast<int>(metrics.averageCharWidth() * kLetters) + 16, static_cast<int>(metrics.height()) + 4};
+  return scaled(
+      QSize(static_cast<int>(metrics.averageCharWidth() * kLetters) + 16, static_cast<int>(metrics.height()) + 4));
 }
 
 void SessionName::paintEvent(QPaintEvent*) {
-  QPainter p(this);
+  ScaledPainter p(this);
   p.setFont(textFont(kPixels));
   p.setPen(themeOf(*this).quiet);
   const QFontMetricsF metrics(p.font());

@@ -3,11 +3,11 @@
 // saved.
 #pragma once
 
-#include <QWidget>
+#include "ui/painted.h"
 
 namespace surefoot {
 
-class SessionName final : public QWidget {
+class SessionName final : public Painted<> {
   Q_OBJECT
 
  public:

@@ -13,7 +13,7 @@ namespace {
 constexpr double kMargin = 7;  // room for the focus ring [px]
 }
 
-Slider::Slider(QWidget* parent) : QSlider(Qt::Horizontal, parent) {
+Slider::Slider(QWidget* parent) : Painted(Qt::Horizontal, parent) {
   setRange(0, kSteps);
   setSingleStep(kSteps / 100);
   setPageStep(kSteps / 10);
@@ -26,7 +26,7 @@ double Slider::knob() const {
 
 void Slider::paintEvent(QPaintEvent*) {
   const Theme& t = themeOf(*this);
-  QPainter p(this);
+  ScaledPainter p(this);
   p.setRenderHint(QPainter::Antialiasing);
   const double y = height() / 2.0, x = knob();
   p.setPen(QPen(t.track, 3, Qt::SolidLine, Qt::RoundCap));
@@ -44,7 +44,7 @@ void Slider::paintEvent(QPaintEvent*) {
 }
 
 void Slider::follow(const QMouseEvent& event) {
-  const double share = (event.position().x() - kMargin) / (width() - 2 * kMargin);
+  const double share = (mouseAt(event).x() - kMargin) / (width() - 2 * kMargin);
   setValue(minimum() + static_cast<int>(std::lround(share * (maximum() - minimum()))));
 }
 

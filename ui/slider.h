@@ -4,17 +4,19 @@
 
 #include <QSlider>
 
+#include "ui/painted.h"
+
 namespace surefoot {
 
-class Slider final : public QSlider {
+class Slider final : public Painted<QSlider> {
   Q_OBJECT
 
  public:
   static constexpr int kSteps = 1000;  ///< value() runs from 0 to this
 
   explicit Slider(QWidget* parent = nullptr);
-  QSize sizeHint() const override { return {54, 24}; }
-  QSize minimumSizeHint() const override { return {54, 24}; }
+  QSize sizeHint() const override { return scaled({54, 24}); }
+  QSize minimumSizeHint() const override { return scaled({54, 24}); }
 
  protected:
   void paintEvent(QPaintEvent*) override;

@@ -12,8 +12,8 @@
 
 namespace surefoot {
 
-StatusLine::StatusLine(Session& session, QWidget* parent) : QWidget(parent), session_(session) {
-  setFixedHeight(24);
+StatusLine::StatusLine(Session& session, QWidget* parent) : Painted(parent), session_(session) {
+  whenScaled(this, [this] { setFixedHeight(scaled(24)); });
   setAccessibleName(tr("State of the life"));
   connect(&session_, &Session::valuesArrived, this, &StatusLine::refresh);
   connect(&session_, &Session::stateChanged, this, &StatusLine::refresh);
@@ -34,11 +34,11 @@ QStringList StatusLine::segments() const {
     list << (speed >= 1e5 ? tr("%1 M steps/s").arg(toText(fixedText(speed / 1e6, 2)))
                           : tr("%1 steps/s").arg(toText(countText(speed))));
   const ValueSnapshot* v = session_.values();
-  if (!session_.task().goalReward) {
-    list << tr("rule-of-thumb threshold: not defined without a goal");
-  } else if (v && v->rule) {
+  if (v && v->rule) {
     const RuleText rule = textOf(*v->rule);
     list << tr("n* %1 → rule-of-thumb threshold %2").arg(toText(rule.transitions), toText(rule.threshold));
+  } else if (!session_.task().goalReward) {
+    list << tr("rule-of-thumb threshold: not defined without a goal");
   }
   if (v && !v->memory.empty() && v->memory[0].occupied && v->memory[0].slots > 0)
     list << tr("table %1 % full")
@@ -86,7 +86,7 @@ void StatusLine::refresh() {
 
 void StatusLine::paintEvent(QPaintEvent*) {
   const Theme& t = themeOf(*this);
-  QPainter p(this);
+  ScaledPainter p(this);
   p.fillRect(rect(), t.panel);
   p.fillRect(QRect(0, 0, width(), 1), t.hairline);
   p.setFont(textFont(11));

@@ -5,11 +5,13 @@
 #include <QStringList>
 #include <QWidget>
 
+#include "ui/painted.h"
+
 namespace surefoot {
 
 class Session;
 
-class StatusLine final : public QWidget {
+class StatusLine final : public Painted<> {
   Q_OBJECT
 
  public:

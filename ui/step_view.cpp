@@ -34,7 +34,7 @@ QString nameOf(const std::string& estimate) {
 
 }  // namespace
 
-StepView::StepView(Session& session, QWidget* parent) : QWidget(parent), session_(session) {
+StepView::StepView(Session& session, QWidget* parent) : Painted(parent), session_(session) {
   sinceUpdate_.start();
   connect(&session_, &Session::frame, this, &StepView::nextFrame);
 }
@@ -85,7 +85,7 @@ QStringList StepView::sentences() const {
 
 void StepView::paintEvent(QPaintEvent*) {
   const Theme& t = themeOf(*this);
-  QPainter p(this);
+  ScaledPainter p(this);
   p.fillRect(rect(), t.panel);
   const QStringList list = sentences();
   if (list.size() == 1) {

@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include "core/experiment/snapshot.h"
+#include "ui/painted.h"
 
 class QPainter;
 
@@ -13,13 +14,13 @@ namespace surefoot {
 
 class Session;
 
-class StepView final : public QWidget {
+class StepView final : public Painted<> {
   Q_OBJECT
 
  public:
   explicit StepView(Session& session, QWidget* parent = nullptr);
-  QSize sizeHint() const override { return {576, 200}; }
-  QSize minimumSizeHint() const override { return {380, 150}; }
+  QSize sizeHint() const override { return scaled({576, 200}); }
+  QSize minimumSizeHint() const override { return scaled({380, 150}); }
   /// The same as text, for those who listen.
   QStringList sentences() const;
 

@@ -3,10 +3,12 @@
 
 #include <QHeaderView>
 #include <QPainter>
+#include <QStyle>
 #include <algorithm>
 #include <cmath>
 
 #include "core/text.h"
+#include "ui/scale.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
 
@@ -20,7 +22,7 @@ double signWidth(const QFont& font) {
 
 /// A tick, a ring or a cross.
 void drawVerdict(QPainter& p, QPointF c, double r, Verdict verdict, const Theme& t) {
-  p.setPen(QPen(verdict == Verdict::Undecided ? t.caution : t.ink, 1.8));
+  p.setPen(QPen(verdict == Verdict::Undecided ? t.caution : t.ink, scaled(1.8)));
   p.setBrush(Qt::NoBrush);
   if (verdict == Verdict::Undecided) p.drawEllipse(c, r, r);
   if (verdict == Verdict::Agrees)
@@ -49,15 +51,16 @@ void SignDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelInd
 void SignDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
   QStyledItemDelegate::paint(painter, option, index);
   const Theme& t = themeOf(option.palette);
-  const double x = option.rect.left() + 0.6 * QFontMetricsF(option.font).height() + 2;
+  const double x = option.rect.left() + 0.6 * QFontMetricsF(option.font).height() + scaled(2);
   const QPointF centre(x, option.rect.center().y() + 0.5);
   painter->save();
   painter->setRenderHint(QPainter::Antialiasing);
-  if (const QVariant policy = index.data(kPolicyRole); policy.isValid())
-    drawMarker(*painter, centre, policyLook(policy.toString().toStdString(), t),
-               option.state & QStyle::State_Selected);
   if (const QVariant verdict = index.data(kVerdictRole); verdict.isValid())
     drawVerdict(*painter, centre, 0.3 * QFontMetricsF(option.font).height(), static_cast<Verdict>(verdict.toInt()), t);
+  painter->translate(centre);
+  painter->scale(textSize(), textSize());
+  if (const QVariant policy = index.data(kPolicyRole); policy.isValid())
+    drawMarker(*painter, {}, policyLook(policy.toString().toStdString(), t), option.state & QStyle::State_Selected);
   painter->restore();
 }
 
@@ -65,7 +68,6 @@ void setUpTable(QTableWidget& table, const QStringList& heads) {
   table.setColumnCount(static_cast<int>(heads.size()));
   table.setHorizontalHeaderLabels(heads);
   table.verticalHeader()->hide();
-  table.verticalHeader()->setDefaultSectionSize(QFontMetrics(textFont(13)).height() + 12);
   table.setItemDelegate(new SignDelegate(&table));
   table.setEditTriggers(QAbstractItemView::NoEditTriggers);
   table.setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -81,7 +83,13 @@ void setUpTable(QTableWidget& table, const QStringList& heads) {
   header.setSectionResizeMode(QHeaderView::Interactive);
   header.setMinimumSectionSize(16);
   header.setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  header.setFont(textFont(11, 500));
+  whenScaled(&table, [&table] {
+    table.verticalHeader()->setDefaultSectionSize(QFontMetrics(scaledFont(13)).height() + scaled(12));
+    table.horizontalHeader()->setFont(scaledFont(11, 500));
+    for (int row = 0; row < table.rowCount(); ++row)
+      for (int column = 0; column < table.columnCount(); ++column)
+        if (auto* item = table.item(row, column)) item->setFont(scaledFont(13, item->font().weight()));
+  });
   table.horizontalHeaderItem(0)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
 }
 
@@ -90,35 +98,42 @@ QTableWidgetItem* put(QTableWidget& table, int row, int column, const QString& t
   if (!item) table.setItem(row, column, item = new QTableWidgetItem);
   item->setText(text);
   item->setTextAlignment((left ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-  item->setFont(textFont(13, strong ? 500 : 400));
+  item->setFont(scaledFont(13, strong ? 500 : 400));
   return item;
 }
 
 void spreadColumns(QTableWidget& table) {
   const int columns = table.columnCount(), width = table.viewport()->width();
+  // Of a cell's text: as the style has it, and what is lost by rounding.
+  const int margins = 2 * (table.style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, &table) + 1) + 2;
   std::vector<int> wanted;
-  int sum = 0;
+  int sum = 0, shown = 0;
   for (int c = 0; c < columns; ++c) {
+    wanted.push_back(0);
+    if (table.isColumnHidden(c)) continue;
     int need = table.horizontalHeader()->sectionSizeHint(c);
     for (int row = 0; row < table.rowCount(); ++row)
       if (const auto* item = table.item(row, c)) {
         const QFontMetrics metrics(item->font());
         const bool sign = item->data(kPolicyRole).isValid() || item->data(kVerdictRole).isValid();
-        need = std::max(need, metrics.horizontalAdvance(item->text()) + 16 +
+        need = std::max(need, metrics.horizontalAdvance(item->text()) + margins +
                                   (sign ? static_cast<int>(signWidth(item->font())) : 0));
       }
-    wanted.push_back(need);
+    wanted.back() = need;
     sum += need;
+    ++shown;
   }
   if (sum > width) {  // a long name is cut rather than a number
-    const int least = QFontMetrics(textFont(13)).averageCharWidth() * 14;
+    const int least = QFontMetrics(scaledFont(13)).averageCharWidth() * 14;
     const int given = std::min(sum - width, std::max(0, wanted[0] - least));
     wanted[0] -= given;
     sum -= given;
   }
   const int rest = std::max(0, width - sum);
-  for (int c = 0; c < columns; ++c)
-    table.setColumnWidth(c, wanted[static_cast<std::size_t>(c)] + rest / columns + (c < rest % columns ? 1 : 0));
+  for (int c = 0, place = 0; c < columns; ++c) {
+    if (table.isColumnHidden(c)) continue;
+    table.setColumnWidth(c, wanted[static_cast<std::size_t>(c)] + rest / shown + (place++ < rest % shown ? 1 : 0));
+  }
 }
 
 QString pText(double p) {

@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include "ui/flat_style.h"
+#include "ui/scale.h"
 
 namespace surefoot {
 
@@ -103,7 +104,7 @@ void applyAppearance(QApplication& application, Appearance appearance) {
   static const bool systemIsDark = themeOf(QApplication::palette()).dark;
   const bool dark = appearance == Appearance::Dark || (appearance == Appearance::System && systemIsDark);
   if (!qobject_cast<FlatStyle*>(application.style())) QApplication::setStyle(new FlatStyle);
-  if (QApplication::font() != textFont(13)) QApplication::setFont(textFont(13));
+  if (QApplication::font() != scaledFont(13)) QApplication::setFont(scaledFont(13));
   const Theme& theme = dark ? darkTheme() : lightTheme();
   static const Theme* now = nullptr;
   if (now == &theme) return;

@@ -33,7 +33,8 @@ const Theme& themeOf(const QWidget& widget);
 /// Style, palette and font of the whole program.
 void applyAppearance(QApplication& application, Appearance appearance);
 
-/// Text in a weight of 400 (normal) or 500 (medium); sizes in px: 13 text, 11 axes and notes, 24 the fall counter.
+/// Text in a weight of 400 (normal) or 500 (medium); sizes in px: 13 text, 11 axes and notes, 24 the fall counter. For
+/// a ScaledPainter; standard widgets take scaledFont() (ui/scale.h).
 QFont textFont(int pixels, int weight = 400);
 
 /// How a policy looks everywhere. Names that are not known look like greedy.

@@ -13,7 +13,7 @@
 
 namespace surefoot {
 
-ValueMaps::ValueMaps(Session& session, QWidget* parent) : QWidget(parent), session_(session) {
+ValueMaps::ValueMaps(Session& session, QWidget* parent) : Painted(parent), session_(session) {
   setAttribute(Qt::WA_OpaquePaintEvent);
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
@@ -149,13 +149,13 @@ std::optional<std::vector<double>> ValueMaps::stateAt(const QPointF& at) const {
 }
 
 void ValueMaps::mouseMoveEvent(QMouseEvent* event) {
-  const auto state = stateAt(event->position());
+  const auto state = stateAt(mouseAt(*event));
   setCursor(state ? Qt::CrossCursor : Qt::ArrowCursor);
   session_.examine(state);
 }
 
 void ValueMaps::mousePressEvent(QMouseEvent* event) {
-  const auto state = stateAt(event->position());
+  const auto state = stateAt(mouseAt(*event));
   if (!state || event->button() != Qt::LeftButton) return;
   if (event->modifiers() & Qt::ShiftModifier)
     session_.pin(state);

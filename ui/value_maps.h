@@ -10,19 +10,20 @@
 
 #include "ui/exporting.h"
 #include "ui/map_choice.h"
+#include "ui/painted.h"
 #include "ui/value_map.h"
 
 namespace surefoot {
 
 class Session;
 
-class ValueMaps final : public QWidget, public CsvSource {
+class ValueMaps final : public Painted<>, public CsvSource {
   Q_OBJECT
 
  public:
   explicit ValueMaps(Session& session, QWidget* parent = nullptr);
-  QSize sizeHint() const override { return {440, 264}; }
-  QSize minimumSizeHint() const override { return {320, 180}; }
+  QSize sizeHint() const override { return scaled({440, 264}); }
+  QSize minimumSizeHint() const override { return scaled({300, 160}); }
 
   const MapChoice& choice() const { return choice_; }
   void setChoice(const MapChoice& choice);

@@ -80,7 +80,7 @@ MapMarks ValueMaps::marks(double ring) const {
 
 void ValueMaps::paintEvent(QPaintEvent*) {
   const Theme& t = themeOf(*this);
-  QPainter p(this);
+  ScaledPainter p(this);
   p.fillRect(rect(), t.panel);
   if (session_.task().state.empty()) return;
   const Geometry g = geometry();

@@ -14,6 +14,7 @@
 #include "ui/exporting.h"
 #include "ui/keyboard.h"
 #include "ui/message_bar.h"
+#include "ui/painted.h"
 #include "ui/symbol_text.h"
 
 namespace surefoot {
@@ -30,7 +31,7 @@ class FocusRing final : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent*) override {
-    QPainter p(this);
+    ScaledPainter p(this);
     drawFocusRing(p, *parentWidget());
   }
 };

@@ -6,10 +6,14 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QScreen>
 #include <QScrollArea>
+#include <QStyle>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "core/glossary.h"
+#include "ui/scale.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
 
@@ -32,12 +36,10 @@ QLabel* paragraph(QVBoxLayout* column, const QFont& font) {
 
 WordsDialog::WordsDialog(QWidget* parent) : QDialog(parent), search_(new QLineEdit), list_(new QListWidget) {
   setWindowTitle(tr("Words"));
-  const QFontMetrics metrics(textFont(13));
   search_->setPlaceholderText(tr("Search"));
   search_->setAccessibleName(tr("Search the words"));
   search_->setClearButtonEnabled(true);
   list_->setAccessibleName(tr("Words"));
-  list_->setMinimumWidth(24 * metrics.averageCharWidth());
   for (const Word& word : glossary()) list_->addItem(toText(word.title));
   auto* left = new QVBoxLayout;
   left->addWidget(search_);
@@ -47,10 +49,10 @@ WordsDialog::WordsDialog(QWidget* parent) : QDialog(parent), search_(new QLineEd
   auto* column = new QVBoxLayout(page);
   column->setContentsMargins(16, 0, 16, 0);
   column->setSpacing(12);
-  title_ = paragraph(column, textFont(16, 500));
-  text_ = paragraph(column, textFont(13));
-  formula_ = paragraph(column, textFont(13, 500));
-  source_ = paragraph(column, textFont(11));
+  title_ = paragraph(column, scaledFont(16, 500));
+  text_ = paragraph(column, scaledFont(13));
+  formula_ = paragraph(column, scaledFont(13, 500));
+  source_ = paragraph(column, scaledFont(11));
   column->addStretch(1);
   auto* scroll = new QScrollArea;
   scroll->setWidget(page);
@@ -62,7 +64,18 @@ WordsDialog::WordsDialog(QWidget* parent) : QDialog(parent), search_(new QLineEd
   row->setContentsMargins(16, 16, 0, 16);
   row->addLayout(left, 2);
   row->addWidget(scroll, 3);
-  resize(80 * metrics.averageCharWidth() + 60, 26 * metrics.height());
+  whenScaled(this, [this] {
+    const QFontMetrics metrics(scaledFont(13));
+    list_->setFont(scaledFont(13));
+    const int longest = list_->sizeHintForColumn(0) + style()->pixelMetric(QStyle::PM_ScrollBarExtent) + scaled(8);
+    list_->setMinimumWidth(std::max(24 * metrics.averageCharWidth(), longest));
+    title_->setFont(scaledFont(16, 500));
+    text_->setFont(scaledFont(13));
+    formula_->setFont(scaledFont(13, 500));
+    source_->setFont(scaledFont(11));
+    const QSize room = screen()->availableGeometry().size() * 0.9;
+    resize(QSize(80 * metrics.averageCharWidth() + 60, 26 * metrics.height()).boundedTo(room));
+  });
   connect(search_, &QLineEdit::textChanged, this, &WordsDialog::search);
   connect(list_, &QListWidget::currentRowChanged, this, &WordsDialog::showRow);
   list_->setCurrentRow(0);

@@ -17,7 +17,7 @@ constexpr std::size_t kTrail = 14;   // frames
 constexpr double kJump = 0.05;       // the tip does not move that far in a frame [m]: the trail starts afresh
 }  // namespace
 
-WorldView::WorldView(Session& session, QWidget* parent) : QWidget(parent), session_(session) {
+WorldView::WorldView(Session& session, QWidget* parent) : Painted(parent), session_(session) {
   setAccessibleName(tr("World"));
   setAttribute(Qt::WA_OpaquePaintEvent);
   setFocusPolicy(Qt::StrongFocus);
@@ -78,7 +78,7 @@ void WorldView::wheelEvent(QWheelEvent* event) {
   const double before = zoom_;
   zoom_ = std::clamp(zoom_ * std::pow(1.0015, event->angleDelta().y()), 0.3, 6.0);
   // What lies under the cursor stays there.
-  const QPointF anchor(width() / 2.0, height() - band_), at = event->position() - anchor;
+  const QPointF anchor(width() / 2.0, height() - band_), at = mouseAt(*event) - anchor;
   pan_ = at - (at - pan_) * (zoom_ / before);
   update();
   event->accept();
@@ -92,19 +92,19 @@ bool WorldView::overBody(QPointF at) const {
 }
 
 void WorldView::mousePressEvent(QMouseEvent* event) {
-  if (event->button() == Qt::RightButton || event->button() == Qt::MiddleButton) panning_ = event->position() - pan_;
-  if (event->button() != Qt::LeftButton || !overBody(event->position())) return;
-  hand_ = event->position();
+  if (event->button() == Qt::RightButton || event->button() == Qt::MiddleButton) panning_ = mouseAt(*event) - pan_;
+  if (event->button() != Qt::LeftButton || !overBody(mouseAt(*event))) return;
+  hand_ = mouseAt(*event);
   session_.hold(toMetres(*hand_).x);
 }
 
 void WorldView::mouseMoveEvent(QMouseEvent* event) {
-  if (panning_) pan_ = event->position() - *panning_;
+  if (panning_) pan_ = mouseAt(*event) - *panning_;
   if (hand_) {
-    hand_ = event->position();
+    hand_ = mouseAt(*event);
     session_.hold(toMetres(*hand_).x);
   }
-  setCursor(hand_ ? Qt::ClosedHandCursor : overBody(event->position()) ? Qt::OpenHandCursor : Qt::ArrowCursor);
+  setCursor(hand_ ? Qt::ClosedHandCursor : overBody(mouseAt(*event)) ? Qt::OpenHandCursor : Qt::ArrowCursor);
   update();
 }
 

@@ -10,6 +10,7 @@
 
 #include "core/environment.h"
 #include "core/scene.h"
+#include "ui/painted.h"
 
 class QPainter;
 
@@ -18,13 +19,13 @@ namespace surefoot {
 class Session;
 struct Theme;
 
-class WorldView final : public QWidget {
+class WorldView final : public Painted<> {
   Q_OBJECT
 
  public:
   explicit WorldView(Session& session, QWidget* parent = nullptr);
-  QSize sizeHint() const override { return {576, 400}; }
-  QSize minimumSizeHint() const override { return {240, 220}; }
+  QSize sizeHint() const override { return scaled({576, 400}); }
+  QSize minimumSizeHint() const override { return scaled({240, 220}); }
   /// Somebody holds the body with the mouse.
   bool held() const { return hand_.has_value(); }
   void fit();  ///< the zoom that shows everything

@@ -104,7 +104,7 @@ void WorldView::drawGhost(QPainter& p, const Theme& t) const {
 
 void WorldView::paintEvent(QPaintEvent*) {
   const Theme& t = themeOf(*this);
-  QPainter p(this);
+  ScaledPainter p(this);
   p.fillRect(rect(), t.paper);
   if (scene_.shapes.empty()) return;
   measure();

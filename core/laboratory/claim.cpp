@@ -9,11 +9,14 @@
 #include <set>
 
 #include "core/laboratory/judge.h"
+#include "core/laboratory/statistics_text.h"
 #include "core/parameters.h"
+#include "core/text.h"
+#include "core/typed_json.h"
 
 namespace surefoot {
 
-Result<Judgement> Judge::judge() {
+const std::map<std::string, Verdict (Judge::*)()>& Judge::kinds() {
   static const std::map<std::string, Verdict (Judge::*)()> kKinds = {{"value", &Judge::value},
                                                                      {"reduction", &Judge::reduction},
                                                                      {"significant", &Judge::significant},
@@ -40,13 +43,20 @@ Result<Judgement> Judge::judge() {
                                                                      {"effect-order", &Judge::effectOrder},
                                                                      {"bands-overlap", &Judge::bandsOverlap},
                                                                      {"dips", &Judge::dips}};
-  const auto kind = kKinds.find(claim_.kind);
-  if (kind == kKinds.end()) {
-    std::vector<std::string> names;
-    for (const auto& [name, function] : kKinds) names.push_back(name);
-    return Error{
-        fmt::format("claim {}: there is no kind \"{}\"; it takes {}.", claim_.id, claim_.kind, joinWords(names, "or"))};
-  }
+  return kKinds;
+}
+
+Status checkKind(const Claim& claim) {
+  if (Judge::kinds().contains(claim.kind)) return Done{};
+  std::vector<std::string> names;
+  for (const auto& [name, function] : Judge::kinds()) names.push_back(name);
+  return Error{fmt::format("claim {}: there is no kind \"{}\"; it takes {}.", shortened(claim.id),
+                           shortened(claim.kind), joinWords(names, "or"))};
+}
+
+Result<Judgement> Judge::judge() {
+  if (const Status s = checkKind(claim_); !s) return s.error();
+  const auto kind = kinds().find(claim_.kind);
   measure_ = text("measure", "falls");
   conditions_ = find("conditions");
   static const std::set<std::string> kNamedElsewhere = {"pairs", "rule", "parameters", "drawn", "best"};
@@ -114,21 +124,53 @@ double Judge::p(const Evidence& a, const Evidence& b) {
 }
 
 Interval Judge::change(const Evidence& reference, const Evidence& e) {
-  const MeanEstimate before = estimateOf(reference, measure_);
+  const MeanEstimate before = estimateOf(reference, measure_), after = estimateOf(e, measure_);
+  const Interval change = changeOf(before, after, sameUnits(reference, e));
   ofNothing_ = before.value == 0;
-  return changeOf(before, estimateOf(e, measure_), sameUnits(reference, e));
+  toNothing_ = !ofNothing_ && after.value == 0 && before.known() && after.known() && !change.known();
+  return change;
 }
 
+Interval Judge::judged(const Interval& change, const Evidence& reference, const Evidence& e) {
+  if (!toNothing_) return change;
+  const MeanEstimate before = estimateOf(reference, measure_);
+  const Interval d = differenceOf(before, estimateOf(e, measure_), sameUnits(reference, e));
+  return {change.value, 100 * d.low / std::abs(before.value), 100 * d.high / std::abs(before.value)};
+}
+
+bool Judge::leavesZeroIn(const Evidence& reference, const Evidence& e) {
+  const Interval i = change(reference, e);
+  const Interval d = i.known() ? i
+                               : differenceOf(estimateOf(reference, measure_), estimateOf(e, measure_),
+                                              sameUnits(reference, e));
+  if (d.low > 0 || d.high < 0) return false;
+  if (d.known())
+    note(fmt::format("{}: the interval leaves 0 in", e.name()));
+  else
+    static_cast<void>(tooFew(e.name()));
+  return true;
+}
+
+// A condition that a group holds twice is drawn once.
 std::vector<double> Judge::drawn(const Group& group, const std::function<double(const std::vector<double>&)>& f) {
   std::vector<MeanEstimate> means;
-  std::vector<std::size_t> together;
-  for (std::size_t i = 0; i < group.size(); ++i) {
-    means.push_back(estimateOf(*group[i], measure_));
-    std::size_t first = 0;
-    while (first < i && !sameUnits(*group[first], *group[i])) ++first;
-    together.push_back(first);
+  std::vector<std::size_t> together, places;
+  std::map<const Evidence*, std::size_t> numbers;
+  FirstWithSameUnits firsts;
+  for (const Evidence* e : group) {
+    const auto [number, isNew] = numbers.try_emplace(e, means.size());
+    places.push_back(number->second);
+    if (!isNew) continue;
+    means.push_back(estimateOf(*e, measure_));
+    together.push_back(firsts.add(*e));
   }
-  return drawMeans(means, together, f, random_);
+  if (means.size() == group.size()) return drawMeans(means, together, f, random_);
+  std::vector<double> ofGroup(group.size());
+  const auto spread = [&](const std::vector<double>& drawn) {
+    for (std::size_t i = 0; i < places.size(); ++i) ofGroup[i] = drawn[places[i]];
+    return f(ofGroup);
+  };
+  return drawMeans(means, together, spread, random_);
 }
 
 double Judge::share(const Group& group, const std::function<bool(const std::vector<double>&)>& holds) {
@@ -144,7 +186,9 @@ void Judge::report(const Interval& i) {
 }
 
 Verdict Judge::tooFew(const std::string& condition) {
-  const char* why = ofNothing_ ? "the reference is 0, of which there are no per cent" : "too few lives to tell";
+  const char* why = ofNothing_   ? "the reference is 0, of which there are no per cent"
+                    : toNothing_ ? "it is 0 in every life; how rare more is cannot be told in per cent"
+                                 : "too few lives to tell";
   note(condition.empty() ? why : fmt::format("{}: {}", condition, why));
   return Verdict::Undecided;
 }
@@ -170,23 +214,33 @@ Result<Judgement> judge(const Registry& registry, const Claim& claim, const std:
 }
 
 nlohmann::ordered_json judgementAsJson(const Judgement& j) {
-  const auto orNull = [](const std::optional<double>& v) {
-    return v && std::isfinite(*v) ? nlohmann::ordered_json(*v) : nlohmann::ordered_json(nullptr);
-  };
+  const auto orNull = [](const std::optional<double>& v) { return numberAsJson(v.value_or(std::nan(""))); };
   return {{"id", j.id},           {"says", j.says},         {"thesis", j.thesis}, {"ours", orNull(j.ours)},
           {"low", orNull(j.low)}, {"high", orNull(j.high)}, {"p", orNull(j.p)},   {"verdict", nameOf(j.verdict)},
           {"note", j.note}};
 }
 
+// What stands between two * is looked for from the left: behind the first place whatever comes later has the most room.
 bool fits(std::string_view name, std::string_view pattern) {
-  const auto star = pattern.find('*');
+  auto star = pattern.find('*');
   if (star == std::string_view::npos) return name == pattern;
   if (!name.starts_with(pattern.substr(0, star))) return false;
   name.remove_prefix(star);
   pattern.remove_prefix(star + 1);
-  for (std::size_t i = 0; i <= name.size(); ++i)
-    if (fits(name.substr(i), pattern)) return true;
-  return false;
+  for (star = pattern.find('*'); star != std::string_view::npos; star = pattern.find('*')) {
+    const auto place = name.find(pattern.substr(0, star));
+    if (place == std::string_view::npos) return false;
+    name.remove_prefix(place + star);
+    pattern.remove_prefix(star + 1);
+  }
+  return name.ends_with(pattern);
+}
+
+bool isAbout(const Claim& claim, std::string_view condition) {
+  const auto& patterns = partOf(claim.arguments, "conditions");
+  return std::any_of(patterns.begin(), patterns.end(), [&](const nlohmann::json& pattern) {
+    return pattern.is_string() && fits(condition, pattern.get_ref<const std::string&>());
+  });
 }
 
 }  // namespace surefoot

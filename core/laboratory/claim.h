@@ -4,7 +4,7 @@
 //   value         the 95 % interval of a mean overlaps the thesis's number ± tolerance (a share of it, 10 %) or ±
 //                 within; undecided where the interval is wider than ± 2.5 times that
 //   reduction     of the mean against the reference, in per cent: the thesis's sign, p < .01 by the analysis of
-//                 variance, and an interval that overlaps the number ± 10 points (or is at least `at_least` in size)
+//                 variance, and an interval that overlaps the number ± 10 points (or ours is at least `at_least`)
 //   significant   the sign and p < .01, for every condition
 //   no-difference p ≥ .01 for every condition; undecided where the interval leaves ± `widest` (25 % of the reference)
 //   order         the means rise in the order of `conditions` in at least 95 % of the means drawn; differs below 5 %
@@ -31,8 +31,10 @@
 //                 where they are wider than half of what the curve reaches
 //   dips          the average reward falls below that of the `first` episodes (10)
 //
-// Lives that cannot carry a judgement leave it undecided: one life always, and a reduction or significance with p ≥ .01
-// whose interval leaves it open (beyond `widest`, or on the thesis's side up to its number, or 10 %).
+// Lives that cannot carry a judgement leave it undecided: one life always; a reduction or significance with p ≥ .01
+// whose interval leaves it open (beyond `widest`, or on the thesis's side up to its number or `at_least`, or 10 %); and
+// one with p < .01 whose interval leaves 0 in: the analysis of variance takes lives of one Q-function for independent,
+// the interval does not. Lives that are 0 throughout are judged by the difference, whose interval is known.
 //
 // Exact, from the configurations of conditions and not from their lives; `rows`, all of which must hold:
 //
@@ -76,7 +78,12 @@ Result<Judgement> judge(const Registry& registry, const Claim& claim, const std:
 
 nlohmann::ordered_json judgementAsJson(const Judgement& judgement);
 
+/// Whether there is such a kind of claims.
+Status checkKind(const Claim& claim);
+
 /// Whether a name fits a pattern, in which * stands for anything.
 bool fits(std::string_view name, std::string_view pattern);
+/// Whether a condition fits one of the claim's `conditions`.
+bool isAbout(const Claim& claim, std::string_view condition);
 
 }  // namespace surefoot

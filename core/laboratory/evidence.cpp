@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/laboratory/evidence.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -112,20 +115,46 @@ Groups groupsOf(const Evidence& evidence, std::string_view measure) {
   return groups;
 }
 
-bool shareQFunctions(const Evidence& a, const Evidence& b) {
-  const auto numbers = [](const Evidence& e) {
-    std::set<int> all;
-    for (const StoredLife& l : e.record.lives) all.insert(l.qFunction);
-    return all;
-  };
-  return a.hasPool() && a.pool == b.pool && numbers(a) == numbers(b);
+namespace {
+
+/// What conditions with the same units have in common; empty: nothing.
+struct UnitKeys {
+  std::string qFunctions, lives;
+};
+
+UnitKeys keysOf(const Evidence& e) {
+  UnitKeys keys;
+  const Units units = unitsOf(e.record);
+  if (units.areQFunctions && e.hasPool()) {
+    std::set<int> numbers;
+    for (const StoredLife& l : e.record.lives) numbers.insert(l.qFunction);
+    keys.qFunctions = fmt::format("{} of {}", fmt::join(numbers, " "), e.pool);
+  }
+  if (e.record.paired) {
+    keys.lives = "lives";
+    for (std::size_t i = 0; i < units.of.size(); ++i)
+      keys.lives += fmt::format(" {} {}", units.of[i], e.record.lives[i].life);
+  }
+  return keys;
 }
 
+}  // namespace
+
 bool sameUnits(const Evidence& a, const Evidence& b) {
-  const Units ofA = unitsOf(a.record), ofB = unitsOf(b.record);
-  if (ofA.areQFunctions && shareQFunctions(a, b)) return true;
-  if (!a.record.paired || !b.record.paired || ofA.of != ofB.of) return false;
-  return std::ranges::equal(a.record.lives, b.record.lives, {}, &StoredLife::life, &StoredLife::life);
+  const UnitKeys ofA = keysOf(a), ofB = keysOf(b);
+  return (!ofA.qFunctions.empty() && ofA.qFunctions == ofB.qFunctions) ||
+         (!ofA.lives.empty() && ofA.lives == ofB.lives);
+}
+
+std::size_t FirstWithSameUnits::add(const Evidence& evidence) {
+  std::size_t first = count_++;
+  const UnitKeys keys = keysOf(evidence);
+  for (const std::string& key : {keys.qFunctions, keys.lives})
+    if (const auto found = firsts_.find(key); !key.empty() && found != firsts_.end())
+      first = std::min(first, found->second);
+  for (const std::string& key : {keys.qFunctions, keys.lives})
+    if (!key.empty()) firsts_.try_emplace(key, count_ - 1);
+  return first;
 }
 
 MeanEstimate estimateOf(const Evidence& evidence, std::string_view measure) {

@@ -37,10 +37,19 @@ std::vector<double> valuesOf(const Evidence& evidence, std::string_view measure)
 
 /// Values of lives by the Q-functions that these began with, without those that are NaN.
 Groups groupsOf(const Evidence& evidence, std::string_view measure);
-/// Both began with the same Q-functions.
-bool shareQFunctions(const Evidence& a, const Evidence& b);
 /// The units of both are the same ones: lives with the same seeds, or the same Q-functions.
 bool sameUnits(const Evidence& a, const Evidence& b);
+
+/// Finds, of a row of conditions, the first that has the same units (sameUnits), however many there are.
+class FirstWithSameUnits {
+ public:
+  /// The number of the first, from 0; of a condition that shares its units with none before it its own.
+  std::size_t add(const Evidence& evidence);
+
+ private:
+  std::map<std::string, std::size_t> firsts_;
+  std::size_t count_ = 0;
+};
 
 /// Mean of one value a life, with all that makes it uncertain.
 MeanEstimate estimateOf(const Evidence& evidence, std::string_view measure);

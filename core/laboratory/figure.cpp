@@ -11,8 +11,10 @@
 #include "core/experiment/configuration_json.h"
 #include "core/laboratory/claim.h"
 #include "core/laboratory/live_scene.h"
+#include "core/laboratory/statistics_text.h"
 #include "core/parameters.h"
 #include "core/text.h"
+#include "core/typed_json.h"
 
 namespace surefoot {
 
@@ -21,12 +23,11 @@ namespace {
 constexpr std::size_t kPoints = 361;  // of a curve against time
 
 std::string policyOf(const Evidence& e) {
-  return e.configuration.value("policy", "");
+  return textIn(e.configuration, "policy");
 }
 
 double parameterOf(const Evidence& e, const std::string& key) {
-  const auto& parameters = e.configuration.value("parameters", nlohmann::json::object());
-  return parameters.contains(key) && parameters[key].is_number() ? parameters[key].get<double>() : std::nan("");
+  return numberIn(partOf(e.configuration, "parameters"), key);
 }
 
 /// |A(k) − A(k − 250)| against k, from 251 on.
@@ -60,9 +61,9 @@ void addCurves(Figure& figure, const std::string& kind, const Chosen& chosen) {
   }
 }
 
-/// An empty cell: there is none.
 std::string number(double value) {
-  return std::isfinite(value) ? fmt::format("{:.9g}", value) : "";
+  constexpr int kDigits = 9;
+  return numberCell(value, kDigits);
 }
 
 bool differs(const Evidence& e, const std::vector<Evidence>& all, const std::string& measure) {
@@ -121,7 +122,7 @@ void describeSeries(Figure& figure, const Chosen& chosen) {
   for (FigureSeries& series : figure.series)
     for (const Evidence* e : chosen) {
       if (e->name() != series.name) continue;
-      series.agent = e->configuration.value("agent", "");
+      series.agent = textIn(e->configuration, "agent");
       series.reference = e->record.condition.reference;
       series.lives = static_cast<int>(e->lives.size()) + e->record.diverged;
       series.planned = e->record.condition.lives;
@@ -130,8 +131,7 @@ void describeSeries(Figure& figure, const Chosen& chosen) {
 
 }  // namespace
 
-Result<Figure> makeFigure(const Registry& registry, const FigureSpec& spec, const std::vector<Evidence>& evidence,
-                          std::uint64_t) {
+Result<Figure> makeFigure(const Registry& registry, const FigureSpec& spec, const std::vector<Evidence>& evidence) {
   Chosen chosen;
   for (const Evidence& e : evidence) {
     const bool wanted =

@@ -46,8 +46,7 @@ struct Figure {
 };
 
 /// An error names the figure and what is wrong with it.
-Result<Figure> makeFigure(const Registry& registry, const FigureSpec& spec, const std::vector<Evidence>& evidence,
-                          std::uint64_t seed);
+Result<Figure> makeFigure(const Registry& registry, const FigureSpec& spec, const std::vector<Evidence>& evidence);
 
 /// Of the kinds that need no lives.
 Result<Figure> makeLiveFigure(const Registry& registry, const FigureSpec& spec,

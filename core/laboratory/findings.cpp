@@ -8,6 +8,7 @@
 #include <map>
 
 #include "core/experiment/rule_of_thumb.h"
+#include "core/typed_json.h"
 
 namespace surefoot {
 
@@ -15,13 +16,12 @@ namespace {
 
 /// γ and the rewards of the rule of thumb, as the condition's configuration has them.
 std::optional<Interval> thresholdOf(const Evidence& m, const Interval& transitions) {
-  const auto& parameters = m.configuration.value("parameters", nlohmann::json::object());
-  if (!parameters.contains("agent.discount") || !parameters.contains("environment.goal_reward") ||
-      !std::isfinite(transitions.value))
-    return std::nullopt;
+  const auto& parameters = partOf(m.configuration, "parameters");
+  const double discount = numberIn(parameters, "agent.discount");
+  const double goal = numberIn(parameters, "environment.goal_reward");
+  if (!std::isfinite(discount) || !std::isfinite(goal) || !std::isfinite(transitions.value)) return std::nullopt;
   const auto rule = [&](double n) {
-    return ruleOfThumb(parameters["agent.discount"], n, parameters["environment.goal_reward"],
-                       parameters.value("environment.time_reward", 0.0));
+    return ruleOfThumb(discount, n, goal, numberIn(parameters, "environment.time_reward", 0.0));
   };
   return Interval{rule(transitions.value), rule(transitions.high), rule(transitions.low)};
 }

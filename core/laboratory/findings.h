@@ -23,7 +23,8 @@ struct Comparison {
   std::optional<double> effect;            ///< Hedges' g
   std::optional<std::int64_t> livesNeeded;  ///< a condition, to see this difference with a power of 80 %
   std::optional<Interval> minutes;          ///< learning time: difference from the reference's
-  std::optional<Interval> changeAtItsEnd;   ///< falls of both up to the reference's end of learning, in per cent
+  /// Falls of both up to the reference's end of learning, in per cent; the interval takes that end for certain.
+  std::optional<Interval> changeAtItsEnd;
 
   double p() const { return anova ? anova->p : kNoTest; }
   bool significant() const { return p() < 0.01; }  ///< the thesis's X

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/laboratory/findings.h"
+#include "core/laboratory/statistics_text.h"
 #include "core/latex.h"
 #include "core/text.h"
 
@@ -13,7 +14,8 @@ namespace surefoot {
 namespace {
 
 std::string number(double value) {
-  return std::isfinite(value) ? fmt::format("{:.6g}", value) : "";
+  constexpr int kDigits = 6;
+  return numberCell(value, kDigits);
 }
 
 /// Three cells.
@@ -24,8 +26,8 @@ std::string numbers(const Interval& i) {
 /// "-45.0 (-55.1 … -32.0)" with true signs.
 std::string latexOf(const Interval& i, const char* unit) {
   if (!std::isfinite(i.value)) return "--";
-  std::string out = fmt::format("${:+.1f}${}", i.value, unit);
-  if (i.known()) out += fmt::format(" (${:+.1f}$ \\dots\\ ${:+.1f}$)", i.low, i.high);
+  std::string out = fmt::format("${}${}", signedText(i.value, 1), unit);
+  if (i.known()) out += fmt::format(" (${}$ \\dots\\ ${}$)", signedText(i.low, 1), signedText(i.high, 1));
   return out;
 }
 

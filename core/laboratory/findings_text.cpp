@@ -13,15 +13,13 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-OrderedJson number(double value) {
-  return std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr);
-}
 OrderedJson asJson(const Interval& i) {
-  return {{"value", number(i.value)}, {"low", number(i.low)}, {"high", number(i.high)}};
+  return {{"value", numberAsJson(i.value)}, {"low", numberAsJson(i.low)}, {"high", numberAsJson(i.high)}};
 }
 OrderedJson asJson(const TestResult& t) {
-  OrderedJson json = {
-      {"statistic", number(t.statistic)}, {"degrees_of_freedom", number(t.degrees1)}, {"p", number(t.p)}};
+  OrderedJson json = {{"statistic", numberAsJson(t.statistic)},
+                      {"degrees_of_freedom", numberAsJson(t.degrees1)},
+                      {"p", numberAsJson(t.p)}};
   if (t.degrees2 > 0) json["degrees_of_freedom"] = {t.degrees1, t.degrees2};
   return json;
 }
@@ -41,7 +39,7 @@ OrderedJson asJson(const Comparison& c) {
           {"significant", c.anova ? OrderedJson(c.significant()) : OrderedJson(nullptr)},
           {"welch", asJson(c.welch)},
           {"paired", asJson(c.paired)},
-          {"holm_p", number(c.holm)},
+          {"holm_p", numberAsJson(c.holm)},
           {"effect_size", asJson(c.effect)},
           {"lives_needed", asJson(c.livesNeeded)},
           {"minutes_difference", asJson(c.minutes)},
@@ -77,8 +75,8 @@ std::string changeText(const Comparison& c, int decimals) {
   const bool inPerCent = std::isfinite(c.change.value);
   const Interval& i = inPerCent ? c.change : c.difference;
   if (!std::isfinite(i.value)) return "–";
-  std::string text = fmt::format("{:+.{}f}{}", i.value, decimals, inPerCent ? "" : " falls");
-  if (i.known()) text += fmt::format(" ({:+.{}f} … {:+.{}f})", i.low, decimals, i.high, decimals);
+  std::string text = signedText(i.value, decimals) + (inPerCent ? "" : " falls");
+  if (i.known()) text += fmt::format(" ({} … {})", signedText(i.low, decimals), signedText(i.high, decimals));
   return text;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 
 #include "core/laboratory/claim.h"
 #include "core/laboratory/statistics.h"
@@ -47,6 +48,7 @@ class Judge {
   }
 
   Result<Judgement> judge();
+  static const std::map<std::string, Verdict (Judge::*)()>& kinds();
 
  private:
   using Group = std::vector<const Evidence*>;
@@ -74,13 +76,19 @@ class Judge {
   /// NaN: one of the two has a single life.
   double p(const Evidence& a, const Evidence& b);
   Interval change(const Evidence& reference, const Evidence& e);
+  /// A change that verdicts can be made of: where the second is 0 in every life, and its share has no interval, that of
+  /// the difference, in per cent of the reference.
+  Interval judged(const Interval& change, const Evidence& reference, const Evidence& e);
+  /// Whether p < .01 though the interval leaves both signs open, or there is none: p takes the lives for independent,
+  /// their variances for equal and the end of learning for certain; the interval does not. Notes it.
+  bool leavesZeroIn(const Evidence& reference, const Evidence& e);
   /// `f` of the means of a group, drawn as far from ours as the lives leave them uncertain. Empty if they are too few.
   std::vector<double> drawn(const Group& group, const std::function<double(const std::vector<double>&)>& f);
   /// In what share of them something holds; NaN if the lives are too few.
   double share(const Group& group, const std::function<bool(const std::vector<double>&)>& holds);
   void report(const Interval& i);
   void note(const std::string& words) { j_.note += (j_.note.empty() ? "" : "; ") + words; }
-  /// Notes why there is no verdict: too few lives, or a change of a reference that is 0.
+  /// Notes why there is no verdict: too few lives, a change of a reference that is 0, or one to 0.
   Verdict tooFew(const std::string& condition = "");
   /// Whether a change may be larger than `widest` (25 %) for all that the lives tell: down, up, or either.
   bool mayExceed(const Interval& change, bool down, bool up);
@@ -126,7 +134,7 @@ class Judge {
   const std::vector<Evidence>& evidence_;
   Random random_;
   std::string measure_ = "falls", problem_;
-  bool ofNothing_ = false;  ///< the last change() had a reference of 0
+  bool ofNothing_ = false, toNothing_ = false;  ///< the last change() was of a reference of 0; was to 0
   Group conditions_;
   Judgement j_;
 };

@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "core/laboratory/judge.h"
+#include "core/laboratory/statistics_text.h"
+#include "core/typed_json.h"
 
 namespace surefoot {
 
@@ -33,8 +35,8 @@ bool narrow(const Curve& curve) {
 }  // namespace
 
 double Judge::parameterOf(const Evidence& e, const std::string& key) {
-  const auto& parameters = e.configuration.value("parameters", Json::object());
-  if (parameters.contains(key) && parameters[key].is_number()) return parameters[key];
+  const double value = numberIn(partOf(e.configuration, "parameters"), key);
+  if (std::isfinite(value)) return value;
   complain("along", fmt::format("\"{}\" is no number of {}", key, e.name()));
   return std::nan("");
 }
@@ -45,7 +47,7 @@ Verdict Judge::best() {
   std::vector<std::vector<double>> values;  // of the parameter: [group][condition]
   std::vector<std::size_t> firsts;
   Group everything;
-  for (const Json& list : arguments_.value("groups", Json::array())) {
+  for (const Json& list : partOf(arguments_, "groups")) {
     firsts.push_back(everything.size());
     auto& own = values.emplace_back();
     for (const Json& pattern : list)
@@ -98,8 +100,11 @@ Verdict Judge::compromise() {
   const auto against = [&](const Evidence& e, const std::string& by) {
     measure_ = by;
     const double pValue = p(first, e);
-    if (pValue < kSignificant) return mean(e) < mean(first) ? Is::Better : Is::NotBetter;
-    return std::isnan(pValue) || mayExceed(change(first, e), true, false) ? Is::Open : Is::NotBetter;
+    if (pValue < kSignificant) {
+      if (mean(e) >= mean(first)) return Is::NotBetter;
+      return leavesZeroIn(first, e) ? Is::Open : Is::Better;
+    }
+    return std::isnan(pValue) || mayExceed(judged(change(first, e), first, e), true, false) ? Is::Open : Is::NotBetter;
   };
   bool beaten = false, open = false;
   for (const Evidence* e : conditions_) {
@@ -188,7 +193,8 @@ Verdict Judge::dips() {
       verdicts.push_back(tooFew(e->name()));
       continue;
     }
-    note(fmt::format("{}: {:+.0f} ({:+.0f} … {:+.0f}) at episode {}", e->name(), i.value, i.low, i.high, lowest + 1));
+    note(fmt::format("{}: {} ({} … {}) at episode {}", e->name(), signedText(i.value, 0), signedText(i.low, 0),
+                     signedText(i.high, 0), lowest + 1));
     if (!j_.high || i.high > *j_.high) report(i);
     verdicts.push_back(i.high < 0 ? Verdict::Agrees : i.low >= 0 ? Verdict::Differs : Verdict::Undecided);
   }

@@ -9,20 +9,13 @@
 #include "core/laboratory/figure.h"
 #include "core/laboratory/judge.h"
 #include "core/laboratory/same_stream.h"
+#include "core/typed_json.h"
 
 namespace surefoot {
 
 namespace {
 
 using Json = nlohmann::json;
-
-std::string textOf(const Json& row, const char* key) {
-  return row.is_object() && row.contains(key) && row[key].is_string() ? row[key].get<std::string>() : "";
-}
-
-double numberOf(const Json& row, const char* key, double otherwise = std::nan("")) {
-  return row.is_object() && row.contains(key) && row[key].is_number() ? row[key].get<double>() : otherwise;
-}
 
 /// To the digits printed; a last digit may be cut instead of rounded.
 bool asPrinted(double ours, double expected, double digits) {
@@ -31,7 +24,7 @@ bool asPrinted(double ours, double expected, double digits) {
 
 std::vector<double> numbers(const Json& arguments, const char* key) {
   std::vector<double> list;
-  for (const Json& v : arguments.value(key, Json::array()))
+  for (const Json& v : partOf(arguments, key))
     if (v.is_number()) list.push_back(v);
   return list;
 }
@@ -40,7 +33,7 @@ std::vector<double> numbers(const Json& arguments, const char* key) {
 
 Verdict Judge::eachRow(const std::function<Verdict(const Json& row)>& judgeRow) {
   std::vector<Verdict> verdicts;
-  for (const Json& row : arguments_.value("rows", Json::array())) {
+  for (const Json& row : partOf(arguments_, "rows")) {
     verdicts.push_back(judgeRow(row));
     if (!problem_.empty()) return Verdict::Undecided;
   }
@@ -50,21 +43,21 @@ Verdict Judge::eachRow(const std::function<Verdict(const Json& row)>& judgeRow) 
 
 Verdict Judge::rule() {
   return eachRow([&](const Json& row) {
-    const double expected = numberOf(row, "expected");
-    const double ours = ruleOfThumb(numberOf(row, "discount", 0.98), numberOf(row, "transitions"),
-                                    numberOf(row, "goal", 200), numberOf(row, "time", 0));
+    const double expected = numberIn(row, "expected");
+    const double ours = ruleOfThumb(numberIn(row, "discount", 0.98), numberIn(row, "transitions"),
+                                    numberIn(row, "goal", 200), numberIn(row, "time", 0));
     if (!std::isfinite(ours) || !std::isfinite(expected))
       complain("rows", "transitions and expected are needed in each");
     note(fmt::format("{:.6g} for {:g}", ours, expected));
     if (!j_.ours) j_.ours = ours;
-    return agreesIf(asPrinted(ours, expected, numberOf(row, "digits", 0)));
+    return agreesIf(asPrinted(ours, expected, numberIn(row, "digits", 0)));
   });
 }
 
 const Evidence* Judge::conditionOf(const Json& row, const char* key) {
-  const Group found = fitting(textOf(row, key));
+  const Group found = fitting(textIn(row, key));
   if (found.size() == 1) return found[0];
-  complain("rows", fmt::format("no single condition is called \"{}\"", textOf(row, key)));
+  complain("rows", fmt::format("no single condition is called \"{}\"", textIn(row, key)));
   return nullptr;
 }
 
@@ -74,17 +67,17 @@ Verdict Judge::parameters() {
     const Evidence* of = row.contains("of") ? conditionOf(row, "of") : e;
     const auto parameter = [&](const Evidence* owner, const char* key, double otherwise) {
       if (!owner || !row.contains(key)) return otherwise;
-      const double value = numberOf(owner->configuration.value("parameters", Json::object()), textOf(row, key).c_str());
+      const double value = numberIn(partOf(owner->configuration, "parameters"), textIn(row, key));
       if (!std::isfinite(value))
-        complain("rows", fmt::format("\"{}\" is no number of {}", textOf(row, key), e->name()));
+        complain("rows", fmt::format("\"{}\" is no number of {}", textIn(row, key), e->name()));
       return value;
     };
     const double ours = parameter(e, "key", std::nan("")) * parameter(e, "times", 1) / parameter(of, "over", 1);
-    const double expected = numberOf(row, "expected");
+    const double expected = numberIn(row, "expected");
     if (!std::isfinite(ours) || !std::isfinite(expected)) complain("rows", "key and expected are needed in each");
     note(fmt::format("{:.6g} for {:g}", ours, expected));
     if (!j_.ours) j_.ours = ours;
-    return agreesIf(asPrinted(ours, expected, numberOf(row, "digits", 0)));
+    return agreesIf(asPrinted(ours, expected, numberIn(row, "digits", 0)));
   });
 }
 
@@ -106,15 +99,15 @@ Verdict Judge::drawn() {
       return Verdict::Undecided;
     }
     const FigureSeries& series = figure->series[0];
-    const double x = numberOf(row, "x");
+    const double x = numberIn(row, "x");
     const auto place = std::find(series.x.begin(), series.x.end(), x);
     if (place == series.x.end()) {
       complain("rows", fmt::format("x = {} is no point of the figure", x));
       return Verdict::Undecided;
     }
     const double ours = series.y[static_cast<std::size_t>(place - series.x.begin())].value;
-    const double expected = numberOf(row, "expected"), within = numberOf(row, "within", 1e-9);
-    const double low = numberOf(row, "low", expected - within), high = numberOf(row, "high", expected + within);
+    const double expected = numberIn(row, "expected"), within = numberIn(row, "within", 1e-9);
+    const double low = numberIn(row, "low", expected - within), high = numberIn(row, "high", expected + within);
     if (!(low <= high)) complain("rows", "expected, or low and high, are needed in each");
     if (!j_.ours) j_.ours = ours;
     const bool holds = ours >= low && ours <= high;

@@ -9,6 +9,7 @@
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 
+#include "core/laboratory/statistics_text.h"
 #include "core/parameters.h"
 
 namespace surefoot {
@@ -40,17 +41,22 @@ Verdict Judge::value() {
 
 Verdict Judge::reduction() {
   const double thesis = number("thesis");
+  const bool least = arguments_.contains("at_least");
+  const double atLeast = least ? number("at_least") : std::abs(thesis);
   const Evidence& e = *conditions_[0];
   const Evidence& reference = *referenceOf(e);
-  const Interval i = change(reference, e);
+  const Interval shown = change(reference, e), i = judged(shown, reference, e);
   const double pValue = p(reference, e);
-  report(i);
+  report(shown);
   if (!i.known() || std::isnan(pValue)) return tooFew();
   j_.p = pValue;
-  const bool size =
-      arguments_.contains("at_least") ? std::abs(i.value) >= number("at_least") : overlaps(i, thesis - 10, thesis + 10);
-  if (pValue >= kSignificant)
-    return size && leavesOpen(i, thesis, std::abs(thesis)) ? tooFew() : Verdict::Differs;
+  if (pValue >= kSignificant) {
+    const bool reached = least ? (thesis < 0 ? -i.low : i.high) >= atLeast : overlaps(i, thesis - 10, thesis + 10);
+    return reached && leavesOpen(i, thesis, atLeast) ? tooFew() : Verdict::Differs;
+  }
+  if (leavesZeroIn(reference, e)) return Verdict::Undecided;
+  if (toNothing_) note("it is 0 in every life");
+  const bool size = least ? std::abs(i.value) >= atLeast : overlaps(i, thesis - 10, thesis + 10);
   const bool direction = (i.value < 0) == (thesis < 0);
   if (direction && !size) note("direction and significance agree, size differs");
   return agreesIf(direction && size);
@@ -69,10 +75,14 @@ Verdict Judge::significant() {
       verdicts.push_back(tooFew(e->name()));
       continue;
     }
+    if (pValue >= j_.p.value_or(0)) j_.p = pValue, report(i);
+    if (pValue < kSignificant && leavesZeroIn(reference, *e)) {
+      verdicts.push_back(Verdict::Undecided);
+      continue;
+    }
     const bool holds = pValue < kSignificant && (mean(*e) - mean(reference)) * sign > 0;
     if (!holds) note(fmt::format("not {} (p {:.2g})", e->name(), pValue));
-    if (pValue >= j_.p.value_or(0)) j_.p = pValue, report(i);
-    const bool open = pValue >= kSignificant && leavesOpen(i, sign, 10);
+    const bool open = pValue >= kSignificant && leavesOpen(judged(i, reference, *e), sign, 10);
     verdicts.push_back(open ? tooFew(e->name()) : agreesIf(holds));
   }
   return all(verdicts);
@@ -87,12 +97,14 @@ Verdict Judge::noDifference() {
     const Interval i = change(reference, *e);
     if (!(pValue > j_.p.value_or(1))) report(i);
     if (pValue <= j_.p.value_or(1)) j_.p = pValue;
-    if (pValue < kSignificant) {
+    if (pValue < kSignificant && leavesZeroIn(reference, *e)) {
+      verdicts.push_back(Verdict::Undecided);
+    } else if (pValue < kSignificant) {
       note(fmt::format("{} differs{} (p {:.2g})", e->name(),
-                       std::isfinite(i.value) ? fmt::format(" by {:+.0f} %", i.value) : "", pValue));
+                       std::isfinite(i.value) ? fmt::format(" by {} %", signedText(i.value, 0)) : "", pValue));
       verdicts.push_back(Verdict::Differs);
     } else {
-      verdicts.push_back(mayExceed(i, true, true) ? tooFew(e->name()) : Verdict::Agrees);
+      verdicts.push_back(mayExceed(judged(i, reference, *e), true, true) ? tooFew(e->name()) : Verdict::Agrees);
     }
   }
   return all(verdicts);
@@ -125,9 +137,11 @@ Verdict Judge::notLonger() {
   for (const Evidence* e : conditions_) {
     const Evidence& reference = *referenceOf(*e);
     if (e == &reference) continue;
-    const Interval i = change(reference, *e);
-    if (!j_.high || i.high > *j_.high) report(i);
-    if (i.low > 0) note(fmt::format("{}: {:+.0f} % ({:+.0f} … {:+.0f})", e->name(), i.value, i.low, i.high));
+    const Interval shown = change(reference, *e), i = judged(shown, reference, *e);
+    if (!j_.high || i.high > *j_.high) report(shown);
+    if (i.low > 0)
+      note(fmt::format("{}: {} % ({} … {})", e->name(), signedText(i.value, 0), signedText(i.low, 0),
+                       signedText(i.high, 0)));
     if (!i.known())
       verdicts.push_back(tooFew(e->name()));
     else
@@ -154,12 +168,9 @@ Verdict Judge::trend() {
   const std::string along = text("along", "");
   std::vector<double> x, y;
   for (const Evidence* e : conditions_) {
-    const auto& parameters = e->configuration.value("parameters", nlohmann::json::object());
-    if (!parameters.contains(along) || !parameters[along].is_number()) {
-      complain("along", fmt::format("\"{}\" is no number of {}", along, e->name()));
-      return Verdict::Undecided;
-    }
-    for (const double v : values(*e)) x.push_back(parameters[along]), y.push_back(v);
+    const double varied = parameterOf(*e, along);
+    if (!std::isfinite(varied)) return Verdict::Undecided;
+    for (const double v : values(*e)) x.push_back(varied), y.push_back(v);
   }
   const auto r = rankCorrelation(x, y);
   if (!r) return tooFew();

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/laboratory/judge.h"
+#include "core/typed_json.h"
 
 namespace surefoot {
 
@@ -25,7 +26,7 @@ Verdict Judge::lowest() {
 
 Verdict Judge::pairs() {
   std::vector<Verdict> verdicts;
-  for (const auto& pair : arguments_.value("pairs", nlohmann::json::array())) {
+  for (const auto& pair : partOf(arguments_, "pairs")) {
     const bool two = pair.is_array() && pair.size() == 2 && pair[0].is_string() && pair[1].is_string();
     const Group first = two ? fitting(pair[0]) : Group{}, second = two ? fitting(pair[1]) : Group{};
     if (first.size() != 1 || second.size() != 1) {
@@ -48,8 +49,13 @@ Verdict Judge::notWorse() {
   for (const Evidence* e : conditions_) {
     if (e == &first) continue;
     const double pValue = p(first, *e);
-    open = open || std::isnan(pValue) || (pValue >= kSignificant && mayExceed(change(first, *e), true, false));
+    open = open || std::isnan(pValue) ||
+           (pValue >= kSignificant && mayExceed(judged(change(first, *e), first, *e), true, false));
     if (!(pValue < kSignificant) || mean(*e) >= mean(first)) continue;
+    if (leavesZeroIn(first, *e)) {
+      open = true;
+      continue;
+    }
     better = true;
     note(fmt::format("{} is better (p {:.2g})", e->name(), pValue));
     j_.p = std::min(pValue, j_.p.value_or(1));

@@ -29,9 +29,10 @@ LaboratoryThread::LaboratoryThread(const Registry& registry, Plan plan, Store st
       plan_(std::move(plan)),
       thread_([this, options, store = std::move(store)]() mutable {
         const std::string trouble = troubleOf([&] { run(std::move(store), options); });
-        if (trouble.empty()) return;
-        const std::lock_guard lock(mutex_);
-        trouble_ = trouble;
+        if (!trouble.empty()) {
+          const std::lock_guard lock(mutex_);
+          trouble_ = trouble;
+        }
         over_ = true;
       }) {}
 
@@ -84,7 +85,7 @@ void LaboratoryThread::run(Store store, LabOptions options) {
   const auto result = runPlan(registry_, plan_, store, options);
   if (result) {
     complete_ = result->complete();
-    look(store);
+    if (!interrupted_) look(store);  // else nobody waits for it
   }
   {
     const std::lock_guard lock(mutex_);
@@ -93,7 +94,6 @@ void LaboratoryThread::run(Store store, LabOptions options) {
     else if (!result->keeping)
       trouble_ = result->keeping.error().message;
   }
-  over_ = true;
 }
 
 }  // namespace surefoot

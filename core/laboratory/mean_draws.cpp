@@ -53,6 +53,15 @@ std::vector<Cluster> clustersOf(const std::vector<MeanEstimate>& means, const st
   return clusters;
 }
 
+/// Every difference of two means has an error that is known.
+bool tellDifferences(const std::vector<MeanEstimate>& means, const Cluster& cluster) {
+  if (cluster.degrees + 1 >= kEnoughAlike) return true;
+  for (const std::size_t i : cluster.members)
+    for (const std::size_t j : cluster.members)
+      if (i < j && !tellsDifference(means[i], means[j])) return false;
+  return true;
+}
+
 }  // namespace
 
 // mean + T·Σ z_i·d_i with normal z_i and T = √(degrees/χ²): Student's t times the standard error, in several dimensions
@@ -62,6 +71,8 @@ std::vector<double> drawMeans(const std::vector<MeanEstimate>& means, const std:
   std::vector<double> results, drawn(means.size()), z;
   if (!std::all_of(means.begin(), means.end(), [](const MeanEstimate& m) { return m.known(); })) return results;
   const auto clusters = clustersOf(means, together);
+  for (const Cluster& c : clusters)
+    if (!tellDifferences(means, c)) return results;
   std::vector<double> errors;
   for (const MeanEstimate& m : means) errors.push_back(std::sqrt(m.squaredError()));
   for (int k = 0; k < count; ++k) {

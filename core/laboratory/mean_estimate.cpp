@@ -10,24 +10,34 @@ namespace {
 
 const double kNothing = std::numeric_limits<double>::quiet_NaN();
 
-constexpr double kEnoughAlike = 4;  // two or three falls that happen to be equal do not say how falls scatter
-
 Interval around(double value, double half) {
   return {value, value - half, value + half};
+}
+
+/// The squared standard error of weightB·b − weightA·a, of pairs.
+double squaredErrorOfPairs(const MeanEstimate& a, double weightA, const MeanEstimate& b, double weightB) {
+  double squares = 0;
+  for (std::size_t i = 0; i < a.deviations.size(); ++i) {
+    const double d = weightB * b.deviations[i] - weightA * a.deviations[i];
+    squares += d * d;
+  }
+  return squares;
+}
+
+/// Two or three pairs whose differences happen to be equal (but for rounding) do not say how these scatter.
+bool differencesScatter(double squares, double ofA, double ofB, double degrees) {
+  constexpr double kRounding = 1e-24;
+  return degrees + 1 >= kEnoughAlike || squares > kRounding * (ofA + ofB);
 }
 
 /// The standard error of weightB·b − weightA·a times t(.975), which is what an interval goes to either side.
 double halfWidth(const MeanEstimate& a, double weightA, const MeanEstimate& b, double weightB, bool sameUnits) {
   if (!a.known() || !b.known()) return kNothing;
-  if (sameUnits && a.resampled == b.resampled && a.deviations.size() == b.deviations.size()) {
-    double squares = 0;
-    for (std::size_t i = 0; i < a.deviations.size(); ++i) {
-      const double d = weightB * b.deviations[i] - weightA * a.deviations[i];
-      squares += d * d;
-    }
-    return tQuantile(std::min(a.degrees, b.degrees)) * std::sqrt(squares);
-  }
   const double ofA = weightA * weightA * a.squaredError(), ofB = weightB * weightB * b.squaredError();
+  if (sameUnits && arePairs(a, b)) {
+    const double squares = squaredErrorOfPairs(a, weightA, b, weightB), degrees = std::min(a.degrees, b.degrees);
+    return differencesScatter(squares, ofA, ofB, degrees) ? tQuantile(degrees) * std::sqrt(squares) : kNothing;
+  }
   if (ofA + ofB == 0) return 0;
   const double degrees = (ofA + ofB) * (ofA + ofB) / (ofA * ofA / a.degrees + ofB * ofB / b.degrees);
   return tQuantile(degrees) * std::sqrt(ofA + ofB);
@@ -39,6 +49,16 @@ Units Units::each(std::size_t values) {
   Units units{.of = std::vector<std::size_t>(values), .count = values};
   std::iota(units.of.begin(), units.of.end(), std::size_t{0});
   return units;
+}
+
+bool arePairs(const MeanEstimate& a, const MeanEstimate& b) {
+  return a.resampled == b.resampled && a.deviations.size() == b.deviations.size();
+}
+
+bool tellsDifference(const MeanEstimate& a, const MeanEstimate& b) {
+  if (!arePairs(a, b)) return true;
+  return differencesScatter(squaredErrorOfPairs(a, 1, b, 1), a.squaredError(), b.squaredError(),
+                            std::min(a.degrees, b.degrees));
 }
 
 double MeanEstimate::squaredError() const {
@@ -68,13 +88,15 @@ MeanEstimate estimateOf(Sample values, const Units& units) {
   return estimate;
 }
 
-// The bootstrap's standard error is √((G − 1)/G) of what it should be for so few units.
+// The bootstrap's standard error is √((G − 1)/G) of what it should be for so few units. Deviations are those from our
+// value, not from the mean of the resamples: in these the end comes earlier, as it does of fewer lives, and by how much
+// is a part of what is uncertain.
 MeanEstimate estimateOf(double value, Sample resampled, std::size_t units) {
   MeanEstimate estimate{.value = value, .deviations = {}, .resampled = true};
   if (units < 2 || resampled.size() < 2) return estimate;
-  const double mean = meanOf(resampled), all = static_cast<double>(units);
+  const double all = static_cast<double>(units);
   const double factor = std::sqrt(all / (all - 1) / static_cast<double>(resampled.size() - 1));
-  for (const double v : resampled) estimate.deviations.push_back(factor * (v - mean));
+  for (const double v : resampled) estimate.deviations.push_back(factor * (v - value));
   estimate.degrees = all - 1;
   return estimate;
 }

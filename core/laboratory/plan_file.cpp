@@ -42,7 +42,8 @@ std::optional<std::string> valueAsText(const toml::node& node) {
 
 /// What a recipe has besides its plan.
 bool isOfRecipes(const std::string& key) {
-  for (const char* other : {"figure", "claim", "shows", "table", "answers", "minutes_on_two_cores"})
+  for (const char* other :
+       {"figure", "claim", "shows", "table", "answers", "minutes_on_two_cores", "minutes_for_lives"})
     if (key == other) return true;
   return false;
 }
@@ -85,6 +86,7 @@ class Reader {
   static void readRecipe(const toml::table& root, PlanFile& file) {
     file.answers = root["answers"].value_or(std::string());
     file.minutesOnTwoCores = root["minutes_on_two_cores"].value_or(0.0);
+    file.minutesForLives = root["minutes_for_lives"].value_or(0.0);
     if (const toml::array* shows = root["shows"].as_array())
       for (const toml::node& shown : *shows)
         if (const auto* text = shown.as_string()) file.shows.push_back(text->get());

@@ -32,6 +32,7 @@ struct PlanFile {
   std::vector<std::string> shows;  ///< figures and tables of the thesis
   std::string answers;             ///< the question, in a sentence
   double minutesOnTwoCores = 0;    ///< measured; 0: nobody did
+  double minutesForLives = 0;      ///< with so many lives a condition; 0: it holds for any number
 };
 
 Result<PlanFile> parsePlanFile(const std::string& text, const std::string& path);

@@ -67,10 +67,15 @@ double minutesFor(const Registry& registry, const PlanFile& plan, int threads) {
   double lives = 40;
   for (const PlanSetting& s : plan.head)
     if (s.key == "lives") lives = std::max(1.0, numberOf(s.values.front(), lives));
-  if (plan.minutesOnTwoCores > 0) return plan.minutesOnTwoCores * 2 / std::max(1, threads);
-  double seconds = 0;
-  for (const PlanBlock& block : plan.blocks) seconds += secondsOf(registry, block, lives);
-  return seconds / 60 / std::max(1, threads);
+  const auto estimated = [&](double livesEach) {
+    double seconds = 0;
+    for (const PlanBlock& block : plan.blocks) seconds += secondsOf(registry, block, livesEach);
+    return seconds;
+  };
+  if (plan.minutesOnTwoCores <= 0) return estimated(lives) / 60 / std::max(1, threads);
+  const double measured = plan.minutesOnTwoCores * 2 / std::max(1, threads);
+  const double then = plan.minutesForLives > 0 ? estimated(plan.minutesForLives) : 0.0;
+  return then > 0 ? measured * estimated(lives) / then : measured;
 }
 
 std::string roundedTime(double minutes) {

@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <set>
 
 #include "core/files/read_file.h"
 #include "core/laboratory/plan_file.h"
+#include "core/text.h"
+#include "core/typed_json.h"
 
 namespace surefoot {
 
@@ -16,50 +19,118 @@ namespace {
 
 using Json = nlohmann::json;
 
+/// What an argument of a figure or a claim may be.
+enum class Takes { Text, Number, Flag, Texts, Numbers, ListsOfTexts, Tables, TextOrNumber };
+
+const char* wordsFor(Takes takes) {
+  constexpr const char* kWords[] = {"a text",          "a number",     "true or false",   "a list of texts",
+                                    "a list of numbers", "a list of lists of texts", "a list of tables",
+                                    "a number or a text"};
+  return kWords[static_cast<int>(takes)];
+}
+
+bool isOne(const Json& value, Takes takes) {
+  const auto all = [&](Takes each) {
+    return value.is_array() && std::all_of(value.begin(), value.end(), [&](const Json& v) { return isOne(v, each); });
+  };
+  switch (takes) {
+    case Takes::Text:
+      return value.is_string();
+    case Takes::Number:
+      return value.is_number();
+    case Takes::Flag:
+      return value.is_boolean();
+    case Takes::Texts:
+      return all(Takes::Text);
+    case Takes::Numbers:
+      return all(Takes::Number);
+    case Takes::ListsOfTexts:
+      return all(Takes::Texts);
+    case Takes::Tables:
+      return value.is_array() && std::all_of(value.begin(), value.end(), [](const Json& v) { return v.is_object(); });
+    case Takes::TextOrNumber:
+      return value.is_string() || value.is_number();
+  }
+  return false;
+}
+
+using Keys = std::map<std::string, Takes>;
+
+/// Every key is known and has a value of its type: what is wrong is told here, and later the values are taken as they
+/// are.
+Status checkKeys(const Json& block, const Keys& keys) {
+  for (const auto& [key, value] : block.items()) {
+    const auto known = keys.find(key);
+    if (known == keys.end()) {
+      std::vector<std::string> names;
+      for (const auto& [name, takes] : keys) names.push_back(name);
+      return unknownKey(key, names);
+    }
+    if (!isOne(value, known->second))
+      return Error{fmt::format("{}: {} is expected, not {}.", key, wordsFor(known->second), shortened(value.dump()))};
+  }
+  return Done{};
+}
+
+Error wrong(const char* what, const std::string& name, const std::string& sentence) {
+  return Error{fmt::format("{} {}: {}", what, shortened(name), sentence)};
+}
+
+/// With `key` taken away.
 std::string take(Json& block, const char* key) {
-  std::string text = block.contains(key) && block[key].is_string() ? block[key].get<std::string>() : "";
+  std::string text = textIn(block, key);
   block.erase(key);
   return text;
 }
 
 Status readFigures(const Json& blocks, Recipe& recipe) {
-  for (Json block : blocks) {
-    FigureSpec figure{.name = take(block, "name"),
-                      .title = take(block, "title"),
-                      .kind = take(block, "kind"),
+  static const Keys kKeys = {{"name", Takes::Text},        {"title", Takes::Text},   {"kind", Takes::Text},
+                             {"conditions", Takes::Texts}, {"measure", Takes::Text}, {"along", Takes::Text},
+                             {"q", Takes::Numbers},        {"state", Takes::Numbers}};
+  std::set<std::string> names;
+  for (const Json& block : blocks) {
+    FigureSpec figure{.name = textIn(block, "name"),
+                      .title = textIn(block, "title"),
+                      .kind = textIn(block, "kind"),
                       .conditions = {},
-                      .along = take(block, "along"),
+                      .measure = textIn(block, "measure", "falls"),
+                      .along = textIn(block, "along"),
                       .q = {},
                       .state = {}};
-    if (const std::string measure = take(block, "measure"); !measure.empty()) figure.measure = measure;
-    for (const Json& pattern : block.value("conditions", Json::array()))
-      if (pattern.is_string()) figure.conditions.push_back(pattern);
-    block.erase("conditions");
-    for (auto& [key, numbers] :
-         {std::pair<const char*, std::vector<double>&>{"q", figure.q}, {"state", figure.state}}) {
-      for (const Json& number : block.value(key, Json::array()))
-        if (number.is_number()) numbers.push_back(number);
-      block.erase(key);
-    }
-    const bool nameFits = !figure.name.empty() && figure.name.find_first_of("/\\") == std::string::npos;
-    if (!nameFits || !block.empty())
-      return Error{fmt::format(
-          "figure {}: {}.", figure.name,
-          block.empty() ? "a name is needed, without a slash" : "there is no \"" + block.begin().key() + "\"")};
+    if (const Status s = checkKeys(block, kKeys); !s) return wrong("figure", figure.name, s.error().message);
+    for (const Json& pattern : partOf(block, "conditions")) figure.conditions.push_back(pattern);
+    for (const Json& number : partOf(block, "q")) figure.q.push_back(number);
+    for (const Json& number : partOf(block, "state")) figure.state.push_back(number);
+    if (figure.name.empty() || figure.name.find_first_of("/\\") != std::string::npos)
+      return wrong("figure", figure.name, "a name is needed, without a slash.");
+    if (!names.insert(figure.name).second)
+      return wrong("figure", figure.name, "there are two of this name; every figure needs one of its own.");
     recipe.figures.push_back(std::move(figure));
   }
   return Done{};
 }
 
 Status readClaims(const Json& blocks, Recipe& recipe) {
+  static const Keys kKeys = {{"id", Takes::Text},           {"kind", Takes::Text},        {"says", Takes::Text},
+                             {"calibrated", Takes::Flag},   {"thesis", Takes::TextOrNumber},
+                             {"conditions", Takes::Texts},  {"others", Takes::Texts},     {"reference", Takes::Text},
+                             {"measure", Takes::Text},      {"other", Takes::Text},       {"along", Takes::Text},
+                             {"relation", Takes::Text},     {"draws", Takes::Text},       {"within", Takes::Number},
+                             {"tolerance", Takes::Number},  {"at_least", Takes::Number},  {"sign", Takes::Number},
+                             {"low", Takes::Number},        {"high", Takes::Number},      {"widest", Takes::Number},
+                             {"first", Takes::Number},      {"steps", Takes::Number},     {"q", Takes::Numbers},
+                             {"state", Takes::Numbers},     {"pairs", Takes::ListsOfTexts},
+                             {"groups", Takes::ListsOfTexts}, {"rows", Takes::Tables}};
   std::set<std::string> ids;
   for (Json block : blocks) {
+    const std::string id = textIn(block, "id");
+    if (const Status s = checkKeys(block, kKeys); !s) return wrong("claim", id, s.error().message);
+    if (id.empty() || !ids.insert(id).second) return wrong("claim", id, "every claim needs an id of its own.");
     Claim claim{.id = take(block, "id"), .kind = take(block, "kind"), .says = take(block, "says"), .arguments = {}};
-    claim.calibrated = block.value("calibrated", Json(false)) == Json(true);
+    claim.calibrated = block.contains("calibrated") && block["calibrated"] == true;
     block.erase("calibrated");
     claim.arguments = std::move(block);
-    if (claim.id.empty() || !ids.insert(claim.id).second)
-      return Error{fmt::format("claim {}: every claim needs an id of its own.", claim.id)};
+    if (const Status s = checkKind(claim); !s) return s;
     recipe.claims.push_back(std::move(claim));
   }
   return Done{};
@@ -75,7 +146,7 @@ std::vector<std::string> patternsOf(const Claim& claim) {
   };
   for (const char* key : {"conditions", "others", "pairs", "groups", "reference"})
     if (claim.arguments.contains(key)) add(add, claim.arguments[key]);
-  for (const Json& row : claim.arguments.value("rows", Json::array()))
+  for (const Json& row : partOf(claim.arguments, "rows"))
     for (const char* key : {"condition", "of"})
       if (row.is_object() && row.contains(key)) add(add, row[key]);
   return patterns;

@@ -2,7 +2,8 @@
 // A recipe: a plan, what to draw of its results, and which claims of the thesis they are held against. One TOML file:
 // a plan with [[figure]] and [[claim]] blocks and, at the top, the list `shows` of the thesis's figures and tables, and
 // `table` of the measures that stand in the table of its conditions beside the falls; `answers`, its question in a
-// sentence, and `minutes_on_two_cores`, how long it took, for the list in the window.
+// sentence, and `minutes_on_two_cores`, how long it took with `minutes_for_lives` lives a condition, for the list in
+// the window.
 #pragma once
 
 #include "core/laboratory/claim.h"

@@ -53,6 +53,11 @@ std::vector<double> ranksOf(Sample x) {
   return ranks;
 }
 
+/// Whether a sample tells how such values scatter.
+bool scatters(Sample x) {
+  return x.size() >= kEnoughAlike || (x.size() >= 2 && varianceOf(x) > 0);
+}
+
 struct SquaredStandardErrors {
   double a, b;
   double sum() const { return a + b; }
@@ -87,7 +92,7 @@ double tQuantile(double degrees) {
 }
 
 std::optional<Interval> meanInterval(Sample x) {
-  if (x.size() < 2) return std::nullopt;
+  if (!scatters(x)) return std::nullopt;
   const double mean = meanOf(x), half = tQuantile(count(x) - 1) * std::sqrt(varianceOf(x) / count(x));
   return Interval{mean, mean - half, mean + half};
 }
@@ -95,8 +100,10 @@ std::optional<Interval> meanInterval(Sample x) {
 // F = (Σ n_i (x̄_i − x̄)²/(k − 1)) / (Σ Σ (x_ij − x̄_i)²/(n − k))
 std::optional<TestResult> oneWayAnova(const std::vector<Sample>& groups) {
   double n = 0, sum = 0;
+  bool enough = true;
   for (const Sample g : groups) {
     if (g.empty()) return std::nullopt;
+    enough = enough && g.size() >= kEnoughAlike;
     n += count(g);
     sum += meanOf(g) * count(g);
   }
@@ -108,18 +115,17 @@ std::optional<TestResult> oneWayAnova(const std::vector<Sample>& groups) {
     squaresBetween += count(g) * distance * distance;
     squaresWithin += varianceOf(g) * (count(g) - 1);
   }
+  if (squaresWithin == 0 && !enough) return std::nullopt;
   const double f = (squaresBetween / between) / (squaresWithin / within);
   return TestResult{f, between, within, tailOfF(f, between, within)};
 }
 
 std::optional<TestResult> anovaOfTwo(Sample a, Sample b) {
-  const std::size_t fewer = std::min(a.size(), b.size());
-  if (fewer < 2 || (fewer < 4 && varianceOf(a) + varianceOf(b) == 0)) return std::nullopt;
-  return oneWayAnova({a, b});
+  return a.size() < 2 || b.size() < 2 ? std::nullopt : oneWayAnova({a, b});
 }
 
 std::optional<TestResult> welchTest(Sample a, Sample b) {
-  if (a.size() < 2 || b.size() < 2) return std::nullopt;
+  if (!scatters(a) || !scatters(b)) return std::nullopt;
   const double squaredError = squaredStandardErrors(a, b).sum();
   if (squaredError == 0) return TestResult{0.0, 0.0, 0.0, meanOf(a) == meanOf(b) ? 1.0 : 0.0};
   const double t = (meanOf(b) - meanOf(a)) / std::sqrt(squaredError);
@@ -128,7 +134,7 @@ std::optional<TestResult> welchTest(Sample a, Sample b) {
 }
 
 std::optional<Interval> differenceInterval(Sample a, Sample b) {
-  if (a.size() < 2 || b.size() < 2) return std::nullopt;
+  if (!scatters(a) || !scatters(b)) return std::nullopt;
   const double difference = meanOf(b) - meanOf(a);
   const double squaredError = squaredStandardErrors(a, b).sum();
   if (squaredError == 0) return Interval{difference, difference, difference};
@@ -138,9 +144,9 @@ std::optional<Interval> differenceInterval(Sample a, Sample b) {
 
 std::optional<TestResult> pairedTest(Sample a, Sample b) {
   assert(a.size() == b.size());
-  if (a.size() < 2) return std::nullopt;
   std::vector<double> differences(a.size());
   for (std::size_t i = 0; i < a.size(); ++i) differences[i] = b[i] - a[i];
+  if (!scatters(differences)) return std::nullopt;
   const double t = meanOf(differences) / std::sqrt(varianceOf(differences) / count(a));
   return TestResult{t, count(a) - 1, 0.0, twoTailsOfT(t, count(a) - 1)};
 }

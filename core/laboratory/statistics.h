@@ -15,6 +15,10 @@ namespace surefoot {
 
 using Sample = std::span<const double>;
 
+/// So many values that are all the same say that such values do not scatter; two or three falls that happen to be equal
+/// do not.
+inline constexpr std::size_t kEnoughAlike = 4;
+
 struct Interval {
   double value = 0.0;            ///< the estimate itself; NaN: there is none
   double low = 0.0, high = 0.0;  ///< of 95 %; NaN: there is no interval, as of one life
@@ -26,7 +30,7 @@ double meanOf(Sample x);
 /// Unbiased, n − 1; 0 for fewer than two.
 double varianceOf(Sample x);
 
-/// Mean with its 95 % interval by Student's t. Empty for fewer than two.
+/// Mean with its 95 % interval by Student's t. Empty for fewer than two, and for two or three that are equal.
 std::optional<Interval> meanInterval(Sample x);
 /// t(0.975) with so many degrees of freedom: what a standard error is multiplied by.
 double tQuantile(double degrees);
@@ -38,16 +42,17 @@ struct TestResult {
 };
 
 /// One-way analysis of variance (Fisher): do all groups have one mean? Empty with fewer than two groups, an empty
-/// group, or one value a group. Groups without any variance: p is 1 for equal means, else 0.
+/// group, or one value a group. Without any variance it is empty where a group has fewer than kEnoughAlike values, else
+/// p is 1 for equal means, and 0 for others.
 std::optional<TestResult> oneWayAnova(const std::vector<Sample>& groups);
-/// The same of two conditions, as the thesis compares them. Empty if nobody knows how they scatter: if one of them has a
-/// single value, or two or three values are all the same in each.
+/// The same of two conditions, as the thesis compares them. Empty, too, if one of them has a single value.
 std::optional<TestResult> anovaOfTwo(Sample a, Sample b);
-/// Welch's t test (1947): the same for two groups whose variances may differ. Without any variance as above.
+/// Welch's t test (1947): the same for two groups whose variances may differ. Empty if nobody knows how one of them
+/// scatters: of a single value, or of two or three that are equal. Without any variance p is 1 or 0 as above.
 std::optional<TestResult> welchTest(Sample a, Sample b);
-/// Interval of mean(b) − mean(a), after Welch.
+/// Interval of mean(b) − mean(a), after Welch; empty where that is.
 std::optional<Interval> differenceInterval(Sample a, Sample b);
-/// Student's t test of the differences of pairs.
+/// Student's t test of the differences of pairs; empty for fewer than two, and for two or three that are equal.
 std::optional<TestResult> pairedTest(Sample a, Sample b);
 /// Brown & Forsythe (1974): equal variances? An analysis of variance of the distances from the medians.
 std::optional<TestResult> brownForsytheTest(const std::vector<Sample>& groups);

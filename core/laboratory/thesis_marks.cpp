@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/laboratory/statistics.h"
+#include "core/typed_json.h"
 
 namespace surefoot {
 
@@ -12,7 +13,7 @@ namespace {
 /// What a claim's reduction is a share of: the mean of the claim's reference, or of the condition's own.
 std::optional<double> referenceMean(const Claim& claim, const std::string& condition, const std::string& measure,
                                     const std::vector<Evidence>& evidence) {
-  std::string reference = claim.arguments.value("reference", "");
+  std::string reference = textIn(claim.arguments, "reference");
   for (const Evidence& e : evidence)
     if (reference.empty() && e.name() == condition) reference = e.record.condition.reference;
   for (const Evidence& e : evidence)
@@ -20,13 +21,12 @@ std::optional<double> referenceMean(const Claim& claim, const std::string& condi
   return std::nullopt;
 }
 
-bool isAbout(const Claim& claim, const std::string& condition, const std::string& measure) {
-  if (claim.kind != "value" && claim.kind != "reduction") return false;
-  if (!claim.arguments.contains("thesis") || !claim.arguments["thesis"].is_number()) return false;
-  if (claim.arguments.value("measure", "falls") != measure) return false;
-  for (const auto& pattern : claim.arguments.value("conditions", std::vector<std::string>()))
-    if (fits(condition, pattern)) return true;
-  return false;
+/// The number that a claim about this measure gives for a condition.
+std::optional<double> thesisOn(const Claim& claim, const std::string& condition, const std::string& measure) {
+  const double thesis = numberIn(claim.arguments, "thesis");
+  const bool kind = claim.kind == "value" || claim.kind == "reduction";
+  if (!kind || !std::isfinite(thesis) || textIn(claim.arguments, "measure", "falls") != measure) return std::nullopt;
+  return isAbout(claim, condition) ? std::optional(thesis) : std::nullopt;
 }
 
 }  // namespace
@@ -36,12 +36,12 @@ void markThesis(Figure& figure, const std::string& measure, const std::vector<Cl
   if (!figure.bars) return;
   for (FigureSeries& series : figure.series)
     for (const Claim& claim : claims) {
-      if (!isAbout(claim, series.name, measure)) continue;
-      const double thesis = claim.arguments["thesis"].get<double>();
+      const auto thesis = thesisOn(claim, series.name, measure);
+      if (!thesis) continue;
       if (claim.kind == "value")
-        series.thesis = thesis;
+        series.thesis = *thesis;
       else if (const auto mean = referenceMean(claim, series.name, measure, evidence); mean && std::isfinite(*mean))
-        series.thesis = *mean * (1 + thesis / 100);
+        series.thesis = *mean * (1 + *thesis / 100);
     }
 }
 

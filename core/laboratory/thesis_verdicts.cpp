@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/laboratory/thesis_verdicts.h"
 
-#include <algorithm>
+#include <cmath>
 
 #include "core/text.h"
+#include "core/typed_json.h"
 
 namespace surefoot {
 
@@ -11,22 +12,12 @@ namespace {
 
 /// Empty: the claim is about something else.
 std::string saysOf(const Claim& claim) {
-  const auto& a = claim.arguments;
-  if (a.value("measure", "falls") != "falls") return "";
-  const bool number = a.contains("thesis") && a["thesis"].is_number();
-  if (claim.kind == "value" && number) return fixedText(a["thesis"].get<double>(), 0);
-  if (claim.kind == "reduction" && number) {
-    const double percent = a["thesis"].get<double>();
-    return (percent > 0 ? "+" : "") + fixedText(percent, 0) + " %";
-  }
+  if (textIn(claim.arguments, "measure", "falls") != "falls") return "";
+  const double thesis = numberIn(claim.arguments, "thesis");
+  if (claim.kind == "value" && std::isfinite(thesis)) return fixedText(thesis, 0);
+  if (claim.kind == "reduction" && std::isfinite(thesis)) return (thesis > 0 ? "+" : "") + fixedText(thesis, 0) + " %";
   if (claim.kind == "reduction" || claim.kind == "significant") return "differs";
   return claim.kind == "no-difference" ? "no difference" : "";
-}
-
-bool isAbout(const Claim& claim, const std::string& condition) {
-  const auto conditions = claim.arguments.value("conditions", nlohmann::json::array());
-  return std::any_of(conditions.begin(), conditions.end(),
-                     [&](const auto& p) { return p.is_string() && fits(condition, p.template get<std::string>()); });
 }
 
 Verdict both(Verdict a, Verdict b) {

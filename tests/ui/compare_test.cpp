@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two learners side by side: what is held against each other is comparable, and says what it is.
+#include <QPushButton>
+#include <QTemporaryDir>
+
+#include "core/experiment/experiment.h"
 #include "core/experiment/q_file.h"
+#include "core/files/whole_file.h"
 #include "tests/ui/window_setup.h"
 #include "ui/beginning.h"
 #include "ui/compare_strip.h"
@@ -90,6 +95,81 @@ TEST(Compare, AStartThatCannotFitIsTold) {
   EXPECT_EQ(rival->session().beginning(), "pre-learned (scenario 2)");
   rival->setStart(Rival::Start::Empty);
   EXPECT_EQ(rival->session().beginning(), "");
+}
+
+namespace {
+
+void learnBoth(Window& w, Rival& rival, std::int64_t episodes) {
+  w.session->setTurbo(true);
+  w.session->setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] {
+    return w.session->progress().episodes >= episodes && rival.session().progress().episodes >= episodes;
+  }, 30'000));
+  w.session->setRunning(false);
+  ASSERT_TRUE(w.waitFor([&] { return !w.session->snapshot().running && !rival.session().snapshot().running; }));
+  QTest::qWait(200);
+}
+
+void press(Window& w, const QString& answer) {
+  for (auto* button : w.window->messages().findChildren<QPushButton*>())
+    if (button->isVisible() && button->text() == answer) return QTest::mouseClick(button, Qt::LeftButton);
+  ADD_FAILURE() << "no answer " << answer.toStdString();
+}
+
+}  // namespace
+
+TEST(Compare, WhatTheSecondLearnedIsNotGivenUpWithoutAQuestion) {
+  Window w("epsilon-greedy");
+  w.window->livePage().setComparing(true);
+  Rival* rival = w.window->livePage().rival();
+  learnBoth(w, *rival, 30);
+  const std::int64_t steps = rival->session().progress().steps;
+  rival->choose("sarsa-2q", "softmax");
+  rival->setStart(Rival::Start::Empty);
+  QTest::qWait(50);
+  EXPECT_EQ(rival->session().progress().steps, steps);
+  EXPECT_EQ(rival->start(), Rival::Start::Same);
+  EXPECT_EQ(rival->agent(), "sarsa");
+  rival->choose("sarsa-2q", "softmax");
+  press(w, "Start again");
+  EXPECT_TRUE(w.waitFor([&] { return rival->session().progress().steps == 0; }));
+  EXPECT_EQ(rival->agent(), "sarsa-2q");
+}
+
+// Every life of the first has the one beside it that it ran with, also after changes of the second.
+TEST(Compare, UndoBringsThePairBackThatRanTogether) {
+  Window w("epsilon-greedy");
+  w.window->livePage().setComparing(true);
+  Rival* rival = w.window->livePage().rival();
+  learnBoth(w, *rival, 30);
+  const std::int64_t first = w.session->progress().steps, second = rival->session().progress().steps;
+  w.key(Qt::Key_R);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->progress().steps == 0 && rival->session().progress().steps == 0; }));
+  learnBoth(w, *rival, 10);
+  rival->choose("sarsa-2q", "softmax");
+  press(w, "Start again");
+  ASSERT_TRUE(w.waitFor([&] { return rival->session().progress().steps == 0; }));
+  w.session->undo().undo();
+  EXPECT_TRUE(w.waitFor([&] { return w.session->progress().steps == first; }));
+  EXPECT_TRUE(w.waitFor([&] { return rival->session().progress().steps == second; }));
+  EXPECT_EQ(rival->agent(), "sarsa");
+}
+
+TEST(Compare, AStartThatIsRefusedIsNotKept) {
+  Window w("epsilon-greedy");
+  QTemporaryDir folder;
+  const QString file = folder.filePath("cliff.safetensors");
+  Configuration cliff = *configure(w.registry, {.environment = "cliff", .features = "table"}, {});
+  auto life = makeLife(w.registry, cliff, 0, false);
+  ASSERT_TRUE(writeWhole("file", file.toStdString(), qFileOf(**life, cliff).write()));
+  w.window->livePage().setComparing(true);
+  Rival* rival = w.window->livePage().rival();
+  rival->startWith(file);
+  ASSERT_TRUE(w.waitFor([&] { return !w.window->messages().accessibleName().isEmpty(); }));
+  EXPECT_EQ(rival->start(), Rival::Start::Same) << w.window->messages().accessibleName().toStdString();
+  w.key(Qt::Key_R);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().life == 2 && rival->session().snapshot().life >= 2; }))
+      << "both begin again";
 }
 
 TEST(Compare, TheSecondHasParametersOfItsOwn) {

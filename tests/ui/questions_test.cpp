@@ -18,17 +18,23 @@ namespace surefoot {
 
 namespace {
 
-QStringList answersOf(Window& w) {
+QStringList answersOf(MainWindow& window) {
   QStringList texts;
-  for (auto* button : w.window->messages().findChildren<QPushButton*>())
+  for (auto* button : window.messages().findChildren<QPushButton*>())
     if (button->isVisible()) texts << button->text();
   return texts;
 }
+QStringList answersOf(Window& w) {
+  return answersOf(*w.window);
+}
 
-void answer(Window& w, const QString& text) {
-  for (auto* button : w.window->messages().findChildren<QPushButton*>())
+void answer(MainWindow& window, const QString& text) {
+  for (auto* button : window.messages().findChildren<QPushButton*>())
     if (button->isVisible() && button->text() == text) return QTest::mouseClick(button, Qt::LeftButton);
-  ADD_FAILURE() << "no answer " << text.toStdString() << " among " << answersOf(w).join(", ").toStdString();
+  ADD_FAILURE() << "no answer " << text.toStdString() << " among " << answersOf(window).join(", ").toStdString();
+}
+void answer(Window& w, const QString& text) {
+  answer(*w.window, text);
 }
 
 void learn(Window& w, std::int64_t episodes) {
@@ -179,6 +185,49 @@ TEST(Quit, AsksForALifeThatOnlyUndoKeeps) {
   EXPECT_TRUE(answersOf(w).contains("Don't save"));
 }
 
+TEST(Quit, NamesAllThatIsNotSavedAndKeepsAllOfIt) {
+  const auto data = [] { return QDir(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation)); };
+  const auto last = [&] { return data().entryList({"last-session-*.surefoot"}, QDir::Files); };
+  Window w;
+  for (int episodes : {30, 20, 10}) {
+    learn(w, episodes);
+    if (episodes == 10) break;
+    w.key(Qt::Key_R);
+    ASSERT_TRUE(w.waitFor([&] { return w.session->progress().episodes == 0; }));
+  }
+  w.window->close();
+  EXPECT_TRUE(w.window->messages().accessibleName().contains("2 lives before this one"))
+      << w.window->messages().accessibleName().toStdString();
+  answer(w, "Don't save");
+  ASSERT_TRUE(w.waitFor([&] { return !w.window->isVisible(); }));
+  EXPECT_EQ(last().size(), 3);
+  for (const QString& file : data().entryList({"autosave-*", "last-session-*"}, QDir::Files)) data().remove(file);
+}
+
+TEST(Quit, WhatCannotBeKeptIsToldAndTheAutosaveStays) {
+  QTemporaryDir folder;
+  Window w;
+  Session session(w.registry, w.configuration, false);
+  MainWindow window(session, {.plans = {}, .folder = folder.path()});
+  window.show();
+  session.setTurbo(true);
+  session.setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return session.progress().episodes > 20; }));
+  session.setRunning(false);
+  ASSERT_TRUE(QDir(folder.path()).removeRecursively());
+  QFile inItsPlace(folder.path());  // no folder can be made there
+  ASSERT_TRUE(inItsPlace.open(QIODevice::WriteOnly));
+  window.close();
+  answer(window, "Don't save");
+  ASSERT_TRUE(w.waitFor([&] { return window.messages().accessibleName().contains("could not be kept"); }))
+      << window.messages().accessibleName().toStdString();
+  EXPECT_TRUE(window.isVisible());
+  window.close();
+  answer(window, "Don't save");
+  EXPECT_TRUE(w.waitFor([&] { return !window.isVisible(); })) << "once is enough";
+  inItsPlace.remove();
+}
+
 TEST(Quit, DoesNotAskWhereNothingWasLearned) {
   Window w;
   w.session->stepOnce();
@@ -198,6 +247,29 @@ TEST(Quit, AnEndFromOutsideNeverAsks) {
   window.closeForNow();
   EXPECT_TRUE(w.waitFor([&] { return !window.isVisible(); }));
   EXPECT_EQ(QDir(folder.path()).entryList({"autosave-*.surefoot"}, QDir::Files).size(), 1);
+}
+
+// A restart does not write a new life over a long one that was on the disk.
+TEST(Autosave, ALifeThatGaveWayStaysOnTheDiskUntilItIsSaved) {
+  QTemporaryDir folder;
+  Window w;
+  Autosave autosave(*w.session, folder.path());
+  const auto files = [&] { return QDir(folder.path()).entryList({"autosave-*.surefoot"}, QDir::Files).size(); };
+  learn(w, 30);
+  autosave.save();
+  ASSERT_TRUE(w.waitFor([&] { return files() == 1; }));
+  w.key(Qt::Key_R);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().life == 2; }));
+  learn(w, 5);
+  autosave.save();
+  EXPECT_TRUE(w.waitFor([&] { return files() == 2; })) << "both are there";
+  w.session->undo().undo();
+  ASSERT_TRUE(w.waitFor([&] { return w.session->progress().episodes >= 30; }));
+  learn(w, w.session->progress().episodes + 5);
+  autosave.save();
+  EXPECT_TRUE(w.waitFor([&] { return files() == 2; })) << "the other way round";
+  autosave.finish();
+  EXPECT_EQ(files(), 0);
 }
 
 TEST(Autosave, StaleLocksGoAndTheirSessionsAreOffered) {

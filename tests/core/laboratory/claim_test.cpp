@@ -206,6 +206,11 @@ TEST(Claim, PatternsHaveStars) {
   EXPECT_TRUE(fits("", "*"));
   EXPECT_FALSE(fits("pre(2): TRL 50", "pre(3): *"));
   EXPECT_FALSE(fits("TRL 50", "TRL 5"));
+  EXPECT_FALSE(fits("ab", "ab*b")) << "what a star ends with is not what it began with";
+  EXPECT_TRUE(fits("abcbc", "*bc"));
+  std::string stars;
+  for (int i = 0; i < 40; ++i) stars += "*a";
+  EXPECT_FALSE(fits(std::string(80, 'a') + "b", stars + "c*")) << "and at once, however many stars";
 }
 
 TEST(ThesisVerdicts, AreOfSingleConditionsAndOfTheirFalls) {

@@ -31,7 +31,7 @@ class FigureTest : public testing::Test {
     return all;
   }
   Figure figure(const FigureSpec& spec, const std::vector<Evidence>& evidence) {
-    const auto made = makeFigure(registry, spec, evidence, 1);
+    const auto made = makeFigure(registry, spec, evidence);
     EXPECT_TRUE(made) << made.error().message;
     return made ? *made : Figure{};
   }
@@ -56,7 +56,7 @@ TEST_F(FigureTest, AnUpdateOfState5ReachesItsNeighboursByThirds) {  // thesis, F
   ASSERT_EQ(f.series[0].x.size(), thirds.size());
   for (std::size_t i = 0; i < thirds.size(); ++i) EXPECT_NEAR(f.series[0].y[i].value, thirds[i] / 3, 1e-12) << i + 1;
   s.state = {5, 5};
-  EXPECT_FALSE(makeFigure(registry, s, evidence, 1));
+  EXPECT_FALSE(makeFigure(registry, s, evidence));
 }
 
 TEST_F(FigureTest, TheThesissNumbersStandBesideOurs) {
@@ -97,7 +97,7 @@ TEST_F(FigureTest, PoliciesFollowTheirFormulasOnABell) {  // thesis, eq. 2.2, 2.
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t a = 0; a < 5; ++a) EXPECT_NEAR(f.series[i].y[a].value, expected[i][a], 1e-12) << i << a;
   s.q.clear();
-  EXPECT_FALSE(makeFigure(registry, s, evidence, 1));
+  EXPECT_FALSE(makeFigure(registry, s, evidence));
 }
 
 TEST_F(FigureTest, ThreeTilingsTellThreeTimesAsManyValuesApart) {  // thesis, Figure 6.3, eq. 6.7
@@ -137,7 +137,7 @@ TEST_F(FigureTest, ATilingHasOneTileForAState) {  // thesis, Figure 2.2
   }
   EXPECT_EQ(tiles, 4);
   EXPECT_NE(figureAsCsv(f).find("polygon"), std::string::npos);
-  EXPECT_FALSE(makeFigure(registry, s, evidenceOf("[[condition]]\nminutes = 1\n"), 1)) << "three state variables";
+  EXPECT_FALSE(makeFigure(registry, s, evidenceOf("[[condition]]\nminutes = 1\n"))) << "three state variables";
 }
 
 TEST_F(FigureTest, AWorldIsDrawnUnderTorque) {  // thesis, Figure 3.1
@@ -164,12 +164,12 @@ TEST_F(FigureTest, WhatDoesNotFitIsNamed) {
   const auto evidence = evidenceOf("[[condition]]\nminutes = 1\n");
   FigureSpec s = spec("bars");
   s.measure = "luck";
-  EXPECT_NE(makeFigure(registry, s, evidence, 1).error().message.find("luck"), std::string::npos);
+  EXPECT_NE(makeFigure(registry, s, evidence).error().message.find("luck"), std::string::npos);
   s = spec("against");
   s.along = "policy.luck";
-  EXPECT_NE(makeFigure(registry, s, evidence, 1).error().message.find("policy.luck"), std::string::npos);
+  EXPECT_NE(makeFigure(registry, s, evidence).error().message.find("policy.luck"), std::string::npos);
   s.conditions = {"nobody"};
-  EXPECT_NE(makeFigure(registry, s, evidence, 1).error().message.find("no condition"), std::string::npos);
+  EXPECT_NE(makeFigure(registry, s, evidence).error().message.find("no condition"), std::string::npos);
 }
 
 TEST_F(FigureTest, CsvHasARowAPointAndQuotesNames) {

@@ -51,7 +51,7 @@ std::vector<std::string> everyForm(const std::vector<Evidence>& evidence) {
   for (const char* kind : {"bars", "learning-curve", "cumulative-falls", "reward-against-falls"}) {
     FigureSpec spec;
     spec.name = spec.kind = kind;
-    const auto figure = makeFigure(Registry(), spec, evidence, 1);
+    const auto figure = makeFigure(Registry(), spec, evidence);
     EXPECT_TRUE(figure);
     forms.push_back(figure ? figureAsCsv(*figure) : "");
   }
@@ -64,6 +64,31 @@ void expectNoOddNumbers(const std::vector<std::string>& forms) {
 }
 
 }  // namespace
+
+TEST(Findings, WhatRoundsToZeroHasNoSign) {
+  Findings findings;
+  Finding& f = findings.conditions.emplace_back();
+  f.name = "a";
+  f.comparison = Comparison{};
+  f.comparison->change = {-0.04, -3.2, 0.02};
+  for (const std::string& form : {findingsAsLatex(findings), findingsAsTable(findings)}) {
+    EXPECT_EQ(form.find("-0.0"), std::string::npos) << form;
+    EXPECT_EQ(form.find("+0.0"), std::string::npos) << form;
+    EXPECT_NE(form.find("-3.2"), std::string::npos) << form;
+  }
+}
+
+TEST(Findings, TwoLivesEachThatFallAlikeGiveNoP) {
+  for (const bool paired : {false, true}) {
+    const std::vector<Evidence> evidence = {evidenceOf("a", {1, 1}, paired), evidenceOf("b", {2, 2}, paired)};
+    const auto json = findingsAsJson(findingsOf(planOf(evidence), evidence));
+    for (const char* test : {"anova", "welch", "paired"})
+      EXPECT_TRUE(json["conditions"][1]["against_reference"][test].is_null()) << test;
+  }
+  const std::vector<Evidence> pairs = {evidenceOf("a", {10, 12}, true), evidenceOf("b", {9, 11}, true)};
+  EXPECT_EQ(changeText(*findingsOf(planOf(pairs), pairs).conditions[1].comparison, 1).find("-1.0"), std::string::npos);
+  EXPECT_FALSE(findingsOf(planOf(pairs), pairs).conditions[1].comparison->difference.known());
+}
 
 TEST(Findings, OneLifeHasNoIntervalNoTestAndNoX) {
   const std::vector<Evidence> evidence = {evidenceOf("a", {20}), evidenceOf("b", {5})};

@@ -89,6 +89,19 @@ TEST(MeanEstimate, TwoOrThreeThatHappenToBeEqualDoNotSayHowTheyScatter) {
   EXPECT_EQ(intervalOf(alone({17, 17, 17, 17})).high, 17);
 }
 
+TEST(MeanEstimate, TwoOrThreePairsThatDifferByTheSameDoNotSayHowDifferencesScatter) {
+  const MeanEstimate before = alone({10, 12}), after = alone({9, 11}), half = alone({5, 6});
+  EXPECT_FALSE(differenceOf(before, after, true).known()) << "else it were −1 (−1 … −1)";
+  EXPECT_TRUE(differenceOf(before, after, false).known());
+  EXPECT_TRUE(changeOf(before, after, true).known());
+  EXPECT_FALSE(changeOf(before, half, true).known()) << "each is half: no interval but for rounding";
+  EXPECT_FALSE(differenceOf(alone({1, 2, 4}), alone({2, 3, 5}), true).known());
+  EXPECT_TRUE(differenceOf(alone({1, 2, 4}), alone({2, 3, 6}), true).known());
+  Random random(1);
+  const auto rises = [](const std::vector<double>& m) { return m[1] < m[0] ? 1.0 : 0.0; };
+  EXPECT_TRUE(drawMeans({before, after}, {0, 0}, rises, random).empty()) << "else they always fall";
+}
+
 TEST(MeanEstimate, FallsNeverChangeByLessThanAllOfThem) {
   const Interval i = changeOf(alone({2, 9, 4}), alone({0, 1, 7}), false);
   EXPECT_GT(i.low, -100);

@@ -3,7 +3,10 @@
 #include "core/laboratory/plan_writing.h"
 
 #include <cmath>
+#include <filesystem>
 
+#include "core/experiment/q_file.h"
+#include "core/files/whole_file.h"
 #include "core/laboratory/plan_time.h"
 #include "tests/core/experiment/test_setup.h"
 
@@ -105,6 +108,85 @@ TEST(PlanWriting, ALifeIsAsLongAsTheConfigurationSays) {
   EXPECT_EQ(freeName(*plan, "another"), "another");
 }
 
+namespace {
+
+/// What a life has learned by episode 30, in another world than `live`.
+std::shared_ptr<TensorFile> learnedBefore(const Registry& registry, Configuration simulation) {
+  simulation.until = -20;
+  simulation.episodes = 30;
+  const auto life = lifeOf(registry, simulation);
+  while (!life->finished()) life->step();
+  return std::make_shared<TensorFile>(qFileOf(*life, simulation));
+}
+
+Result<Plan> planWith(const Registry& registry, const Configuration& live) {
+  const auto toml = conditionToml(registry, live, "live");
+  if (!toml) return toml.error();
+  return parsePlan(registry, kNasty + *toml, "plan.toml", {});
+}
+
+}  // namespace
+
+TEST(PlanWriting, APreLearnedLifeIsWrittenWithHowItWasPreLearned) {
+  const Registry registry = fullRegistry();
+  Configuration live = pendulumConfiguration(registry, "trl", {{"features.tilings", "8"}, {"agent.step_size", "0.3"}});
+  Configuration simulation = live;
+  simulation.names.policy = "epsilon-greedy";
+  simulation.names.scenario = "2";
+  ASSERT_TRUE(simulation.parameters.set("environment.damping", 0.004)) << "as the dialog leaves it to be set";
+  ASSERT_TRUE(simulation.parameters.set("policy.epsilon", 0.2));
+  beginWith(live, learnedBefore(registry, simulation));
+  const auto plan = planWith(registry, live);
+  ASSERT_TRUE(plan) << plan.error().message;
+  const auto& before = plan->conditions[1].preLearning;
+  ASSERT_TRUE(before);
+  EXPECT_EQ(describe(registry, before->configuration), describe(registry, simulation));
+  EXPECT_EQ(before->configuration.until, -20);
+  EXPECT_EQ(before->configuration.episodes, 30);
+  EXPECT_EQ(describe(registry, plan->conditions[1].configuration), describe(registry, live));
+}
+
+TEST(PlanWriting, ALifeThatBeganWithAFileIsWrittenWithThatFileOrRefused) {
+  const Registry registry = fullRegistry();
+  Configuration live = pendulumConfiguration(registry);
+  const std::string path = (std::filesystem::temp_directory_path() / "plan_writing_test.safetensors").string();
+  const auto file = learnedBefore(registry, live);
+  ASSERT_TRUE(writeWhole("file", path, file->write()));
+  beginWith(live, *readQFile(path));
+  const auto plan = planWith(registry, live);
+  ASSERT_TRUE(plan) << plan.error().message;
+  const Configuration& planned = plan->conditions[1].configuration;
+  ASSERT_TRUE(planned.start);
+  EXPECT_EQ(contentOf(*planned.start), contentOf(*file));
+
+  Configuration other = pendulumConfiguration(registry);
+  other.seed = 2;
+  ASSERT_TRUE(writeWhole("file", path, learnedBefore(registry, other)->write()));
+  EXPECT_NE(planWith(registry, live).error().message.find("other values"), std::string::npos);
+  std::filesystem::remove(path);
+  EXPECT_NE(planWith(registry, live).error().message.find("plan_writing_test.safetensors"), std::string::npos);
+}
+
+TEST(PlanWriting, WhatNoPlanCanSayIsRefused) {
+  const Registry registry = fullRegistry();
+  Configuration live = pendulumConfiguration(registry);
+  auto carried = learnedBefore(registry, live);
+  carried->about["learned"] = {{"carried_over", true}};
+  Configuration over = live;
+  beginWith(over, carried);
+  EXPECT_NE(planWith(registry, over).error().message.find("carried over"), std::string::npos);
+
+  Configuration session = live;  // a session that was opened tells what it began with, and has it no more
+  session.beganWith = {{"file", "walks.safetensors"}, {"content", "0"}};
+  EXPECT_NE(planWith(registry, session).error().message.find("walks.safetensors"), std::string::npos);
+
+  Configuration elsewhere = pendulumConfiguration(registry, "epsilon-greedy", {});
+  auto other = learnedBefore(registry, live);
+  other->about["configuration"]["agent"] = "q-learning";
+  beginWith(elsewhere, other);
+  EXPECT_NE(planWith(registry, elsewhere).error().message.find("learning rule"), std::string::npos);
+}
+
 TEST(PlanWriting, BaseInAConditionIsFalseOrRefused) {
   const Registry registry = fullRegistry();
   const auto plan = parsePlan(registry, "[[condition]]\nname = \"a\"\nminutes = 1\nbase = true\n", "plan.toml", {});
@@ -127,6 +209,10 @@ TEST(PlanTime, GrowsWithLivesAndLengthAndBelievesWhatWasMeasured) {
   EXPECT_DOUBLE_EQ(minutes("lives = 10\n", "policy = \"trl\"\nset.policy.threshold = [0, 50, 100]\n", 1), 3 * one);
   EXPECT_GT(minutes("lives = 10\n", "pre-learning.until = 198\npre-learning.scenario = \"2\"\n", 1), one);
   EXPECT_DOUBLE_EQ(minutes("minutes_on_two_cores = 56\n", "", 4), 28);
+  const std::string measured = "minutes_on_two_cores = 56\nminutes_for_lives = 40\n";
+  EXPECT_DOUBLE_EQ(minutes(measured, "", 4), 28);
+  EXPECT_DOUBLE_EQ(minutes(measured + "lives = 20\n", "", 4), 14) << "another number of lives";
+  EXPECT_DOUBLE_EQ(minutes(measured + "lives = 1\n", "", 2), 1.4);
   EXPECT_EQ(roundedTime(0.001), "1 s");
   EXPECT_EQ(roundedTime(0.3), "20 s");
   EXPECT_EQ(roundedTime(4.2), "4 min");

@@ -31,8 +31,8 @@ TEST(Statistics, OneWayAnovaOfPlantGrowth) {  // R: summary(aov(weight ~ group))
 
 TEST(Statistics, AnovaWithoutVarianceSaysEqualOrDifferent) {
   const std::vector<double> a = {1, 1, 1}, b = {2, 2, 2};
-  EXPECT_EQ(oneWayAnova({a, a})->p, 1.0);
-  EXPECT_EQ(oneWayAnova({a, b})->p, 0.0);
+  const std::vector<double> four = {1, 1, 1, 1};
+  EXPECT_EQ(oneWayAnova({four, four})->p, 1.0);
   EXPECT_FALSE(oneWayAnova({a}));
   EXPECT_FALSE(oneWayAnova({a, {}}));
   EXPECT_FALSE(anovaOfTwo(a, b)) << "three equal falls happen by chance";
@@ -140,11 +140,25 @@ TEST(Statistics, ChangeInPerCent) {
 }
 
 TEST(Statistics, WithoutVarianceTheMeansDecide) {
-  const std::vector<double> three = {3, 3, 3}, four = {4, 4};
+  const std::vector<double> three = {3, 3, 3, 3}, four = {4, 4, 4, 4, 4};
   EXPECT_EQ(welchTest(three, three)->p, 1.0);
   EXPECT_EQ(welchTest(three, four)->p, 0.0);
   EXPECT_EQ(differenceInterval(three, four)->low, 1.0);
   EXPECT_EQ(differenceInterval(three, four)->high, 1.0);
+  EXPECT_EQ(oneWayAnova({three, four})->p, 0.0);
+}
+
+TEST(Statistics, TwoOrThreeEqualValuesProveNothing) {
+  const std::vector<double> ones = {1, 1}, twos = {2, 2}, same = {2, 2, 2}, some = {1, 2, 4, 4, 9}, more = {2, 3, 5};
+  EXPECT_FALSE(oneWayAnova({ones, twos})) << "else p were 0";
+  EXPECT_FALSE(welchTest(ones, twos));
+  EXPECT_FALSE(welchTest(same, some)) << "how the first scatters nobody knows";
+  EXPECT_FALSE(differenceInterval(some, twos));
+  EXPECT_FALSE(meanInterval(same));
+  EXPECT_FALSE(pairedTest(ones, twos));
+  EXPECT_FALSE(pairedTest(std::vector<double>{1, 2, 4}, more)) << "each is one more";
+  EXPECT_TRUE(pairedTest(std::vector<double>{1, 2, 3}, more));
+  EXPECT_FALSE(varianceComponent({ones, twos})) << "two Q-functions of two lives each";
 }
 
 }  // namespace surefoot

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What JSON from outside holds, if it has the type that is asked for. These never throw: whatever else is there counts
+// as not being there.
+#pragma once
+
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace surefoot {
+
+inline std::string textIn(const nlohmann::json& json, const char* key, const char* otherwise = "") {
+  const bool there = json.is_object() && json.contains(key) && json[key].is_string();
+  return there ? json[key].get<std::string>() : otherwise;
+}
+
+inline double numberIn(const nlohmann::json& json, const std::string& key,
+                       double otherwise = std::numeric_limits<double>::quiet_NaN()) {
+  return json.is_object() && json.contains(key) && json[key].is_number() ? json[key].get<double>() : otherwise;
+}
+
+/// An object or a list; an empty one if there is none.
+inline const nlohmann::json& partOf(const nlohmann::json& json, const char* key) {
+  static const nlohmann::json kNone = nlohmann::json::object();
+  return json.is_object() && json.contains(key) && json[key].is_structured() ? json[key] : kNone;
+}
+
+}  // namespace surefoot

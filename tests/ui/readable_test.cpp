@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every page, in every task, at the sizes that people have: no text is cut, none lies over another.
+#include <QApplication>
+#include <QLabel>
+#include <QPainter>
+#include <QTemporaryDir>
+
+#include "core/files/whole_file.h"
+#include "tests/ui/size_setup.h"
+#include "tests/ui/text_recorder.h"
+#include "ui/experiment_page.h"
+#include "ui/live_page.h"
+#include "ui/main_window.h"
+#include "ui/message_bar.h"
+#include "ui/theme.h"
+
+namespace surefoot {
+
+namespace {
+
+void use(Window& w, const Screen& screen) {
+  applyTextSize(screen.text);
+  w.window->resize(screen.size);
+  w.window->livePage().resetLayout();
+  QTest::qWait(30);
+}
+
+/// A life that has learned and fallen for a while, and stands still.
+void live(Window& w, const std::string& environment) {
+  const auto life = w.session->snapshot().life;
+  ASSERT_TRUE(w.session->beginEnvironment(environment));
+  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().life > life && w.session->values(); }, 30'000));
+  w.session->setTurbo(true);
+  w.session->setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().totals.episodes > 12; }, 30'000));
+  w.session->setRunning(false);
+  QTest::qWait(100);
+}
+
+class ReadableTask : public testing::TestWithParam<const char*> {};
+
+}  // namespace
+
+TEST_P(ReadableTask, TheLivePageAtEverySize) {
+  const UsualLook usual;
+  Window w;
+  ASSERT_NO_FATAL_FAILURE(live(w, GetParam()));
+  bool dark = std::string(GetParam()) == "leo";
+  for (const Screen& screen : kScreens) {
+    applyAppearance(*qApp, (dark = !dark) ? Appearance::Dark : Appearance::Light);
+    use(w, screen);
+    expectReadable(*w.window, textOf(screen));
+    for (const auto layout : {LivePage::Layout::Teaching, LivePage::Layout::Falls, LivePage::Layout::Maps}) {
+      w.window->livePage().useLayout(layout);
+      QTest::qWait(30);
+      expectReadable(*w.window, textOf(screen) + QStringLiteral(", layout %1").arg(static_cast<int>(layout)));
+    }
+    use(w, screen);
+    w.window->livePage().setComparing(true);
+    w.window->messages().say("Something could not be done; this sentence says what, why, and what is allowed instead.");
+    QTest::qWait(30);
+    expectReadable(*w.window, textOf(screen) + ", comparing");
+    w.window->livePage().setComparing(false);
+    w.window->messages().dismiss();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Tasks, ReadableTask, testing::Values("pendulum", "leo", "compass", "cliff"));
+
+TEST(Readable, TheOtherPagesAtEverySize) {
+  const UsualLook usual;
+  Window w;
+  QTemporaryDir folder;
+  const std::string path = folder.filePath("plan.toml").toStdString();
+  ASSERT_TRUE(writeWhole("plan", path,
+                         "title = \"Two walks\"\nlives = 3\nreference = \"one\"\n[base]\nenvironment = \"cliff\"\n"
+                         "features = \"table\"\nepisodes = 50\n[[condition]]\nname = \"one\"\n[[condition]]\n"
+                         "name = \"a name of more words than there is room for\"\npolicy = \"softmax\"\n"));
+  w.window->setPage(1);
+  ExperimentPage& page = w.window->experimentPage();
+  page.open(QString::fromStdString(path));
+  ASSERT_TRUE(w.waitFor([&] { return !page.experiment().isOpening(); }));
+  bool dark = false;
+  const auto check = [&](const char* state) {
+    for (const Screen& screen : kScreens) {
+      applyAppearance(*qApp, (dark = !dark) ? Appearance::Dark : Appearance::Light);
+      use(w, screen);
+      expectReadable(*w.window, textOf(screen) + ", " + state);
+    }
+  };
+  check("not run");
+  page.runOrPause();
+  ASSERT_TRUE(w.waitFor([&] { return page.experiment().state() == Experiment::State::Complete; }, 60'000));
+  QTest::qWait(200);
+  check("complete");
+  page.showPlan(true);
+  check("plan editor");
+  w.window->setPage(2);
+  check("lessons");
+}
+
+TEST(Readable, WhatCannotBeReadIsFound) {
+  class Bad final : public QWidget {
+   public:
+    void paintEvent(QPaintEvent*) override {
+      QPainter p(this);
+      p.setFont(textFont(13));
+      p.drawText(QPointF(10, 20), "one text");
+      if (bad == 1) p.drawText(QPointF(30, 22), "another over it");
+      if (bad == 2) p.drawText(QPointF(180, 60), "one that leaves");
+      if (bad == 3) p.setClipRect(0, 0, 30, 80), p.drawText(QPointF(10, 60), "one that is cut");
+    }
+    int bad = 0;
+  } w;
+  w.resize(200, 80);
+  EXPECT_EQ(drawnTexts(w).size(), 1u);
+  EXPECT_TRUE(cutOrOverlapping(w, false).empty());
+  for (w.bad = 1; w.bad <= 3; ++w.bad) EXPECT_EQ(cutOrOverlapping(w, false).size(), 1u) << w.bad;
+  QWidget window;
+  auto* label = new QLabel("a sentence of many words that needs more room than this", &window);
+  label->setGeometry(0, 0, 60, 20);
+  window.show();
+  EXPECT_FALSE(unreadable(window).empty());
+}
+
+}  // namespace surefoot
