@@ -67,12 +67,12 @@ TEST_F(KeptLivesTest, StoppedAgainAndAgainTheContentIsThatOfOneRun) {
   const std::string task = "lives = 2\n[[condition]]\nname = \"a\"\n";
   const std::vector<std::string> plans = {
       kLong,
-      task + "minutes = 30\nagent = \"sarsa-2q\"\npolicy = \"trl\"\nset.policy.threshold = 50\n",
-      task + "minutes = 30\nagent = \"q-learning\"\nset.features.memory = 4096\nset.shaping.rewards = \"all\"\n",
-      task + "minutes = 20\nfeatures = \"radial-basis\"\nset.policy.epsilon_schedule = \"linear\"\n",
-      task + "environment = \"compass\"\nminutes = 15\n",
+      task + "minutes = 100\nagent = \"sarsa-2q\"\npolicy = \"trl\"\nset.policy.threshold = 50\n",
+      task + "minutes = 100\nagent = \"q-learning\"\nset.features.memory = 4096\nset.shaping.rewards = \"all\"\n",
+      task + "minutes = 80\nfeatures = \"radial-basis\"\nset.policy.epsilon_schedule = \"linear\"\n",
+      task + "environment = \"compass\"\nminutes = 30\n",
       task + "environment = \"leo\"\nminutes = 6\n",
-      task + "environment = \"mountain-car\"\nepisodes = 400\n"};
+      task + "environment = \"mountain-car\"\nepisodes = 4000\n"};
   for (const std::string& text : plans) {
     const Plan plan = planOf(text);
     // A checkpoint of LEO takes half a second to write and to read.
@@ -83,7 +83,7 @@ TEST_F(KeptLivesTest, StoppedAgainAndAgainTheContentIsThatOfOneRun) {
       // Every time it is opened anew, as after an end of the program.
       auto store = rounds == 0 ? Result<Store>(make(plan, "s")) : Store::openToWrite(folder.file("s"));
       ASSERT_TRUE(store) << store.error().message;
-      const auto time = std::chrono::milliseconds(unit * (40 + 15 * rounds));  // longer, so that it ends
+      const auto time = std::chrono::milliseconds(unit * (10 + 15 * rounds));  // longer, so that it ends
       const LabResult result = runFor(plan, *store, time, 1 + rounds % 3);
       kept += result.livesKept;
       complete = result.complete();
