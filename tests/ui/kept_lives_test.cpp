@@ -22,6 +22,12 @@ void learn(Window& w, std::int64_t episodes) {
   QTest::qWait(200);  // the values of the last moment
 }
 
+/// R, and the new life is there: on a busy machine it takes a moment.
+void restart(Window& w) {
+  w.key(Qt::Key_R);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->progress().steps == 0; }, 30'000));
+}
+
 void undo(Window& w) {
   QTest::keyClick(w.window.get(), Qt::Key_Z, Qt::ControlModifier);
 }
@@ -155,7 +161,7 @@ TEST(KeptLives, ManyRestartsDoNotPushTheLearnedLifeOut) {
   learn(w, 300);
   const std::int64_t first = w.session->progress().steps;
   for (int i = 0; i < 20; ++i) {
-    w.key(Qt::Key_R);
+    restart(w);
     learn(w, 2);
   }
   EXPECT_EQ(w.session->unsavedBefore().size(), 20u) << "there is room for all of them";
@@ -187,7 +193,7 @@ TEST(KeptLives, WhereThereIsNoMemoryALearnedLifeIsNotEndedWithoutAQuestion) {
 TEST(KeptLives, WhereThereIsNoMemoryForOneMoreTheWindowAsksWhichLifeEnds) {
   Window w;
   learn(w, 300);
-  w.key(Qt::Key_R);
+  restart(w);
   ASSERT_EQ(w.session->unsavedBefore().size(), 1u);
   w.session->setMostKept(3 * w.session->lastKept()->bytes / 2 + (8u << 20));
   learn(w, 2);
@@ -222,7 +228,7 @@ TEST(KeptLives, ATableThatGrowsCountsAsItIs) {
 TEST(KeptLives, ResetAllLeavesTheUndoneLifeWithinReach) {
   Window w("trl");
   learn(w, 20);
-  w.key(Qt::Key_R);
+  restart(w);
   learn(w, 60);
   const std::int64_t second = w.session->progress().steps;
   undo(w);
@@ -241,9 +247,9 @@ TEST(KeptLives, ResetAllLeavesTheUndoneLifeWithinReach) {
 TEST(KeptLives, TheCurvesBeforeComeBackWithALifeOfAnotherEnvironment) {
   Window w;
   learn(w, 20);
-  w.key(Qt::Key_R);
+  restart(w);
   learn(w, 20);
-  w.key(Qt::Key_R);  // the third has learned nothing
+  restart(w);  // the third has learned nothing
   ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().life == 3; }));
   ASSERT_EQ(w.session->curves().earlier().size(), 2u);
   ASSERT_TRUE(w.session->beginEnvironment("cliff"));
