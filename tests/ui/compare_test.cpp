@@ -6,6 +6,7 @@
 #include "core/experiment/experiment.h"
 #include "core/experiment/q_file.h"
 #include "core/files/whole_file.h"
+#include "tests/ui/learn_and_answer.h"
 #include "tests/ui/window_setup.h"
 #include "ui/beginning.h"
 #include "ui/compare_strip.h"
@@ -110,12 +111,6 @@ void learnBoth(Window& w, Rival& rival, std::int64_t episodes) {
   QTest::qWait(200);
 }
 
-void press(Window& w, const QString& answer) {
-  for (auto* button : w.window->messages().findChildren<QPushButton*>())
-    if (button->isVisible() && button->text() == answer) return QTest::mouseClick(button, Qt::LeftButton);
-  ADD_FAILURE() << "no answer " << answer.toStdString();
-}
-
 }  // namespace
 
 TEST(Compare, WhatTheSecondLearnedIsNotGivenUpWithoutAQuestion) {
@@ -131,7 +126,7 @@ TEST(Compare, WhatTheSecondLearnedIsNotGivenUpWithoutAQuestion) {
   EXPECT_EQ(rival->start(), Rival::Start::Same);
   EXPECT_EQ(rival->agent(), "sarsa");
   rival->choose("sarsa-2q", "softmax");
-  press(w, "Start again");
+  answer(w, "Start again");
   EXPECT_TRUE(w.waitFor([&] { return rival->session().progress().steps == 0; }));
   EXPECT_EQ(rival->agent(), "sarsa-2q");
 }
@@ -147,7 +142,7 @@ TEST(Compare, UndoBringsThePairBackThatRanTogether) {
   ASSERT_TRUE(w.waitFor([&] { return w.session->progress().steps == 0 && rival->session().progress().steps == 0; }));
   learnBoth(w, *rival, 10);
   rival->choose("sarsa-2q", "softmax");
-  press(w, "Start again");
+  answer(w, "Start again");
   ASSERT_TRUE(w.waitFor([&] { return rival->session().progress().steps == 0; }));
   w.session->undo().undo();
   EXPECT_TRUE(w.waitFor([&] { return w.session->progress().steps == first; }));

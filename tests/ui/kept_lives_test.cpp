@@ -5,6 +5,7 @@
 
 #include "core/experiment/experiment.h"
 #include "core/experiment/q_file.h"
+#include "tests/ui/learn_and_answer.h"
 #include "tests/ui/window_setup.h"
 #include "ui/message_bar.h"
 #include "ui/session_name.h"
@@ -12,15 +13,6 @@
 namespace surefoot {
 
 namespace {
-
-void learn(Window& w, std::int64_t episodes) {
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->progress().episodes >= episodes; }, 30'000));
-  w.session->setRunning(false);
-  ASSERT_TRUE(w.waitFor([&] { return !w.session->snapshot().running; }));
-  QTest::qWait(200);  // the values of the last moment
-}
 
 /// R, and the new life is there: on a busy machine it takes a moment.
 void restart(Window& w) {
