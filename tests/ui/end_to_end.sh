@@ -7,7 +7,7 @@ program=$1 out=$2
 for tool in Xvfb xdotool import compare; do command -v "$tool" >/dev/null || { echo "skipped: $tool is missing"; exit 77; }; done
 
 home=$(mktemp -d)
-trap 'kill $(jobs -p) 2>/dev/null; rm -rf "$home"' EXIT
+trap 'kill $(jobs -p) 2>/dev/null || true; rm -rf "$home"' EXIT
 fail() { echo "FAILED: $*"; exit 1; }
 
 exec 3>"$home/display"

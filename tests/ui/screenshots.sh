@@ -7,7 +7,7 @@ cd "$(dirname "$(readlink -f "$0")")/../.."
 program=$(readlink -f "${1:-build/release/surefoot}") out=${2:-resources/screenshots}
 mkdir -p "$out"
 home=$(mktemp -d)
-trap 'kill $(jobs -p) 2>/dev/null; rm -rf "$home"' EXIT
+trap 'kill $(jobs -p) 2>/dev/null || true; rm -rf "$home"' EXIT
 
 # shot NAME WIDTH HEIGHT APPEARANCE(1 light, 2 dark)
 shot() {

@@ -9,7 +9,7 @@ mkdir -p "$out"
 for tool in Xvfb xdotool import; do command -v "$tool" >/dev/null || { echo "skipped: $tool is missing"; exit 77; }; done
 
 home=$(mktemp -d)
-trap 'kill $(jobs -p) 2>/dev/null; rm -rf "$home"' EXIT
+trap 'kill $(jobs -p) 2>/dev/null || true; rm -rf "$home"' EXIT
 fail() { import -window root "$out/tour-failed.png"; echo "FAILED: $*"; exit 1; }
 
 exec 3>"$home/display"
