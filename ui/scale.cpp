@@ -32,29 +32,56 @@ std::vector<Follower>& followers() {
 
 /// Styles keep what they measured, and layouts what they were told: both ask again. What is laid out by hand is laid
 /// out in its resizeEvent.
-void measureAgain() {
-  std::vector<QPointer<QWidget>> widgets;
-  for (QWidget* widget : QApplication::allWidgets()) widgets.emplace_back(widget);
-  for (const QPointer<QWidget>& widget : widgets) {
-    if (!widget) continue;
-    QEvent style(QEvent::StyleChange);
-    QApplication::sendEvent(widget, &style);
-    if (!widget) continue;
-    widget->updateGeometry();
-    const QSize size = widget->size();
-    QResizeEvent resized(size, size);
-    if (widget->testAttribute(Qt::WA_WState_Created) || widget->isVisible()) QApplication::sendEvent(widget, &resized);
-    if (widget) widget->update();
+void measureAgain(const QPointer<QWidget>& widget) {
+  if (!widget) return;
+  QEvent style(QEvent::StyleChange);
+  QApplication::sendEvent(widget, &style);
+  if (!widget) return;
+  widget->updateGeometry();
+  const QSize size = widget->size();
+  QResizeEvent resized(size, size);
+  if (widget->testAttribute(Qt::WA_WState_Created) || widget->isVisible()) QApplication::sendEvent(widget, &resized);
+  if (widget) widget->update();
+}
+
+/// What is shown is measured at once; what is not (other pages, closed dialogs) in parts, between other events: nobody
+/// waits for what he does not see. At the end all layouts are asked once more: a menu bar is as high as what stands in
+/// its corner.
+class Measuring final {
+ public:
+  Measuring() {
+    next_.setSingleShot(true);
+    QObject::connect(&next_, &QTimer::timeout, [this] { goOn(); });
   }
-  // Once more when all of them have answered: a menu bar is as high as what stands in its corner.
-  QTimer::singleShot(0, qApp, [widgets] {
-    for (const QPointer<QWidget>& widget : widgets) {
+  void begin() {
+    hidden_.clear(), all_.clear();
+    std::vector<QPointer<QWidget>> shown;
+    for (QWidget* widget : QApplication::allWidgets()) {
+      all_.emplace_back(widget);
+      (widget->isVisible() ? shown : hidden_).emplace_back(widget);
+    }
+    for (const QPointer<QWidget>& widget : shown) measureAgain(widget);
+    next_.start();
+  }
+
+ private:
+  void goOn() {
+    constexpr std::size_t kAtOnce = 64;
+    for (std::size_t i = 0; i < kAtOnce && !hidden_.empty(); ++i) {
+      measureAgain(hidden_.back());
+      hidden_.pop_back();
+    }
+    if (!hidden_.empty()) return next_.start();
+    for (const QPointer<QWidget>& widget : std::exchange(all_, {})) {
       if (!widget || !widget->layout()) continue;
       widget->layout()->invalidate();
       QApplication::postEvent(widget, new QEvent(QEvent::LayoutRequest));
     }
-  });
-}
+  }
+
+  QTimer next_;
+  std::vector<QPointer<QWidget>> hidden_, all_;
+};
 
 }  // namespace
 
@@ -70,7 +97,8 @@ void applyTextSize(double scale) {
   std::erase_if(followers(), [](const Follower& f) { return !f.owner; });
   for (std::size_t i = 0; i < followers().size(); ++i)
     if (const Follower f = followers()[i]; f.owner) f.apply();
-  measureAgain();
+  static Measuring measuring;
+  measuring.begin();
 }
 
 int scaled(int pixels) {

@@ -178,6 +178,7 @@ TEST(Monkey, DoesNotBreakTheWindow) {
       slowest = monkey.last;
     }
     for (auto* dialog : w.window->findChildren<QDialog*>()) dialog->close();
+    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // as the loop of the program does
     ASSERT_EQ(witness.ended(), 0) << "a life that was not saved is gone: " << monkey.last.toStdString();
     if (i % 50 == 0 && w.session->unsaved()) {
       w.window->close();

@@ -4,6 +4,7 @@
 #include <QLabel>
 #include <QPainter>
 #include <QTemporaryDir>
+#include <map>
 
 #include "core/files/whole_file.h"
 #include "tests/ui/size_setup.h"
@@ -67,10 +68,8 @@ TEST_P(ReadableTask, TheLivePageAtEverySize) {
 
 INSTANTIATE_TEST_SUITE_P(Tasks, ReadableTask, testing::Values("pendulum", "leo", "compass", "cliff"));
 
-TEST(Readable, TheOtherPagesAtEverySize) {
-  const UsualLook usual;
-  Window w;
-  QTemporaryDir folder;
+/// Two conditions, of which one has a long name, on the Experiment page.
+void openTwoWalks(Window& w, const QTemporaryDir& folder) {
   const std::string path = folder.filePath("plan.toml").toStdString();
   ASSERT_TRUE(writeWhole("plan", path,
                          "title = \"Two walks\"\nlives = 3\nreference = \"one\"\n[base]\nenvironment = \"cliff\"\n"
@@ -80,6 +79,20 @@ TEST(Readable, TheOtherPagesAtEverySize) {
   ExperimentPage& page = w.window->experimentPage();
   page.open(QString::fromStdString(path));
   ASSERT_TRUE(w.waitFor([&] { return !page.experiment().isOpening(); }));
+}
+
+void runToItsEnd(Window& w) {
+  ExperimentPage& page = w.window->experimentPage();
+  page.runOrPause();
+  ASSERT_TRUE(w.waitFor([&] { return page.experiment().state() == Experiment::State::Complete; }, 60'000));
+  QTest::qWait(200);
+}
+
+TEST(Readable, TheOtherPagesAtEverySize) {
+  const UsualLook usual;
+  Window w;
+  const QTemporaryDir folder;
+  ASSERT_NO_FATAL_FAILURE(openTwoWalks(w, folder));
   bool dark = false;
   const auto check = [&](const char* state) {
     for (const Screen& screen : kScreens) {
@@ -89,14 +102,44 @@ TEST(Readable, TheOtherPagesAtEverySize) {
     }
   };
   check("not run");
-  page.runOrPause();
-  ASSERT_TRUE(w.waitFor([&] { return page.experiment().state() == Experiment::State::Complete; }, 60'000));
-  QTest::qWait(200);
+  ASSERT_NO_FATAL_FAILURE(runToItsEnd(w));
   check("complete");
-  page.showPlan(true);
+  w.window->experimentPage().showPlan(true);
   check("plan editor");
   w.window->setPage(2);
   check("lessons");
+}
+
+/// Where every widget that is shown lies in the window.
+std::map<QString, QRect> places(const QWidget& window) {
+  std::map<QString, QRect> all;
+  for (const auto* widget : window.findChildren<QWidget*>())
+    if (widget->isVisible())
+      all[QStringLiteral("%1 %2").arg(nameOf(*widget)).arg(all.size())] = {widget->mapTo(&window, QPoint()),
+                                                                          widget->size()};
+  return all;
+}
+
+TEST(Readable, ASizeAndBackLeavesEverythingWhereItWas) {
+  const UsualLook usual;
+  Window w;
+  w.window->resize(1280, 720);
+  const QTemporaryDir folder;
+  ASSERT_NO_FATAL_FAILURE(openTwoWalks(w, folder));
+  ASSERT_NO_FATAL_FAILURE(runToItsEnd(w));
+  for (const int page : {1, 2}) {  // on the first, panels give way to each other
+    w.window->setPage(page);
+    QTest::qWait(100);
+    const auto before = places(*w.window);
+    for (const double size : {kProjectorText, 1.0, kLargestText, kSmallestText, 1.0}) {
+      applyTextSize(size);
+      QTest::qWait(100);
+    }
+    const auto after = places(*w.window);
+    ASSERT_EQ(before.size(), after.size());
+    for (const auto& [name, place] : before)
+      EXPECT_TRUE(place == after.at(name)) << page << " " << name.toStdString();
+  }
 }
 
 TEST(Readable, WhatCannotBeReadIsFound) {
