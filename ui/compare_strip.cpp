@@ -11,6 +11,7 @@
 #include "ui/ask_for_file.h"
 #include "ui/combo.h"
 #include "ui/compared_falls.h"
+#include "ui/counted.h"
 #include "ui/rival.h"
 #include "ui/run_names.h"
 #include "ui/scale.h"
@@ -130,7 +131,7 @@ QString CompareStrip::falls() const {
   const auto episodes = fallsAtEqualEpisodes(a, b);
   if (!episodes) return tr("no episode is over yet in both");
   QString text =
-      tr("after %1 episodes %2 : %3").arg(count(episodes->at), count(episodes->first), count(episodes->second));
+      tr("after %1 %2 : %3").arg(episodesText(episodes->at), count(episodes->first), count(episodes->second));
   const auto steps = fallsAtEqualSteps(a, b);
   if (const auto& stepTime = rival_.first().task().stepTime; stepTime && steps)
     text += tr("; after %1 min %2 : %3")

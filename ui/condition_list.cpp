@@ -6,6 +6,7 @@
 #include "core/laboratory/plan_time.h"
 #include "core/text.h"
 #include "ui/condition_name.h"
+#include "ui/counted.h"
 #include "ui/experiment.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
@@ -13,12 +14,15 @@
 namespace surefoot {
 
 namespace {
-constexpr int kRow = 32, kLine = 24, kPadding = 12, kHead = 34;  // [px]
+constexpr int kRow = 32, kLine = 24, kPadding = 12, kHead = 34, kGroup = 26;  // [px]
 }  // namespace
 
 ConditionList::ConditionList(Experiment& experiment, QWidget* parent) : Painted(parent), experiment_(experiment) {
   setAccessibleName(tr("Conditions"));
   const auto refresh = [this] {
+    std::vector<std::string> names;
+    for (const StoredCondition& c : experiment_.storedPlan().conditions) names.push_back(c.name);
+    names_ = groupNames(names);
     updateGeometry();
     setMinimumHeight(sizeHint().height());
     update();
@@ -31,7 +35,8 @@ ConditionList::ConditionList(Experiment& experiment, QWidget* parent) : Painted(
 
 QSize ConditionList::sizeHint() const {
   const auto rows = static_cast<int>(experiment_.storedPlan().conditions.size());
-  return scaled({264, kRow * rows + kHead + kLine * static_cast<int>(design().size()) + 16});
+  const auto groups = static_cast<int>(names_.groups.size());
+  return scaled({264, kRow * rows + kGroup * groups + kHead + kLine * static_cast<int>(design().size()) + 16});
 }
 
 std::vector<std::pair<QString, QString>> ConditionList::design() const {
@@ -50,7 +55,7 @@ std::vector<std::pair<QString, QString>> ConditionList::design() const {
           {tr("Q-functions"), c.preLearning->pool == 0 ? tr("one a life") : QString::number(c.preLearning->pool)});
     }
     if (c.configuration.minutes) list.push_back({tr("A life"), tr("%1 simulated min").arg(*c.configuration.minutes)});
-    if (c.configuration.episodes) list.push_back({tr("A life"), tr("%1 episodes").arg(*c.configuration.episodes)});
+    if (c.configuration.episodes) list.push_back({tr("A life"), episodesText(*c.configuration.episodes)});
   }
   list.push_back({tr("Lives"), tr("%1 a condition").arg(stored.conditions.front().lives)});
   list.push_back({tr("Seeds"), stored.paired ? tr("paired, from %1").arg(stored.seed)
@@ -59,6 +64,14 @@ std::vector<std::pair<QString, QString>> ConditionList::design() const {
   if (experiment_.minutes() > 0)
     list.push_back({tr("Takes"), tr("about %1").arg(toText(roundedTime(experiment_.minutes())))});
   return list;
+}
+
+void ConditionList::drawGroup(QPainter& p, const QString& title, double y) const {
+  const Theme& t = themeOf(*this);
+  p.setFont(textFont(11, 500));
+  p.setPen(t.quiet);
+  const int room = width() - 2 * kPadding;
+  drawSymbol(p, QRectF(kPadding, y + 8, room, 16), Qt::AlignLeft, p.fontMetrics().elidedText(title, Qt::ElideRight, room));
 }
 
 void ConditionList::paintEvent(QPaintEvent*) {
@@ -76,7 +89,13 @@ void ConditionList::paintEvent(QPaintEvent*) {
   }
   const int right = width() - kPadding;
   double y = 0;
-  for (const StoredCondition& c : stored.conditions) {
+  for (std::size_t place = 0; place < names_.order.size(); ++place) {
+    for (const NameGroups::Run& group : names_.groups) {
+      if (group.first != place) continue;
+      drawGroup(p, group.title, y);
+      y += kGroup;
+    }
+    const StoredCondition& c = stored.conditions[names_.order[place]];
     drawMarker(p, {kPadding + 6.0, y + 14}, policyLook(experiment_.policyOf(c.name), t), true);
     const int lives = experiment_.livesOf(c.name);
     const QString count = QStringLiteral("%1 / %2").arg(lives).arg(c.lives);
@@ -87,7 +106,7 @@ void ConditionList::paintEvent(QPaintEvent*) {
     p.setPen(t.ink);
     const double room = right - w - 12 - 36;
     drawSymbol(p, QRectF(36, y + 4, room, 20), Qt::AlignLeft,
-               p.fontMetrics().elidedText(shownName(c.name), Qt::ElideMiddle, static_cast<int>(room)));
+               p.fontMetrics().elidedText(nameInGroup(c.name), Qt::ElideMiddle, static_cast<int>(room)));
     p.fillRect(QRectF(36, y + 26, right - 36, 2), t.track);
     if (c.lives > 0)
       p.fillRect(QRectF(36, y + 26, (right - 36.0) * lives / c.lives, 2), lives == c.lives ? t.outline : t.ink);

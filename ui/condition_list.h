@@ -2,6 +2,7 @@
 // The conditions of an experiment with how many lives each has lived, and below them its design.
 #pragma once
 
+#include "ui/condition_name.h"
 #include "ui/painted.h"
 
 namespace surefoot {
@@ -21,7 +22,10 @@ class ConditionList final : public Painted<> {
  private:
   /// What all conditions share: name and value.
   std::vector<std::pair<QString, QString>> design() const;
+  void drawGroup(QPainter& p, const QString& title, double y) const;
+
   Experiment& experiment_;
+  NameGroups names_;
 };
 
 }  // namespace surefoot

@@ -80,8 +80,10 @@ ExperimentPage::ExperimentPage(Session& session, std::vector<PlanSource> sources
   });
   connect(&writing_, &Background::failed, this, &ExperimentPage::refused);
   connect(&experiment_, &Experiment::leftBehind, this, [this](const QString& store) {
-    Q_EMIT refused(tr("What was lived so far is kept and can be gone on with. It stands in the list of experiments, and "
-                      "here: %1")
+    const bool complete = experiment_.livesDone() == experiment_.livesPlanned();
+    Q_EMIT refused((complete ? tr("The results are kept. They stand in the list of experiments, and here: %1")
+                             : tr("What was lived so far is kept and can be gone on with. It stands in the list of "
+                                  "experiments, and here: %1"))
                        .arg(store));
     source_->addOwn(tr("%1 (%2 of %3 lives)")
                         .arg(toText(experiment_.title()))
@@ -125,7 +127,7 @@ QWidget* ExperimentPage::makeBar() {
   auto* progress = new ExperimentProgress(experiment_);
   row->addWidget(run_);
   row->addWidget(stop_);
-  row->addWidget(source_, 6);
+  row->addWidget(source_, 12);
   row->addWidget(lives_);
   row->addWidget(progress, 6);
   row->addStretch(1);
@@ -138,7 +140,7 @@ QWidget* ExperimentPage::makeBar() {
     row->setContentsMargins(scaled({9, 0, 12, 0}));
     row->setSpacing(scaled(8));
     source_->setFixedHeight(scaled(32));
-    source_->setMaximumWidth(scaled(380));
+    source_->setMaximumWidth(scaled(560));
     lives_->setFixedHeight(scaled(32));
     copy->setFont(scaledFont(11));
     foldBar();

@@ -9,6 +9,7 @@
 
 #include "core/text.h"
 #include "ui/chart_span.h"
+#include "ui/counted.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
 
@@ -77,6 +78,7 @@ void FigurePainter::chooseRanges() {
   yMost_ = std::ceil(high / step - 1e-9) * step;
   if (yMost_ <= yLeast_) yMost_ = yLeast_ + step;
   xMost_ = right > xLeast_ ? right : xLeast_ + 1;
+  xFirst_ = xLeast_, xLast_ = xMost_;
 }
 
 QPointF FigurePainter::at(double x, double y, const QRectF& plot) const {
@@ -145,6 +147,7 @@ void FigurePainter::paint(QPainter& p, const Theme& t, QSizeF size, double scrol
   paintTimeAxis(p, t, plot);
   paintYTitle(p, t, plot);
   paintCurves(p, t, plot);
+  paintReading(p, t, size);
   if (!singlePoints()) paintList(p, t, size);
 }
 
@@ -191,24 +194,16 @@ void FigurePainter::paintYTitle(QPainter& p, const Theme& t, const QRectF& plot)
 }
 
 QString FigurePainter::textAt(QPointF point, QSizeF size, double scroll) const {
-  const auto number = [](double v) { return toText(fixedText(v, std::abs(v) < 10 ? 2 : 1)); };
   const auto hit = seriesAt(point, size, scroll);
   if (!hit) return {};
   const FigureSeries& s = figure_.series[*hit];
   QString text = shownName(s.name);
-  const QRectF plot = figure_.bars ? barLayout(size).plot : curvePlot(size);
-  std::size_t k = 0;  // the point that is nearest along x
-  const double x = xLeast_ + (point.x() - plot.left()) / plot.width() * (xMost_ - xLeast_);
-  while (!figure_.bars && k + 1 < s.x.size() && s.x[k + 1] <= x) ++k;
-  const bool onPlot = figure_.bars || plot.contains(point);
-  if (onPlot && k < s.y.size() && std::isfinite(s.y[k].value)) {
-    text += QStringLiteral(": ") + number(s.y[k].value);
-    if (std::isfinite(s.y[k].low) && std::isfinite(s.y[k].high) && s.y[k].low < s.y[k].high)
-      text += QObject::tr(" (95 %: %1 … %2)").arg(number(s.y[k].low), number(s.y[k].high));
-  }
-  if (s.thesis) text += QObject::tr(", thesis %1").arg(number(*s.thesis));
+  const auto time = timeAt(point, size);
+  const auto k = figure_.bars ? std::optional<std::size_t>(0) : time ? placeAt(*hit, *time) : std::nullopt;
+  if (k && *k < s.y.size() && std::isfinite(s.y[*k].value)) text += QStringLiteral(": ") + intervalText(s.y[*k]);
+  if (s.thesis) text += QObject::tr(", thesis %1").arg(intervalText({*s.thesis, NAN, NAN}));
   if (s.planned > 0)
-    text += s.complete() ? QObject::tr(", %1 lives").arg(s.lives)
+    text += s.complete() ? QStringLiteral(", ") + livesText(s.lives)
                          : QObject::tr(", %1 of %2 lives so far").arg(s.lives).arg(s.planned);
   return text;
 }

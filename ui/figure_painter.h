@@ -26,6 +26,15 @@ class FigurePainter {
   /// A panel's header says the title already.
   void setTitleShown(bool shown) { titleShown_ = shown; }
 
+  /// The part of a curve's time axis that is shown; none: all of it. Kept within what there is.
+  void setTime(std::optional<std::pair<double, double>> part);
+  std::pair<double, double> time() const { return {xLeast_, xMost_}; }
+  bool isPart() const { return xLeast_ > xFirst_ || xMost_ < xLast_; }
+  /// The time below a point of the plot.
+  std::optional<double> timeAt(QPointF point, QSizeF size) const;
+  /// A line at this point of the plot, and the values there of what stands out and of the curve nearest to it.
+  void setReading(std::optional<QPointF> point) { reading_ = point; }
+
   /// What the y axis shows, from its lowest to its highest tick.
   std::pair<double, double> yRange() const { return {yLeast_, yMost_}; }
   /// The smallest in which everything can be read, to the last bar and the last name of the list [px].
@@ -71,6 +80,8 @@ class FigurePainter {
   QStringList barHead() const;
   void paintCurves(QPainter& p, const Theme& t, const QRectF& plot) const;
   void paintCurve(QPainter& p, const Theme& t, const QRectF& plot, std::size_t series) const;
+  void paintReading(QPainter& p, const Theme& t, QSizeF size) const;
+  std::optional<std::size_t> placeAt(std::size_t series, double time) const;  ///< of the last value up to then
   void paintList(QPainter& p, const Theme& t, QSizeF size) const;
   void paintScene(QPainter& p, const Theme& t, QSizeF size) const;
   QPen penOf(std::size_t series, const Theme& t) const;
@@ -86,8 +97,13 @@ class FigurePainter {
   std::vector<std::size_t> byEnd_;  // of curves: the series by their last values, the highest first
   std::string chosen_;
   bool titleShown_ = true;
+  std::optional<QPointF> reading_;
+  double xFirst_ = 0, xLast_ = 1;  // all of the time axis
   double xLeast_ = 0, xMost_ = 1, yLeast_ = 0, yMost_ = 1;
 };
+
+/// "93.4 (95 %: 84.1 … 102.7)"
+QString intervalText(const Interval& value);
 
 /// Files of a figure at its full size, on any thread: PNG (twice the size on the screen), SVG or PDF by the ending.
 QByteArray figureAsPicture(const Figure& figure, const std::string& chosen, const Theme& theme,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/counted.h"
 #include "ui/figure_painter.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
@@ -16,10 +17,6 @@ constexpr double kBar = 0.52, kWidestColumn = 8.5, kWidestBar = 2.5;  // of a co
 
 QFontMetricsF small() {
   return QFontMetricsF(textFont(11));
-}
-
-QString livesText(const FigureSeries& s) {
-  return QObject::tr("%1 lives").arg(s.lives);
 }
 
 /// A label in lines no wider than a column; the last one is cut where it must be.
@@ -57,7 +54,7 @@ double FigurePainter::smallestColumn() const {
   for (const QString& label : names_.labels)
     for (const QString& word : label.split(' ')) widest = std::max(widest, metrics.horizontalAdvance(word));
   for (const FigureSeries& s : figure_.series)
-    if (!s.complete()) widest = std::max(widest, metrics.horizontalAdvance(livesText(s)));
+    if (!s.complete()) widest = std::max(widest, metrics.horizontalAdvance(livesText(s.lives)));
   return std::min(widest, 6 * metrics.height()) + 10;
 }
 
@@ -208,17 +205,19 @@ void FigurePainter::paintBarLabels(QPainter& p, const Theme& t, const BarLayout&
     const FigureSeries& s = figure_.series[names_.order[place]];
     p.setFont(textFont(11, s.name == chosen_ ? 500 : 400));
     p.setPen(t.ink);
+    open = open || !s.complete();
+    const QRectF seen = l.plot.adjusted(0, 0, 12, 0);  // a label that would be cut comes with the scroll bar
+    if (l.x[place] - l.column / 2 < seen.left() - 3 || l.x[place] + l.column / 2 > seen.right() + 3) continue;
     double below = y;
     for (const QString& text : wrapped(names_.labels[place], l.column - 6)) {
       drawSymbol(p, QRectF(l.x[place] - l.column / 2, below, l.column, line), Qt::AlignHCenter, text);
       below += line;
     }
     if (s.complete()) continue;
-    open = true;
     p.setFont(textFont(11));
     p.setPen(t.quiet);
     drawSymbol(p, QRectF(l.x[place] - l.column / 2, y + l.labelLines * line, l.column, line), Qt::AlignHCenter,
-               livesText(s));
+               livesText(s.lives));
   }
   p.setFont(textFont(11));
   p.setPen(t.quiet);

@@ -171,12 +171,10 @@ std::optional<std::size_t> FigurePainter::seriesAt(QPointF point, QSizeF size, d
   }
   std::optional<std::size_t> best;
   double nearest = kNear;
-  const double x = xLeast_ + (point.x() - plot.left()) / plot.width() * (xMost_ - xLeast_);
   for (std::size_t i = 0; i < figure_.series.size(); ++i) {
-    const FigureSeries& s = figure_.series[i];
-    const auto k = static_cast<std::size_t>(std::upper_bound(s.x.begin(), s.x.end(), x) - s.x.begin());
-    if (s.x.empty() || k == 0) continue;
-    const double away = std::abs(yOf(s.y[k - 1].value, plot) - point.y());
+    const auto k = placeAt(i, *timeAt(point, size));
+    if (!k) continue;
+    const double away = std::abs(yOf(figure_.series[i].y[*k].value, plot) - point.y());
     if (away < nearest) nearest = away, best = i;
   }
   return best;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/figure_view.h"
-#include "ui/plain_text.h"
 
 #include <QHelpEvent>
 #include <QPaintEvent>
@@ -8,6 +7,7 @@
 #include <QToolTip>
 #include <QWheelEvent>
 
+#include "ui/plain_text.h"
 #include "ui/symbol_text.h"
 #include "ui/theme.h"
 
@@ -17,6 +17,7 @@ FigureView::FigureView(Figure figure, QWidget* parent)
     : Painted(parent),
       painter_(std::move(figure)),
       scroll_(new QScrollBar(Qt::Horizontal, this)) {
+  setMouseTracking(true);
   setAccessibleName(shownName(painter_.figure().title));
   scroll_->setAccessibleName(tr("Bars that have no room"));
   connect(scroll_, &QScrollBar::valueChanged, this, qOverload<>(&QWidget::update));
@@ -24,9 +25,13 @@ FigureView::FigureView(Figure figure, QWidget* parent)
 }
 
 void FigureView::setFigure(Figure figure, const QString& words) {
+  const bool same = figure.name == painter_.figure().name && painter_.isPart();
+  const auto part = painter_.time();
   painter_ = FigurePainter(std::move(figure));
   painter_.setChosen(chosen_);
   painter_.setTitleShown(titleShown_);
+  if (same) painter_.setTime(part);
+  painter_.setReading(reading_);
   words_ = words;
   setAccessibleName(painter_.figure().title.empty() ? words : shownName(painter_.figure().title));
   layOut();
@@ -63,20 +68,12 @@ void FigureView::resizeEvent(QResizeEvent*) {
   layOut();
 }
 
-void FigureView::wheelEvent(QWheelEvent* event) {
-  if (scroll_->maximum() == 0) return event->ignore();
-  const QPoint turn = event->angleDelta();
-  scroll_->setValue(scroll_->value() - (turn.x() != 0 ? turn.x() : turn.y()));
-}
-
-void FigureView::mousePressEvent(QMouseEvent* event) {
-  const auto hit = painter_.seriesAt(mouseAt(*event), drawn(), scroll_->value());
-  if (event->button() != Qt::LeftButton || !hit || !words_.isEmpty()) return event->ignore();
-  Q_EMIT clicked(toText(figure().series[*hit].name));
-}
-
 bool FigureView::event(QEvent* event) {
-  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  if (event->type() == QEvent::ShortcutOverride && usesKey(static_cast<QKeyEvent&>(*event))) {
+    event->accept();
+    return true;
+  }
+  if (event->type() != QEvent::ToolTip || curves()) return QWidget::event(event);  // curves are read at the line
   const auto* help = static_cast<QHelpEvent*>(event);
   const QString text = words_.isEmpty() ? painter_.textAt(QPointF(help->pos()) / textSize(), drawn(), scroll_->value()) : QString();
   if (text.isEmpty())
@@ -108,6 +105,7 @@ void FigureView::prepareExport(bool exporting) {
   if (exporting == exporting_) return;
   exporting_ = exporting;
   painter_.setTitleShown(exporting || titleShown_);
+  painter_.setReading(exporting ? std::nullopt : reading_);
   if (exporting) before_ = QWidget::size();
   resize(exporting ? scaled(painter_.fullSize().toSize()).expandedTo(QWidget::size()) : before_);
   layOut();

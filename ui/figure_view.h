@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A figure of the laboratory in the window. Bars that have no room scroll; a click on a series chooses its condition,
-// the mouse above it tells its numbers.
+// the mouse above it tells its numbers. Of curves, the wheel and a drag magnify the time axis, a double click shows all
+// of it again; by keys: arrows, + and −, Home.
 #pragma once
+
+#include <optional>
 
 #include "ui/exporting.h"
 #include "ui/figure_painter.h"
@@ -31,6 +34,7 @@ class FigureView final : public Painted<>, public CsvSource {
   std::string asCsv() const override;
   /// Alone it has its title and its full size.
   void prepareExport(bool exporting) override;
+  void fillMenu(QMenu& menu) override;
 
  Q_SIGNALS:
   void clicked(const QString& condition);
@@ -40,16 +44,29 @@ class FigureView final : public Painted<>, public CsvSource {
   void resizeEvent(QResizeEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
   bool event(QEvent* event) override;
 
  private:
   void layOut();
+  void read(std::optional<QPointF> at);
+  void moveReading(int pixels);
+  void zoom(double factor, double anchor);  ///< what stands at the anchor [share of the plot] stays there
+  void pan(double share);
+  void showAllOfIt();
+  bool curves() const;
+  bool usesKey(const QKeyEvent& event) const;
   QSizeF drawn() const;  ///< without the scroll bar
 
   FigurePainter painter_;
   QScrollBar* scroll_;
   QString words_;
   std::string chosen_;
+  std::optional<QPointF> reading_, pressed_;
   QSize before_;  // of an export, on the screen
   bool titleShown_ = true, exporting_ = false;
 };

@@ -90,6 +90,8 @@ class MainWindow final : public QMainWindow {
   void askForNewTable(const QString& key, double value);
   void askBeforeEnding(const std::shared_ptr<KeptLife>& kept, const std::function<void()>& goOn);
   QString whatIsNotSaved() const;
+  Session* secondUnsaved() const;
+  void saveSecond(const std::function<void()>& then);
   bool askBeforeQuit();
   void quit();
   void tellHowItBegan();

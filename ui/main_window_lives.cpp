@@ -9,20 +9,16 @@
 #include "core/text.h"
 #include "ui/ask_for_file.h"
 #include "ui/autosave.h"
+#include "ui/counted.h"
 #include "ui/live_page.h"
 #include "ui/main_window.h"
 #include "ui/message_bar.h"
+#include "ui/rival.h"
 #include "ui/session.h"
 #include "ui/session_name.h"
 #include "ui/symbol_text.h"
 
 namespace surefoot {
-
-namespace {
-QString count(std::int64_t number) {
-  return toText(countText(static_cast<double>(number)));
-}
-}  // namespace
 
 void MainWindow::askQuestions() {
   connect(&session_, &Session::refused, messages_, &MessageBar::say);
@@ -79,12 +75,12 @@ void MainWindow::askForNewTable(const QString& key, double value) {
 void MainWindow::askBeforeEnding(const std::shared_ptr<KeptLife>& kept, const std::function<void()>& goOn) {
   if (kept)
     return messages_->ask(
-        tr("There is not enough memory to keep one more life for undo: a life before this one, of %1 episodes, is not "
-           "saved and would end.")
-            .arg(count(kept->progress.episodes)),
+        tr("There is not enough memory to keep one more life for undo: a life before this one, of %1, is not saved and "
+           "would end.")
+            .arg(episodesText(kept->progress.episodes)),
         {{tr("Save it first"), [this, kept, goOn] { saveKept(kept, goOn); }}, {tr("End it"), goOn}});
-  messages_->ask(tr("This life has %1 episodes, is not saved, and there is not enough memory to keep it for undo.")
-                     .arg(count(session_.progress().episodes)),
+  messages_->ask(tr("This life has %1, is not saved, and there is not enough memory to keep it for undo.")
+                     .arg(episodesText(session_.progress().episodes)),
                  {{tr("Save it first"), [this, goOn] { saveSession(goOn); }}, {tr("End it"), goOn}});
 }
 
@@ -118,7 +114,8 @@ void MainWindow::refreshName() {
   const QString& path = session_.file().path;
   const QString since =
       unsaved
-          ? tr("%1 episodes are not saved").arg(count(session_.progress().episodes - session_.file().saved.episodes))
+          ? counted(session_.progress().episodes - session_.file().saved.episodes, tr("%1 episode is not saved"),
+                    tr("%1 episodes are not saved"))
           : tr("everything is saved");
   name_->say(sessionName(), unsaved, path.isEmpty() ? since : path + '\n' + since);
 }
@@ -136,18 +133,31 @@ QString MainWindow::whatIsNotSaved() const {
   const auto before = session_.unsavedBefore();
   QStringList others;
   for (auto life = before.rbegin(); life != before.rend() && others.size() < 4; ++life)
-    others << count((*life)->progress.episodes);
+    others << toText(countText(static_cast<double>((*life)->progress.episodes)));
   if (before.size() > 4) others << tr("…");
-  const QString kept = before.size() == 1 ? tr("A life before this one, of %1 episodes,").arg(others[0])
+  const QString kept = before.size() == 1 ? tr("A life before this one, of %1,").arg(episodesText(before[0]->progress.episodes))
                                           : tr("%1 lives before this one, of %2 episodes,")
                                                 .arg(before.size())
                                                 .arg(others.join(QStringLiteral(", ")));
-  if (!session_.unsaved()) return before.empty() ? QString() : tr("%1 kept for Ctrl+Z only, not saved.").arg(kept);
-  const QString episodes = count(session_.progress().episodes - session_.file().saved.episodes);
+  QString second;
+  if (const Session* other = secondUnsaved())
+    second = tr("What the second learned in %1 is not saved.").arg(episodesText(other->progress().episodes));
+  const auto with = [&](const QString& sentence) {
+    return second.isEmpty() ? sentence : sentence.isEmpty() ? second : sentence + ' ' + second;
+  };
+  if (!session_.unsaved())
+    return with(before.empty() ? QString() : tr("%1 kept for Ctrl+Z only, not saved.").arg(kept));
+  const QString episodes = episodesText(session_.progress().episodes - session_.file().saved.episodes);
   const QString now = session_.file().path.isEmpty()
-                          ? tr("What this life learned in %1 episodes is not saved.").arg(episodes)
-                          : tr("What %1 learned in %2 episodes is not saved.").arg(sessionName(), episodes);
-  return before.empty() ? now : now + ' ' + tr("%1 kept for Ctrl+Z only.").arg(kept);
+                          ? tr("What this life learned in %1 is not saved.").arg(episodes)
+                          : tr("What %1 learned in %2 is not saved.").arg(sessionName(), episodes);
+  return with(before.empty() ? now : now + ' ' + tr("%1 kept for Ctrl+Z only.").arg(kept));
+}
+
+/// The second learner of Compare, if it learned something that is not saved.
+Session* MainWindow::secondUnsaved() const {
+  Rival* rival = live_->rival();
+  return rival && rival->session().unsaved() ? &rival->session() : nullptr;
 }
 
 /// Whether there is something to be asked. Saved one after the other, until nothing is left.
@@ -159,7 +169,7 @@ bool MainWindow::askBeforeQuit() {
     if (session_.unsaved())
       saveSession([this] { close(); });
     else if (before.empty())
-      close();
+      saveSecond([this] { close(); });
     else
       saveKept(before.back(), [this] { close(); });
   };
@@ -174,6 +184,20 @@ void MainWindow::saveKept(const std::shared_ptr<KeptLife>& kept, const std::func
                     if (!s) return messages_->say(toText(s.error().message));
                     remember(path);
                     kept->file = {path, kept->progress};
+                    then();
+                  });
+                });
+}
+
+void MainWindow::saveSecond(const std::function<void()>& then) {
+  Session* second = secondUnsaved();
+  if (!second) return then();
+  askForNewFile(this, tr("Save the second learner's session"), "second.surefoot", "*.surefoot", "surefoot",
+                [this, second, then](const QString& path) {
+                  second->save(SavedAs::Session, path.toStdString(), [this, second, path, then](const Status& s) {
+                    if (!s) return messages_->say(toText(s.error().message));
+                    remember(path);
+                    if (second->written()) second->setFile({path, *second->written()});
                     then();
                   });
                 });
@@ -198,7 +222,7 @@ void MainWindow::quit() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  const bool learned = session_.learned() || !session_.unsavedBefore().empty();
+  const bool learned = session_.learned() || !session_.unsavedBefore().empty() || secondUnsaved();
   if (!closing_ && learned) {
     event->ignore();
     if (!askBeforeQuit()) quit();

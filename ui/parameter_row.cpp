@@ -18,7 +18,6 @@
 namespace surefoot {
 
 namespace {
-constexpr int kNumber = 46;  // room for a number at the usual size of text [px]
 }  // namespace
 
 ParameterRow::ParameterRow(const Parameter& parameter, const std::string& policy, QWidget* parent)
@@ -94,14 +93,17 @@ QString ParameterRow::textOf(double value) const {
   while (parameter_.kind == Kind::Real && decimals < 4 && !exact()) ++decimals;
   const auto written = [&](char format, int precision) {
     QString text = QString::number(value, format, precision);
-    return text.replace(QStringLiteral("e-0"), QStringLiteral("e-")).replace('-', QChar(0x2212));
+    return text.replace(QStringLiteral("e-0"), QStringLiteral("e-"))
+        .replace(QStringLiteral("e+0"), QStringLiteral("e"))
+        .replace('-', QChar(0x2212));
   };
   const auto fits = [&](const QString& text) {
-    return !number_ || number_->fontMetrics().horizontalAdvance(text) <= scaled(kNumber) - 4;
+    return !number_ || number_->fontMetrics().horizontalAdvance(text) <= scaled(kNumberRoom) - 4;
   };
   const double shown = QString::number(value, 'f', decimals).toDouble();
   const bool precise = value == 0.0 || std::abs(shown / value - 1.0) < 0.01;
-  if (const QString text = written('f', decimals); precise && fits(text)) return text;
+  const QString plain = decimals == 0 ? toText(countText(value)) : written('f', decimals);
+  if (precise && fits(plain)) return plain;
   const QString text = written('g', 3);
   return fits(text) ? text : written('e', 1);
 }

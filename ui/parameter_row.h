@@ -57,6 +57,8 @@ class ParameterRow final : public Painted<> {
   int sliderAt(double value) const;
   QString textOf(double value) const;
   void sliderMoved(int position);
+  static constexpr int kNumberRoom = 46;  // "10,000" at the usual size of text [px]
+
   void numberTyped();
   bool dragged(QMouseEvent* event);
   void forgetRefusal();

@@ -19,7 +19,7 @@ namespace surefoot {
 
 namespace {
 
-constexpr int kRow = 24, kName = 20, kUnit = 32, kNumber = 46, kBeforeMiddle = 16, kReset = 18;  // [px]
+constexpr int kRow = 24, kName = 20, kUnit = 32, kBeforeMiddle = 16, kReset = 18;  // [px]
 
 /// An arrow that turns back.
 class ResetButton final : public Painted<QToolButton> {
@@ -65,8 +65,8 @@ void ParameterRow::layOut() {
     return;
   }
   const int left = w / 2 - kBeforeMiddle;
-  place(*number_, {right - kNumber, 2, kNumber, kRow - 4});
-  place(*slider_, {left, 0, right - kNumber - left - 1, kRow});
+  place(*number_, {right - kNumberRoom, 2, kNumberRoom, kRow - 4});
+  place(*slider_, {left, 0, right - kNumberRoom - left - 1, kRow});
 }
 
 void ParameterRow::resizeEvent(QResizeEvent*) {

@@ -59,7 +59,7 @@ PlanChooser::PlanChooser(const QString& name, std::vector<PlanSource> sources, Q
       sources_(std::move(sources)) {
   setAccessibleName(name);
   setToolTip(tr("What to run: plans, the thesis's figures, your own files"));
-  setSizeAdjustPolicy(AdjustToMinimumContentsLengthWithIcon);
+  setSizeAdjustPolicy(AdjustToContents);
   addItem(tr("Choose a plan"));
 }
 

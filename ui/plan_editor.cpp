@@ -11,6 +11,7 @@
 
 #include "core/laboratory/plan_writing.h"
 #include "ui/condition_form.h"
+#include "ui/counted.h"
 #include "ui/experiment.h"
 #include "ui/scale.h"
 #include "ui/symbol_text.h"
@@ -160,7 +161,7 @@ void PlanEditor::check() {
         const Result<Plan>& plan = **made;
         use_->setEnabled(static_cast<bool>(plan));
         say(plan ? tr("%n conditions", nullptr, static_cast<int>(plan->conditions.size())) +
-                       tr(", %1 lives each").arg(plan->lives)
+                       tr(", %1 each").arg(livesText(plan->lives))
                  : toText(plan.error().message));
       },
       kPatience);

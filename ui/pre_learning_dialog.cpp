@@ -15,6 +15,7 @@
 #include "core/experiment/q_file.h"
 #include "core/text.h"
 #include "ui/combo.h"
+#include "ui/counted.h"
 #include "ui/model_rows.h"
 #include "ui/scale.h"
 #include "ui/session.h"
@@ -27,6 +28,9 @@ namespace {
 constexpr int kField = 104, kTable = 132;  // [px]
 constexpr QSize kRoomy(620, 580);          // [px] what it asks for
 constexpr int kScreenEdge = 48;            // [px] of the screen kept clear: the title bar
+// Without an average reward: as long as the walkers of the laboratory pre-learn; in a task without a clock.
+constexpr double kMinutes = 120;
+constexpr std::int64_t kEpisodes = 1000;
 }  // namespace
 
 PreLearningDialog::PreLearningDialog(Session& session, QWidget* parent)
@@ -103,6 +107,7 @@ void PreLearningDialog::makeLearning(QGridLayout* grid) {
   until_->setAccessibleName(tr("Average reward that ends the pre-learning"));
   const auto goal = session_.task().goalReward;
   if (goal) until_->setText(toText(fixedText(0.99 * *goal, 0)));
+  const bool clock = session_.task().stepTime.has_value();
   size_ = new QSpinBox;
   size_->setRange(1, 20);
   size_->setValue(5);
@@ -119,6 +124,10 @@ void PreLearningDialog::makeLearning(QGridLayout* grid) {
   if (goal)
     grid->addWidget(new QLabel(tr("%1 has converged, %2 has not")
                                    .arg(toText(fixedText(0.99 * *goal, 0)), toText(fixedText(0.8 * *goal, 0)))),
+                    row, 2);
+  else
+    grid->addWidget(new QLabel(clock ? tr("or, left empty, for %1 simulated min").arg(kMinutes)
+                                     : tr("or, left empty, for %1").arg(episodesText(kEpisodes))),
                     row, 2);
   grid->addWidget(new QLabel(tr("Q-functions in the pool")), ++row, 0);
   grid->addWidget(size_, row, 1);
@@ -174,13 +183,20 @@ void PreLearningDialog::startOrStop() {
   if (pool_.busy()) return pool_.cancel();
   auto simulation = model_->model(ModelRows::Side::Simulation);
   if (!simulation) return words_->setText(toText(simulation.error().message));
-  const auto until =
-      parseValue({.key = "average reward", .low = -1e9, .high = 1e9}, until_->text().trimmed().toStdString());
-  if (!until) return words_->setText(toText(until.error().message));
+  simulation->until.reset(), simulation->minutes.reset(), simulation->episodes.reset();
+  if (const std::string typed = until_->text().trimmed().toStdString(); !typed.empty()) {
+    const auto value = parseValue({.key = "average reward", .low = -1e9, .high = 1e9}, typed);
+    if (!value) return words_->setText(toText(value.error().message));
+    simulation->until = *value;
+  } else if (session_.task().stepTime) {
+    simulation->minutes = kMinutes;
+  } else {
+    simulation->episodes = kEpisodes;
+  }
   if (const QString name = scenario_->currentData().toString(); !name.isEmpty())
     simulation->names.scenario = name.toStdString();
   table_->setRowCount(0);
-  pool_.start(std::move(*simulation), *until, size_->value());
+  pool_.start(std::move(*simulation), size_->value());
 }
 
 void PreLearningDialog::transfer() {

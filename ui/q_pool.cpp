@@ -26,7 +26,7 @@ Result<PreLearned> preLearn(const Registry& registry, const Configuration& simul
     one.episodes = (*life)->log().totals().episodes;
     one.falls = (*life)->log().totals().falls;
     one.averageReward = (*life)->log().averageReward();
-    one.reached = simulation.until && one.averageReward >= *simulation.until;
+    one.reached = !simulation.until || one.averageReward >= *simulation.until;
     return one;
   } catch (const std::bad_alloc&) {
     return Error{"There is not enough memory for this; take fewer tiles or tilings."};
@@ -35,11 +35,9 @@ Result<PreLearned> preLearn(const Registry& registry, const Configuration& simul
 
 }  // namespace
 
-void QPool::start(Configuration simulation, double until, int pool) {
+void QPool::start(Configuration simulation, int pool) {
   simulation.names.policy = "epsilon-greedy";
-  simulation.until = until;
-  simulation.episodes = kCap;
-  simulation.minutes.reset();
+  if (simulation.until) simulation.episodes = kCap;
   simulation.start.reset();
   simulation.beganWith = {};
   simulation.commands.clear();

@@ -26,9 +26,10 @@ class QPool final : public QObject {
   static constexpr std::int64_t kCap = 20'000;  ///< episodes; the cap is ours
   explicit QPool(const Registry& registry, QObject* parent = nullptr);
 
-  /// `simulation` is what is learned on, with its seed; policy, start and limits are set here: ε-greedy, from nothing,
-  /// until the average reward is reached. Life i of the pool is life i of that configuration.
-  void start(Configuration simulation, double until, int pool);
+  /// `simulation` is what is learned on, with its seed and how long: until an average reward (and kCap episodes at the
+  /// most), or so many minutes or episodes. Policy and start are set here: ε-greedy, from nothing. Life i of the pool is
+  /// life i of that configuration.
+  void start(Configuration simulation, int pool);
   void cancel() { background_.cancel(); }
   bool busy() const { return background_.busy(); }
   int asked() const { return asked_; }

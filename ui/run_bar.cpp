@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/counted.h"
 #include "ui/run_bar.h"
 
 #include <QAbstractButton>
@@ -118,8 +119,8 @@ void RunBar::readNumbers() {
   texts_ = {toText(countText(static_cast<double>(now.falls))), toText(countText(static_cast<double>(now.episodes))),
             session_.running() ? session_.factorText() : QString()};
   setAccessibleDescription(session_.task().canFall
-                               ? tr("%1 falls in %2 episodes").arg(texts_.falls, texts_.episodes)
-                               : tr("%1 episodes").arg(texts_.episodes));
+                               ? tr("%1 in %2").arg(fallsText(now.falls), episodesText(now.episodes))
+                               : episodesText(now.episodes));
   if (counterWidth() != counterWidth_) layOut();
   update();
 }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How a value map and its colour bar are drawn.
 #include <QPainter>
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
+#include <vector>
 
 #include "core/text.h"
 #include "ui/symbol_text.h"
@@ -160,16 +163,21 @@ void ValueMap::drawBar(QPainter& p, const QRectF& bar, const MapScale& scale, co
   }
   p.setFont(textFont(11));
   const double height = QFontMetricsF(p.font()).height();
-  double last = -1e9;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
+  // The ends first; between them what has room. No number leaves the bar: a title stands above it.
+  std::vector<std::size_t> order(numbers.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  if (order.size() > 2) std::rotate(order.begin() + 1, order.end() - 1, order.end());
+  std::vector<double> taken;
+  for (const std::size_t i : order) {
     const double value = numbers[i];
     const double y = bar.bottom() - scale.position(value) * bar.height();
-    if (std::abs(y - last) < 0.9 * height) continue;  // no room for another number
-    last = y;
+    const double middle = std::clamp(y, bar.top() + height / 2, std::max(bar.top(), bar.bottom() - height / 2));
+    if (std::any_of(taken.begin(), taken.end(), [&](double other) { return std::abs(other - middle) < 0.9 * height; })) continue;
+    taken.push_back(middle);
     p.setPen(QPen(t.outline, 1));
     p.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + 3, y));
     p.setPen(t.quiet);
-    drawSymbol(p, QRectF(bar.right() + 6, y - height / 2, 40, height), Qt::AlignLeft,
+    drawSymbol(p, QRectF(bar.right() + 6, middle - height / 2, 40, height), Qt::AlignLeft,
                i < names.size() ? names[i] : numberText(value, scale));
   }
   p.restore();

@@ -28,7 +28,7 @@ QDialog* dialogOf(Window& w) {
 
 /// At both sizes of text, on the smallest screen and on a projector's.
 void expectDialogReadable(Window& w, const std::function<void()>& open, const QString& name) {
-  for (const Screen& screen : {kScreens[3], kScreens[2]}) {
+  atEverySize({kScreens[3], kScreens[0], kScreens[2]}, [&](const Screen& screen, const QString& text) {
     applyTextSize(screen.text);
     open();
     QDialog* dialog = dialogOf(w);
@@ -40,7 +40,7 @@ void expectDialogReadable(Window& w, const std::function<void()>& open, const QS
     EXPECT_EQ(dialog->minimumSize().boundedTo(screenRoom), dialog->minimumSize()) << name.toStdString();
     dialog->resize(dialog->size().boundedTo(screenRoom));
     QTest::qWait(20);
-    expectReadable(*dialog, name + ", " + textOf(screen));
+    expectReadable(*dialog, name + ", " + text);
     for (const auto* button : dialog->findChildren<QPushButton*>()) {
       if (!button->isVisible() || button->parentWidget()->parentWidget()->inherits("QAbstractScrollArea")) continue;
       EXPECT_TRUE(dialog->rect().contains(QRect(button->mapTo(dialog, QPoint()), button->size())))
@@ -48,7 +48,7 @@ void expectDialogReadable(Window& w, const std::function<void()>& open, const QS
     }
     dialog->close();
     QApplication::sendPostedEvents(dialog, QEvent::DeferredDelete);
-  }
+  });
 }
 
 }  // namespace
@@ -72,7 +72,6 @@ TEST(Dialogs, PreLearningIsReadableInEveryTask) {
 
 TEST(Dialogs, AllOthersAreReadable) {
   const UsualLook usual;
-  applyAppearance(*qApp, Appearance::Dark);
   Window w;
   for (const char* name : {"&Shortcuts", "&About Surefoot", "Pre&ferences …", "Another &seed …", "&Words",
                            "&Keep this one as …"}) {
@@ -92,17 +91,17 @@ TEST(Dialogs, TheListOfExperimentsIsReadable) {
                                   .answers = "Which policy falls the least after pre-learning, and how much less than "
                                              "the one that is in common use?",
                                   .minutes = 40}});
-  for (const double size : {1.0, kProjectorText}) {
-    applyTextSize(size);
+  atEverySize({kScreens[0], kScreens[2]}, [&](const Screen& screen, const QString& text) {
+    applyTextSize(screen.text);
     box.show();
     box.showPopup();
     QTest::qWait(20);
     auto* list = box.findChild<QTreeWidget*>();
     ASSERT_TRUE(list);
     list->setCurrentItem(list->topLevelItem(1)->child(0));
-    expectReadable(*list->window(), QStringLiteral("experiments, text %1").arg(size));
+    expectReadable(*list->window(), "experiments, " + text);
     box.hidePopup();
-  }
+  });
 }
 
 }  // namespace surefoot

@@ -10,6 +10,7 @@
 #include <QTemporaryDir>
 #include <QTimer>
 #include <QTreeWidget>
+#include <QWheelEvent>
 #include <cmath>
 #include <cstdio>
 #include <set>
@@ -19,6 +20,7 @@
 #include "ui/ask_for_file.h"
 #include "ui/experiment_page.h"
 #include "ui/figure_painter.h"
+#include "ui/figure_view.h"
 #include "ui/plan_chooser.h"
 #include "ui/plan_editor.h"
 #include "ui/table_parts.h"
@@ -156,6 +158,50 @@ TEST(Figures, TheListOfCurvesEndsWithHowManyMoreThereAre) {
   std::size_t chosen = 0;
   while (painter.figure().series[chosen].name != "pre(3): TRL 150") ++chosen;
   EXPECT_TRUE(few.contains(chosen));
+}
+
+TEST(Figures, PartOfTheTimeAxisIsShownAndRead) {
+  FigureView view(manyConditions(false));
+  view.resize(700, 400);
+  view.show();
+  const QPoint middle(300, 200);
+  const auto turn = [&](int by) {
+    QWheelEvent event(middle, view.mapToGlobal(middle), {}, {0, by}, Qt::NoButton, {}, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&view, &event);
+  };
+  const QImage whole = view.grab().toImage();
+  for (int i = 0; i < 5; ++i) turn(120);
+  EXPECT_NE(view.grab().toImage(), whole) << "it is magnified";
+  QTest::keyClick(&view, Qt::Key_Home);
+  EXPECT_EQ(view.grab().toImage(), whole);
+  QTest::mousePress(&view, Qt::LeftButton, {}, {200, 200});
+  QTest::mouseMove(&view, {320, 200});
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, {320, 200});
+  QEvent leave(QEvent::Leave);
+  QApplication::sendEvent(&view, &leave);
+  EXPECT_NE(view.grab().toImage(), whole);
+  QTest::mouseDClick(&view, Qt::LeftButton, {}, {320, 200});
+  EXPECT_EQ(view.grab().toImage(), whole);
+  QTest::keyClick(&view, Qt::Key_Right);
+  EXPECT_NE(view.grab().toImage(), whole) << "a line and the values at it";
+  QTest::keyClick(&view, Qt::Key_Escape);
+  EXPECT_EQ(view.grab().toImage(), whole);
+}
+
+TEST(Figures, ThePartThatIsShownStaysWithinTheWhole) {
+  FigurePainter painter(manyConditions(false));
+  painter.setTime(std::pair(-5.0, 1.0));
+  EXPECT_EQ(painter.time(), std::pair(0.0, 2.0)) << "no longer than what there is";
+  painter.setTime(std::pair(1.5, 2.5));
+  EXPECT_EQ(painter.time(), std::pair(1.0, 2.0));
+  EXPECT_TRUE(painter.isPart());
+  const QSizeF size(700, 400);
+  const QPointF at(300, 200);
+  const double time = painter.timeAt(at, size).value();
+  EXPECT_TRUE(time > 1 && time < 2);
+  EXPECT_EQ(painter.timeAt({690, 200}, size), std::nullopt) << "the list";
+  painter.setTime(std::nullopt);
+  EXPECT_FALSE(painter.isPart());
 }
 
 TEST(Figures, NamesHaveATrueMinusAndGroups) {

@@ -6,6 +6,8 @@
 
 #include "tests/ui/learn_and_answer.h"
 #include "ui/autosave.h"
+#include "ui/live_page.h"
+#include "ui/rival.h"
 
 namespace surefoot {
 
@@ -66,6 +68,21 @@ TEST(Quit, NamesAllThatIsNotSavedAndKeepsAllOfIt) {
   ASSERT_TRUE(w.waitFor([&] { return !w.window->isVisible(); }));
   EXPECT_EQ(last().size(), 3);
   for (const QString& file : data().entryList({"autosave-*", "last-session-*"}, QDir::Files)) data().remove(file);
+}
+
+TEST(Quit, AsksForWhatTheSecondLearned) {
+  Window w;
+  w.window->livePage().setComparing(true);
+  Session& second = w.window->livePage().rival()->session();
+  second.setTurbo(true);
+  second.setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return second.progress().episodes >= 5; }, 30'000));
+  second.setRunning(false);
+  w.window->close();
+  EXPECT_TRUE(w.window->isVisible());
+  EXPECT_TRUE(w.window->messages().accessibleName().contains("the second learned in"))
+      << w.window->messages().accessibleName().toStdString();
+  answer(w, "Cancel");
 }
 
 TEST(Quit, WhatCannotBeKeptIsToldAndTheAutosaveStays) {

@@ -46,39 +46,63 @@ TEST_P(ReadableTask, TheLivePageAtEverySize) {
   const UsualLook usual;
   Window w;
   ASSERT_NO_FATAL_FAILURE(live(w, GetParam()));
-  bool dark = std::string(GetParam()) == "leo";
-  for (const Screen& screen : kScreens) {
-    applyAppearance(*qApp, (dark = !dark) ? Appearance::Dark : Appearance::Light);
+  atEverySize(kScreens, [&](const Screen& screen, const QString& where) {
+    const QString text = QStringLiteral("%1, %2").arg(GetParam(), where);
     use(w, screen);
-    expectReadable(*w.window, textOf(screen));
+    expectReadable(*w.window, text);
     for (const auto layout : {LivePage::Layout::Teaching, LivePage::Layout::Falls, LivePage::Layout::Maps}) {
       w.window->livePage().useLayout(layout);
       QTest::qWait(30);
-      expectReadable(*w.window, textOf(screen) + QStringLiteral(", layout %1").arg(static_cast<int>(layout)));
+      expectReadable(*w.window, text + QStringLiteral(", layout %1").arg(static_cast<int>(layout)));
     }
     use(w, screen);
     w.window->livePage().setComparing(true);
     w.window->messages().say("Something could not be done; this sentence says what, why, and what is allowed instead.");
     QTest::qWait(30);
-    expectReadable(*w.window, textOf(screen) + ", comparing");
+    expectReadable(*w.window, text + ", comparing");
     w.window->livePage().setComparing(false);
     w.window->messages().dismiss();
-  }
+  });
 }
 
 INSTANTIATE_TEST_SUITE_P(Tasks, ReadableTask, testing::Values("pendulum", "leo", "compass", "cliff"));
 
-/// Two conditions, of which one has a long name, on the Experiment page.
-void openTwoWalks(Window& w, const QTemporaryDir& folder) {
-  const std::string path = folder.filePath("plan.toml").toStdString();
-  ASSERT_TRUE(writeWhole("plan", path,
-                         "title = \"Two walks\"\nlives = 3\nreference = \"one\"\n[base]\nenvironment = \"cliff\"\n"
-                         "features = \"table\"\nepisodes = 50\n[[condition]]\nname = \"one\"\n[[condition]]\n"
-                         "name = \"a name of more words than there is room for\"\npolicy = \"softmax\"\n"));
+constexpr const char* kHead = "lives = 3\n[base]\nenvironment = \"cliff\"\nfeatures = \"table\"\nepisodes = 50\n";
+
+/// Two conditions, of which one has a long name.
+std::string twoWalks() {
+  return std::string("title = \"Two walks\"\nreference = \"one\"\n") + kHead +
+         "[[condition]]\nname = \"one\"\n[[condition]]\nname = \"a name of more words than there is room for\"\n"
+         "policy = \"softmax\"\n";
+}
+
+/// As many as the longest recipe of the thesis has, in groups.
+std::string manyWalks() {
+  std::string text = "title = \"TRL after pre-learning on scenarios 2 to 6, of 30 conditions\"\n";
+  text += kHead;
+  const auto condition = [&](const std::string& name, const std::string& rest) {
+    text += "[[condition]]\nname = \"" + name + "\"\n" + rest;
+  };
+  for (int group = 2; group <= 6; ++group) {
+    const std::string pre = "pre(" + std::to_string(group) + "): ", reference = pre + "ε-greedy";
+    const std::string length = "episodes = 5" + std::to_string(group) + "\n";
+    condition(reference, length);
+    condition(pre + "TRL {policy.threshold}", length + "policy = \"trl\"\nset.policy.threshold = [-50, 0, 50, 100, 150]\n"
+                                              "reference = \"" + reference + "\"\n");
+  }
+  return text;
+}
+
+/// A plan on the Experiment page.
+void openPlan(Window& w, const QTemporaryDir& folder, const std::string& text) {
+  const std::string path = folder.filePath("plan%1.toml").arg(text.size()).toStdString();
+  ASSERT_TRUE(writeWhole("plan", path, text));
   w.window->setPage(1);
   ExperimentPage& page = w.window->experimentPage();
   page.open(QString::fromStdString(path));
   ASSERT_TRUE(w.waitFor([&] { return !page.experiment().isOpening(); }));
+  ASSERT_EQ(page.experiment().path(), path) << w.window->messages().accessibleName().toStdString();
+  w.window->messages().dismiss();
 }
 
 void runToItsEnd(Window& w) {
@@ -92,18 +116,22 @@ TEST(Readable, TheOtherPagesAtEverySize) {
   const UsualLook usual;
   Window w;
   const QTemporaryDir folder;
-  ASSERT_NO_FATAL_FAILURE(openTwoWalks(w, folder));
-  bool dark = false;
+  ASSERT_NO_FATAL_FAILURE(openPlan(w, folder, twoWalks()));
   const auto check = [&](const char* state) {
-    for (const Screen& screen : kScreens) {
-      applyAppearance(*qApp, (dark = !dark) ? Appearance::Dark : Appearance::Light);
+    atEverySize(kScreens, [&](const Screen& screen, const QString& text) {
       use(w, screen);
-      expectReadable(*w.window, textOf(screen) + ", " + state);
-    }
+      expectReadable(*w.window, text + ", " + state);
+    });
   };
   check("not run");
   ASSERT_NO_FATAL_FAILURE(runToItsEnd(w));
   check("complete");
+  ASSERT_NO_FATAL_FAILURE(openPlan(w, folder, manyWalks()));
+  ASSERT_NO_FATAL_FAILURE(runToItsEnd(w));
+  w.window->experimentPage().experiment().choose("pre(3): TRL 100");
+  QTest::qWait(300);
+  check("many conditions");
+  ASSERT_NO_FATAL_FAILURE(openPlan(w, folder, twoWalks()));
   w.window->experimentPage().showPlan(true);
   check("plan editor");
   w.window->setPage(2);
@@ -125,7 +153,7 @@ TEST(Readable, ASizeAndBackLeavesEverythingWhereItWas) {
   Window w;
   w.window->resize(1280, 720);
   const QTemporaryDir folder;
-  ASSERT_NO_FATAL_FAILURE(openTwoWalks(w, folder));
+  ASSERT_NO_FATAL_FAILURE(openPlan(w, folder, twoWalks()));
   ASSERT_NO_FATAL_FAILURE(runToItsEnd(w));
   for (const int page : {1, 2}) {  // on the first, panels give way to each other
     w.window->setPage(page);

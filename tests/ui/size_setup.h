@@ -34,6 +34,23 @@ inline QString textOf(const Screen& s) {
   return QStringLiteral("%1 × %2, text %3").arg(s.size.width()).arg(s.size.height()).arg(s.text);
 }
 
+/// Light and dark in turn; both at every size where pictures are asked for.
+inline std::vector<Appearance> looks() {
+  static bool dark = false;
+  if (qEnvironmentVariableIsSet("SUREFOOT_PICTURES")) return {Appearance::Light, Appearance::Dark};
+  return {(dark = !dark) ? Appearance::Dark : Appearance::Light};
+}
+
+/// What `check` finds unreadable, at every size of a list, in the looks() that are asked for.
+template <class Check>
+void atEverySize(const std::vector<Screen>& screens, Check check) {
+  for (const Screen& screen : screens)
+    for (const Appearance look : looks()) {
+      applyAppearance(*qApp, look);
+      check(screen, textOf(screen) + (look == Appearance::Dark ? ", dark" : ", light"));
+    }
+}
+
 struct UsualLook : UsualSize {
   ~UsualLook() { applyAppearance(*qApp, Appearance::Light); }
 };
