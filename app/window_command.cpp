@@ -11,6 +11,7 @@
 #include "app/report.h"
 #include "app/resources.h"
 #include "core/files/whole_file.h"
+#include "core/guarded_call.h"
 #include "core/version.h"
 #include "ui/main_window.h"
 #include "ui/preferences.h"
@@ -60,6 +61,19 @@ int report(const WindowRequest& request, const Configuration& configuration, con
   return life.diverged() ? fail({life.divergence(), ErrorKind::Diverged}) : kDone;
 }
 
+/// Nothing that is thrown in a slot ends the program, and the life with it: it is told in the window.
+class Application final : public QApplication {
+ public:
+  using QApplication::QApplication;
+  bool notify(QObject* receiver, QEvent* event) override {
+    bool done = true;
+    const std::string trouble = troubleOf([&] { done = QApplication::notify(receiver, event); });
+    if (!trouble.empty() && tell) static_cast<void>(troubleOf([&] { tell(QString::fromStdString(trouble)); }));
+    return done;
+  }
+  std::function<void(const QString& sentence)> tell;
+};
+
 }  // namespace
 
 int windowCommand(const Registry& registry, const WindowRequest& request, int argc, char** argv) {
@@ -75,7 +89,7 @@ int windowCommand(const Registry& registry, const WindowRequest& request, int ar
   qInstallMessageHandler(onMessage);
   int qtArguments = 1;  // ours are not Qt's
   static_cast<void>(argc);
-  QApplication application(qtArguments, argv);
+  Application application(qtArguments, argv);
   QApplication::setApplicationName("Surefoot");
   QApplication::setOrganizationName("Surefoot");
   QApplication::setApplicationVersion(kVersion);
@@ -91,6 +105,7 @@ int windowCommand(const Registry& registry, const WindowRequest& request, int ar
   setup.asksOnQuit = !request.json && !request.log;  // then quitting writes what came out
   MainWindow window(session, std::move(setup));
   window.show();
+  application.tell = [&session](const QString& sentence) { Q_EMIT session.refused(sentence); };
   session.setTurbo(request.turbo);
   session.setRunning(preferences.beginRunning);
 
@@ -102,6 +117,7 @@ int windowCommand(const Registry& registry, const WindowRequest& request, int ar
   watch.start(100);
 
   QApplication::exec();
+  application.tell = nullptr;
   const std::unique_ptr<Life> life = session.finish();
   const int code = report(request, session.configuration(), *life, std::move(log));
   return code == kDone && interrupted && !life->finished() ? kInterrupted : code;

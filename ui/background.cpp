@@ -48,10 +48,9 @@ void Background::finished(const std::shared_ptr<Job>& job) {
   }
   Q_EMIT busyChanged();
   if (job->interrupted) return;
-  if (job->trouble.isEmpty())
-    job->then();
-  else
-    Q_EMIT failed(job->trouble);
+  QString trouble = job->trouble;
+  if (trouble.isEmpty()) trouble = QString::fromStdString(troubleOf([&] { job->then(); }));
+  if (!trouble.isEmpty()) Q_EMIT failed(trouble);
 }
 
 void Background::cancel() {

@@ -11,6 +11,7 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <string>
 #include <thread>
 
 namespace surefoot {
@@ -33,7 +34,7 @@ class Background final : public QObject {
 
  Q_SIGNALS:
   void busyChanged();
-  void failed(const QString& sentence);
+  void failed(const QString& sentence);  ///< work or `then` threw; `then` was not called, or not to its end
 
  private:
   struct Job {

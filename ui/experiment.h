@@ -129,9 +129,11 @@ class Experiment final : public QObject {
     std::int64_t falls = 0;
     std::string whyNot{}, note{};
   };
-  Result<Opened> prepareStore(const std::string& path) const;
-  Result<Opened> prepareText(const std::string& text, const std::string& path) const;
-  Status begin(std::function<Result<Opened>()> prepare);
+  using Prepare = std::function<Result<Opened>(const std::atomic<bool>& interrupted)>;
+  Result<Opened> prepareStore(const std::string& path, const std::atomic<bool>& interrupted) const;
+  Result<Opened> prepareText(const std::string& text, const std::string& path,
+                             const std::atomic<bool>& interrupted) const;
+  Status begin(Prepare prepare);
   void adopt(Opened opened);
   Status openToRun(bool otherVersion);
   void leave();

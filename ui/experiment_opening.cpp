@@ -21,8 +21,11 @@ bool isStore(const std::string& path) {
 
 }  // namespace
 
-Result<Experiment::Opened> Experiment::prepareText(const std::string& text, const std::string& path) const {
-  auto recipe = parseRecipe(registry_, text, path.empty() ? "plan" : path, {});
+Result<Experiment::Opened> Experiment::prepareText(const std::string& text, const std::string& path,
+                                                  const std::atomic<bool>& interrupted) const {
+  PlanChanges nothing;
+  nothing.interrupted = &interrupted;
+  auto recipe = parseRecipe(registry_, text, path.empty() ? "plan" : path, nothing);
   if (!recipe) return recipe.error();
   auto stored = planToStore(registry_, recipe->plan);
   if (!stored) return stored.error();
@@ -41,8 +44,9 @@ Result<Experiment::Opened> Experiment::prepareText(const std::string& text, cons
   return opened;
 }
 
-Result<Experiment::Opened> Experiment::prepareStore(const std::string& path) const {
-  const auto store = Store::open(path);
+Result<Experiment::Opened> Experiment::prepareStore(const std::string& path,
+                                                   const std::atomic<bool>& interrupted) const {
+  const auto store = Store::open(path, &interrupted);
   if (!store) return store.error();
   auto view = viewOf(*store);
   if (!view) return view.error();
@@ -62,26 +66,30 @@ Result<Experiment::Opened> Experiment::prepareStore(const std::string& path) con
 }
 
 Status Experiment::open(const std::string& path) {
-  return begin([this, path]() -> Result<Opened> {
-    if (isStore(path)) return prepareStore(path);
+  return begin([this, path](const std::atomic<bool>& interrupted) -> Result<Opened> {
+    if (isStore(path)) return prepareStore(path, interrupted);
     const auto text = readText(path);
     if (!text) return text.error();
-    return prepareText(*text, path);
+    return prepareText(*text, path, interrupted);
   });
 }
 
 Status Experiment::setText(const std::string& text) {
-  return begin([this, text, path = path_] { return prepareText(text, path); });
+  return begin([this, text, path = path_](const std::atomic<bool>& interrupted) {
+    return prepareText(text, path, interrupted);
+  });
 }
 
-Status Experiment::begin(std::function<Result<Opened>()> prepare) {
+Status Experiment::begin(Prepare prepare) {
   struct Asked {
     std::optional<Result<Opened>> made;
     Status status = Done{};
     bool waiting = true;  // the caller
   };
   auto asked = std::make_shared<Asked>();
-  opening_.start([asked, prepare = std::move(prepare)](const std::atomic<bool>&) { asked->made.emplace(prepare()); },
+  opening_.start([asked, prepare = std::move(prepare)](const std::atomic<bool>& interrupted) {
+                   asked->made.emplace(prepare(interrupted));
+                 },
                  [this, asked] {
                    if (*asked->made)
                      adopt(std::move(**asked->made));

@@ -125,15 +125,17 @@ void PlanEditor::add(MakeBlock block) {
   const QString now = text();
   checking_.start(
       [made, block = std::move(block), &registry = experiment_.registry(), plan = now.toStdString(),
-       path = path()](const std::atomic<bool>&) {
-        const auto before = parsePlan(registry, plan, path, {});
+       path = path()](const std::atomic<bool>& interrupted) {
+        PlanChanges nothing;
+        nothing.interrupted = &interrupted;
+        const auto before = parsePlan(registry, plan, path, nothing);
         const auto toml = block(before);
         if (!toml) {
           made->refusal = toml.error().message;
           return;
         }
         made->block = (plan.empty() ? "" : plan.ends_with('\n') ? "\n" : "\n\n") + *toml;
-        const auto after = parsePlan(registry, plan + made->block, path, {});
+        const auto after = parsePlan(registry, plan + made->block, path, nothing);
         if (before && !after) made->refusal = after.error().message;
       },
       [this, made, now] {
@@ -156,7 +158,11 @@ void PlanEditor::check() {
   auto made = std::make_shared<std::optional<Result<Plan>>>();
   checking_.start(
       [made, &registry = experiment_.registry(), plan = text().toStdString(),
-       path = path()](const std::atomic<bool>&) { made->emplace(parsePlan(registry, plan, path, {})); },
+       path = path()](const std::atomic<bool>& interrupted) {
+        PlanChanges nothing;
+        nothing.interrupted = &interrupted;
+        made->emplace(parsePlan(registry, plan, path, nothing));
+      },
       [this, made] {
         const Result<Plan>& plan = **made;
         use_->setEnabled(static_cast<bool>(plan));
