@@ -62,10 +62,19 @@ void FigurePainter::chooseRanges() {
     for (std::size_t i = 0; i < s.x.size(); ++i) {
       right = std::max(right, s.x[i]);
       include(s.y[i].value);
-      // Intervals of two or three lives would squeeze everything else.
-      if (figure_.bars && (s.planned == 0 || s.lives > 3)) include(s.y[i].high), include(s.y[i].low);
       if (s.thesis) include(*s.thesis);
     }
+  // Intervals of two or three lives would squeeze everything else: they make the axis half as long again at the most.
+  const double longest = 0.5 * std::max(high, -low);
+  double lower = low, upper = high;
+  for (const FigureSeries& s : figure_.series)
+    for (const Interval& v : s.y) {
+      if (!figure_.bars || !std::isfinite(v.low) || !std::isfinite(v.high)) continue;
+      const bool few = s.planned > 0 && s.lives <= 3;
+      lower = std::min(lower, few ? std::max(v.low, low - longest) : v.low);
+      upper = std::max(upper, few ? std::min(v.high, high + longest) : v.high);
+    }
+  low = lower, high = upper;
   if (low > high) low = 0, high = 1;  // nothing to show
   const auto below = [](const FigureSeries& s) {
     return std::any_of(s.y.begin(), s.y.end(), [](const Interval& v) { return v.value < 0; });

@@ -147,7 +147,13 @@ void FigurePainter::paintBar(QPainter& p, const Theme& t, const QRectF& plot, do
     const auto whisker = [&](const QPen& pen) {
       p.setPen(pen);
       p.drawLine(QPointF(x, low), QPointF(x, high));
-      for (const double end : {low, high}) p.drawLine(QPointF(x - cap, end), QPointF(x + cap, end));
+      // An end beyond the axis has no cap: an arrow says that it goes on.
+      const auto arrow = [&](double end, double way) {
+        p.drawLine(QPointF(x - cap, end + way), QPointF(x, end));
+        p.drawLine(QPointF(x, end), QPointF(x + cap, end + way));
+      };
+      yOf(v.high, plot) < plot.top() - 1 ? arrow(high, cap) : p.drawLine(QPointF(x - cap, high), QPointF(x + cap, high));
+      yOf(v.low, plot) > plot.bottom() + 1 ? arrow(low, -cap) : p.drawLine(QPointF(x - cap, low), QPointF(x + cap, low));
     };
     whisker(QPen(t.ink, 1.5));
     if (s.complete()) {

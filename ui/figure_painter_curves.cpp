@@ -101,6 +101,7 @@ void FigurePainter::paintList(QPainter& p, const Theme& t, QSizeF size) const {
     QPen pen = penOf(i, t);
     p.setPen(pen);
     p.drawLine(QPointF(x, y + row / 2), QPointF(x + kStroke, y + row / 2));
+    drawMarker(p, {x + kStroke / 2, y + row / 2}, policyLook(figure_.series[i].policy, t), standsOut(i));
     p.setFont(textFont(11, standsOut(i) ? 500 : 400));
     p.setPen(standsOut(i) ? t.ink : t.quiet);
     const QString name = p.fontMetrics().elidedText(listName(i), Qt::ElideMiddle, static_cast<int>(width));
@@ -140,7 +141,12 @@ void FigurePainter::paintCurve(QPainter& p, const Theme& t, const QRectF& plot, 
   wash.setAlphaF(0.18f);
   p.setPen(Qt::NoPen);
   p.setBrush(wash);
-  if (!points && standsOut(series)) p.drawPolygon(band);
+  if (!points && standsOut(series)) {
+    p.save();
+    p.setClipRect(plot, Qt::IntersectClip);
+    p.drawPolygon(band);
+    p.restore();
+  }
   p.setBrush(Qt::NoBrush);
   p.setPen(pen);
   p.drawPath(line);

@@ -5,6 +5,7 @@
 #include <QKeyEvent>
 #include <QPainter>
 #include <QSignalBlocker>
+#include <algorithm>
 #include <cmath>
 
 #include "core/text.h"
@@ -82,6 +83,7 @@ void FindingsTable::keyPressEvent(QKeyEvent* event) {
 void FindingsTable::resizeEvent(QResizeEvent* event) {
   QTableWidget::resizeEvent(event);
   spreadColumns(*this);
+  if (const auto rows = selectedItems(); !rows.isEmpty()) scrollToItem(rows[0]);
 }
 
 void FindingsTable::paintEvent(QPaintEvent* event) {
@@ -99,7 +101,12 @@ void FindingsTable::refresh() {
   setRowCount(view ? static_cast<int>(view->findings.conditions.size()) : 0);
   if (!view) return viewport()->update();
   int row = 0;
-  for (const Finding& f : view->findings.conditions) fillRow(row++, f);
+  const auto& all = view->findings.conditions;
+  for (const Finding& f : all) fillRow(row++, f);
+  for (int i = 0; i < row; ++i)  // what others are compared with says so
+    if (const std::string& name = all[static_cast<std::size_t>(i)].name;
+        std::any_of(all.begin(), all.end(), [&](const Finding& f) { return f.reference == name && f.name != name; }))
+      item(i, Name)->setText(tr("%1 (reference)").arg(shownName(name)));
   bool thesis = false;
   for (int i = 0; i < rowCount(); ++i) thesis = thesis || !item(i, Thesis)->text().isEmpty();
   setColumnHidden(Thesis, !thesis);
@@ -132,7 +139,8 @@ void FindingsTable::fillRow(int row, const Finding& f) {
   put(*this, row, P, c ? pText(c->p()) : QString());
   put(*this, row, Holm, c ? pText(c->holm) : QString());
   put(*this, row, Mark, strong ? soFar ? tr("✕ so far") : QStringLiteral("✕") : QString(), true);
-  put(*this, row, Time, f.lives > 0 && std::isfinite(f.minutes.value) ? valueText(f.minutes.value, 2) : QString());
+  put(*this, row, Time, f.lives > 0 && std::isfinite(f.minutes.value) ? valueText(f.minutes.value, 2)
+                                       : f.lives > 0 ? QStringLiteral("–") : QString());
   const ThesisVerdict* thesis = experiment_.thesisOn(f.name);
   put(*this, row, Thesis, thesis ? toText(thesis->says) : QString());
   auto* verdict = put(*this, row, VerdictIs, QString(), false, true);

@@ -146,7 +146,8 @@ void FlatStyle::drawSpinBox(const QStyleOptionSpinBox& option, QPainter& painter
   drawPlate(painter, option, t.panel, enabled ? t.outline : t.hairline);
   if (option.buttonSymbols == QAbstractSpinBox::NoButtons) return;
   for (const bool up : {true, false}) {
-    const QRectF place = subControlRect(CC_SpinBox, &option, up ? SC_SpinBoxUp : SC_SpinBoxDown, widget);
+    QRectF place = subControlRect(CC_SpinBox, &option, up ? SC_SpinBoxUp : SC_SpinBoxDown, widget);
+    place.moveRight(std::min(place.right(), option.rect.right() - scaled(5.0)));
     const bool possible =
         enabled && (option.stepEnabled & (up ? QAbstractSpinBox::StepUpEnabled : QAbstractSpinBox::StepDownEnabled));
     painter.save();

@@ -81,7 +81,7 @@ void MainWindow::makeActions() {
   shortcuts_.push_back(run_.faster);
   run_.back = addAction(nullptr, tr("Look &back"), tr("A frame back in what was shown; with Shift a second"), {});
   run_.back->setShortcuts({Qt::Key_Left, QKeySequence(Qt::SHIFT | Qt::Key_Left)});
-  run_.live = addAction(nullptr, tr("Back to &live"), tr("Leave what was shown before"), Qt::Key_Escape);
+  run_.live = addAction(nullptr, tr("Back to &live"), tr("Leave the replay and show what happens now"), Qt::Key_Escape);
   shortcuts_.push_back(run_.back);
   connect(run_.back, &QAction::triggered, &session_, [this] {
     const bool far = QApplication::keyboardModifiers() & Qt::ShiftModifier;
@@ -192,7 +192,7 @@ void MainWindow::makeMenus() {
   });
   run->addSeparator();
   QAction* preLearn = addAction(run, tr("&Pre-learn, then transfer …"),
-                                tr("Learn on a model, then live in reality with that"), Qt::Key_P);
+                                tr("Learn in a simulation, then live in reality with what was learned"), Qt::Key_P);
   connect(preLearn, &QAction::triggered, this, &MainWindow::showPreLearning);
   for (QAction* action : {compare, preLearn}) liveActions_.push_back(action);
 

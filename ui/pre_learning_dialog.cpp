@@ -56,7 +56,7 @@ PreLearningDialog::PreLearningDialog(Session& session, QWidget* parent)
     grid->setContentsMargins(scaled({24, 20, 24, 8}));
     grid->setHorizontalSpacing(scaled(16));
     grid->setVerticalSpacing(scaled(8));
-    column->setContentsMargins(0, 0, 0, scaled(16));
+    column->setContentsMargins(1, 1, 1, scaled(16));  // its outline
     fitToScreen();
   });
   connect(&pool_, &QPool::changed, this, &PreLearningDialog::refresh);

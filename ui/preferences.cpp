@@ -103,8 +103,8 @@ PreferencesDialog::PreferencesDialog(QWidget* parent) : QDialog(parent) {
   auto* minutes = new QSpinBox;
   minutes->setRange(1, 60);
   minutes->setValue(now.autosaveMinutes);
-  minutes->setPrefix(tr("no more is lost than "));
-  minutes->setSuffix(tr(" min"));
+  minutes->setPrefix(tr("at most "));
+  minutes->setSuffix(tr(" min are lost"));
   minutes->setAccessibleName(tr("Minutes between two copies of the session on the disk"));
   grid->addWidget(minutes, row++, 1);
   connect(minutes, &QSpinBox::valueChanged, this,

@@ -44,9 +44,17 @@ void measureAgain(const QPointer<QWidget>& widget) {
   if (widget) widget->update();
 }
 
+/// Once more when all of them have answered: a menu bar is as high as what stands in its corner.
+void layOutAgain(const std::vector<QPointer<QWidget>>& widgets) {
+  for (const QPointer<QWidget>& widget : widgets) {
+    if (!widget || !widget->layout()) continue;
+    widget->layout()->invalidate();
+    QApplication::postEvent(widget, new QEvent(QEvent::LayoutRequest));
+  }
+}
+
 /// What is shown is measured at once; what is not (other pages, closed dialogs) in parts, between other events: nobody
-/// waits for what he does not see. At the end all layouts are asked once more: a menu bar is as high as what stands in
-/// its corner.
+/// waits for what he does not see.
 class Measuring final {
  public:
   Measuring() {
@@ -54,33 +62,25 @@ class Measuring final {
     QObject::connect(&next_, &QTimer::timeout, [this] { goOn(); });
   }
   void begin() {
-    hidden_.clear(), all_.clear();
-    std::vector<QPointer<QWidget>> shown;
-    for (QWidget* widget : QApplication::allWidgets()) {
-      all_.emplace_back(widget);
-      (widget->isVisible() ? shown : hidden_).emplace_back(widget);
-    }
-    for (const QPointer<QWidget>& widget : shown) measureAgain(widget);
+    shown_.clear(), hidden_.clear();
+    for (QWidget* widget : QApplication::allWidgets()) (widget->isVisible() ? shown_ : hidden_).emplace_back(widget);
+    for (const QPointer<QWidget>& widget : shown_) measureAgain(widget);
+    at_ = 0;
     next_.start();
   }
 
  private:
   void goOn() {
     constexpr std::size_t kAtOnce = 64;
-    for (std::size_t i = 0; i < kAtOnce && !hidden_.empty(); ++i) {
-      measureAgain(hidden_.back());
-      hidden_.pop_back();
-    }
-    if (!hidden_.empty()) return next_.start();
-    for (const QPointer<QWidget>& widget : std::exchange(all_, {})) {
-      if (!widget || !widget->layout()) continue;
-      widget->layout()->invalidate();
-      QApplication::postEvent(widget, new QEvent(QEvent::LayoutRequest));
-    }
+    layOutAgain(std::exchange(shown_, {}));
+    for (std::size_t i = 0; i < kAtOnce && at_ < hidden_.size(); ++i) measureAgain(hidden_[at_++]);
+    if (at_ < hidden_.size()) return next_.start();
+    layOutAgain(std::exchange(hidden_, {}));
   }
 
   QTimer next_;
-  std::vector<QPointer<QWidget>> hidden_, all_;
+  std::vector<QPointer<QWidget>> shown_, hidden_;
+  std::size_t at_ = 0;  // of the hidden ones
 };
 
 }  // namespace

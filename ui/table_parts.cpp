@@ -77,7 +77,7 @@ void setUpTable(QTableWidget& table, const QStringList& heads) {
   table.setWordWrap(false);
   table.setTabKeyNavigation(false);
   table.setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-  table.setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+  table.setVerticalScrollMode(QAbstractItemView::ScrollPerItem);  // no row is cut under the heads
   QHeaderView& header = *table.horizontalHeader();
   header.setHighlightSections(false);
   header.setSectionResizeMode(QHeaderView::Interactive);

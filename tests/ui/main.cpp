@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QFile>
 #include <QFontDatabase>
 #include <QSettings>
 #include <QTemporaryDir>
@@ -10,8 +11,16 @@
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) qputenv("QT_QPA_PLATFORM", "offscreen");
   const QTemporaryDir settings, data;  // never the settings, results and autosaves of whoever runs the tests
+  const QByteArray platform = qgetenv("QT_QPA_PLATFORM");
+  if (platform.isEmpty() || platform == "offscreen") {  // a screen as people have, not 800 × 800
+    QFile screen(data.filePath("screen.json"));
+    if (!screen.open(QIODevice::WriteOnly)) return 1;
+    screen.write(R"({"screens": [{"name": "one", "x": 0, "y": 0, "width": 1920, "height": 1080,
+                      "logicalDpi": 96, "logicalBaseDpi": 96, "dpr": 1}]})");
+    screen.close();
+    qputenv("QT_QPA_PLATFORM", "offscreen:configfile=" + screen.fileName().toUtf8());
+  }
   qputenv("XDG_DATA_HOME", data.path().toUtf8());
   QApplication application(argc, argv);
   QApplication::setApplicationName("Surefoot");
