@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of the Live page that says where its panels stand.
 #include <QAction>
+#include <QCryptographicHash>
 
 #include "ui/live_page.h"
 #include "ui/panel.h"
@@ -148,13 +149,26 @@ void LivePage::followTextSize() {
   resizeDocks(docks, widths, Qt::Horizontal);
 }
 
-QByteArray LivePage::layoutState() {
-  if (full_) toggleFull(full_);
-  return saveState(kLayoutVersion);
+namespace {
+
+/// Qt follows the numbers of a layout to wherever they point: one that was damaged on the disk ends the program. So each
+/// carries its hash.
+QByteArray hashOf(const QByteArray& state) {
+  return QCryptographicHash::hash(state, QCryptographicHash::Sha256);
 }
 
-bool LivePage::restoreLayout(const QByteArray& state) {
-  laidOut_ = restoreState(state, kLayoutVersion);
+}  // namespace
+
+QByteArray LivePage::layoutState() {
+  if (full_) toggleFull(full_);
+  const QByteArray state = saveState(kLayoutVersion);
+  return hashOf(state) + state;
+}
+
+bool LivePage::restoreLayout(const QByteArray& layout) {
+  const qsizetype length = QCryptographicHash::hashLength(QCryptographicHash::Sha256);
+  const QByteArray state = layout.mid(length);
+  laidOut_ = layout.left(length) == hashOf(state) && restoreState(state, kLayoutVersion);
   if (laidOut_) followTask();
   untouched_ = !laidOut_;
   return laidOut_;
