@@ -114,22 +114,30 @@ std::string resultAsJson(const Configuration& configuration, const std::vector<L
   return result.dump(2) + "\n";
 }
 
-std::string logAsCsv(const std::vector<LifeResult>& lives, std::optional<double> stepTime) {
+std::string logHeads(const std::vector<TaskMeasure>& measures) {
+  std::string heads = "life,episode,transitions,reward,falls,ending,average_reward,steps,simulated_minutes";
+  for (const TaskMeasure& m : measures) heads += "," + std::string(m.key);
+  return heads + "\n";
+}
+
+std::string logRows(int life, const std::vector<EpisodeRow>& rows, const std::vector<TaskMeasure>& measures,
+                    std::optional<double> stepTime) {
   fmt::memory_buffer out;
   const auto to = std::back_inserter(out);
-  fmt::format_to(to, "life,episode,transitions,reward,falls,ending,average_reward,steps,simulated_minutes");
-  if (!lives.empty())
-    for (const TaskMeasure& m : lives[0].taskMeasures) fmt::format_to(to, ",{}", m.key);
-  fmt::format_to(to, "\n");
-  for (const LifeResult& r : lives)
-    for (const EpisodeRow& row : r.rows) {
-      fmt::format_to(to, "{},{},{},{},{},{},{},{},", r.life, row.episode, row.steps, row.reward, row.falls,
-                     endingName(endingCode(row)), row.averageReward, row.lifeSteps);
-      if (stepTime) fmt::format_to(to, "{:.9g}", static_cast<double>(row.lifeSteps) * *stepTime / 60.0);
-      for (std::size_t m = 0; m < r.taskMeasures.size(); ++m) fmt::format_to(to, ",{:.9g}", row.measures[m]);
-      fmt::format_to(to, "\n");
-    }
+  for (const EpisodeRow& row : rows) {
+    fmt::format_to(to, "{},{},{},{},{},{},{},{},", life, row.episode, row.steps, row.reward, row.falls,
+                   endingName(endingCode(row)), row.averageReward, row.lifeSteps);
+    if (stepTime) fmt::format_to(to, "{:.9g}", static_cast<double>(row.lifeSteps) * *stepTime / 60.0);
+    for (std::size_t m = 0; m < measures.size(); ++m) fmt::format_to(to, ",{:.9g}", row.measures[m]);
+    fmt::format_to(to, "\n");
+  }
   return fmt::to_string(out);
+}
+
+std::string logAsCsv(const std::vector<LifeResult>& lives, std::optional<double> stepTime) {
+  std::string text = logHeads(lives.empty() ? std::vector<TaskMeasure>{} : lives[0].taskMeasures);
+  for (const LifeResult& r : lives) text += logRows(r.life, r.rows, r.taskMeasures, stepTime);
+  return text;
 }
 
 std::string resultAsTable(const Configuration& c, const std::vector<LifeResult>& lives) {

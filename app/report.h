@@ -14,6 +14,10 @@ std::string resultAsJson(const Configuration& configuration, const std::vector<L
 
 /// A row an episode, with a column for the life.
 std::string logAsCsv(const std::vector<LifeResult>& lives, std::optional<double> stepTime);
+/// The same in parts: its heads, and some rows of a life.
+std::string logHeads(const std::vector<TaskMeasure>& measures);
+std::string logRows(int life, const std::vector<EpisodeRow>& rows, const std::vector<TaskMeasure>& measures,
+                    std::optional<double> stepTime);
 
 /// What a person wants to know: the lives' means with 95 % intervals.
 std::string resultAsTable(const Configuration& configuration, const std::vector<LifeResult>& lives);

@@ -19,6 +19,8 @@ Result<std::vector<LifeResult>> run(const Registry& registry, const TrainRequest
   options.jobs = request.jobs;
   options.keepRows = files.keepRows();
   options.interrupted = &watchForInterrupt();
+  if (files.wantsRows())
+    options.takeRows = [&](int life, const std::vector<EpisodeRow>& rows) { files.takeRows(life, rows); };
   if (files.wantsVisits()) {
     options.visit = [&](const Life& life) { files.visit(life); };
     options.visitEvery = files.visitEvery();
@@ -46,15 +48,15 @@ Result<std::vector<LifeResult>> run(const Registry& registry, const TrainRequest
 
 int trainCommand(const Registry& registry, const TrainRequest& request) {
   const Configuration& configuration = request.configuration;
-  auto files = TrainFiles::claim(request);
-  if (!files) return fail(files.error());
   const auto environment = makeEnvironment(registry, configuration);
   if (!environment) return fail(environment.error());
+  auto files = TrainFiles::claim(request, (*environment)->task());
+  if (!files) return fail(files.error());
   const auto lives = run(registry, request, *files);
   if (!lives) return fail(lives.error());
 
   // Whatever fails here, the rest is still reported.
-  const std::vector<Error> missing = files->finish(*lives, (*environment)->task().stepTime);
+  const std::vector<Error> missing = files->finish(*lives);
   const int printed = print(request.json ? resultAsJson(configuration, *lives) : resultAsTable(configuration, *lives));
   for (const Error& error : missing) fail(error);
   if (!missing.empty()) return exitCode(missing.front().kind);

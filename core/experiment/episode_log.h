@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/experiment/end_of_learning.h"
@@ -85,6 +86,8 @@ class EpisodeLog {
   const EpisodeRow& current() const { return current_; }
   const EndOfLearning& endOfLearning() const { return end_; }
   const std::vector<EpisodeRow>& rows() const { return rows_; }
+  /// The rows kept so far, which are not kept any longer.
+  std::vector<EpisodeRow> takeRows() { return std::exchange(rows_, {}); }
   const Hash64& hash() const { return hash_; }
 
   /// The whole log, to a file or from one.

@@ -64,14 +64,19 @@ std::int64_t after(std::int64_t steps, std::int64_t every) {
 }
 
 /// A whole life, with its visits.
-void liveAndVisit(Life& life, const RunOptions& options, const WorkPool& pool, Meter& meter) {
+void liveAndVisit(Life& life, int index, const RunOptions& options, const WorkPool& pool, Meter& meter) {
+  constexpr std::int64_t kRowsEvery = 1 << 16;  // steps
   const bool visits = options.visitEvery != kNever;
   if (visits) life.keepInputs();
+  std::int64_t visit = after(life.steps(), options.visitEvery);
   while (!life.finished() && !pool.stopping()) {
-    const std::int64_t visit = after(life.steps(), options.visitEvery);
-    live(life, visit, pool, meter);
-    if (options.visit && life.steps() >= visit && !life.finished()) options.visit(life);
+    live(life, options.takeRows ? std::min(visit, after(life.steps(), kRowsEvery)) : visit, pool, meter);
+    if (options.takeRows) options.takeRows(index, life.takeRows());
+    if (life.steps() < visit) continue;
+    if (options.visit && !life.finished()) options.visit(life);
+    visit = after(life.steps(), options.visitEvery);
   }
+  if (options.takeRows) options.takeRows(index, life.takeRows());
   if (options.visit) options.visit(life);
 }
 
@@ -88,7 +93,7 @@ Result<std::vector<LifeResult>> runLives(const Registry& registry, const Configu
     auto life = options.make ? options.make(index) : makeLife(registry, configuration, index, options.keepRows);
     if (!life) return life.error();
     Meter& meter = meters[static_cast<std::size_t>(i)];
-    liveAndVisit(**life, options, pool, meter);
+    liveAndVisit(**life, index, options, pool, meter);
     meter.done = true;
     results[static_cast<std::size_t>(i)] = summarise(**life, index, threadCpuSeconds() - start);
     return Done{};

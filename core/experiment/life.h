@@ -102,6 +102,8 @@ class Life {
   const std::string& policyName() const { return policyName_; }
   const Parameters& parameters() const { return parameters_; }
   const EpisodeLog& log() const { return log_; }
+  /// The rows kept so far; a checkpoint after this has only those that follow.
+  std::vector<EpisodeRow> takeRows() { return log_.takeRows(); }
   const std::vector<Change>& changes() const { return changes_; }
   const std::vector<GreedyTest>& greedyTests() const { return tester_.tests(); }
   /// CPU time that they took [s], of those made by this process.

@@ -144,6 +144,29 @@ TEST(Train, ALogThatCannotBeWrittenAtTheEndDoesNotTakeTheResultWithIt) {
   EXPECT_FALSE(std::filesystem::exists(folder.file("log.csv")));
 }
 
+// The rows go to the disk while lives go on: in memory they would need 150 MB, and as much again as text.
+TEST(Train, ALogOfAnyLengthNeedsNoMemory) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "the sanitizer needs more address space than this leaves";
+#endif
+  constexpr std::int64_t kEpisodes = 800'000;
+  const Folder folder;
+  const std::string command = "ulimit -v 120000; exec " + std::string(SUREFOOT_PROGRAM) +
+                              " train --environment chain --lives 2 --jobs 2 --episodes " + std::to_string(kEpisodes) +
+                              " --log " + folder.file("log.csv") + " >/dev/null 2>" + folder.file("err");
+  ASSERT_EQ(std::system(command.c_str()), 0) << contentOf(folder.file("err"));
+  std::ifstream log(folder.file("log.csv"));
+  std::int64_t rows = 0;
+  std::string line;
+  std::getline(log, line);
+  EXPECT_EQ(line.substr(0, 13), "life,episode,");
+  for (; std::getline(log, line); ++rows) {
+    const std::string expected = (rows < kEpisodes ? "0," : "1,") + std::to_string(rows % kEpisodes + 1) + ",";
+    ASSERT_EQ(line.substr(0, expected.size()), expected);
+  }
+  EXPECT_EQ(rows, 2 * kEpisodes);
+}
+
 // Four tables of 300 MB do not fit into 700 MB.
 TEST(Train, TooLittleMemoryIsASentence) {
 #ifdef __SANITIZE_ADDRESS__
