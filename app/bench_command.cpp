@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "app/interrupt.h"
 #include "core/experiment/experiment.h"
+#include "core/typed_json.h"
 
 namespace surefoot {
 
@@ -121,7 +122,7 @@ int benchCommand(const Registry& registry, const BenchRequest& request) {
   if (interrupted) return fail({"interrupted; a speed needs all its runs.", ErrorKind::Interrupted});
   json["two threads against one"] = *gain;
   text += fmt::format("  {:<22}{:>7.2f} ×\n", "two threads", *gain);
-  return print(request.json ? nlohmann::ordered_json{{"steps_per_cpu_second", json}}.dump(2) + "\n" : text);
+  return print(request.json ? jsonText(nlohmann::ordered_json{{"steps_per_cpu_second", json}}, 2) + "\n" : text);
 }
 
 }  // namespace surefoot

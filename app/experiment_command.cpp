@@ -10,6 +10,7 @@
 #include "app/exit_code.h"
 #include "app/interrupt.h"
 #include "app/progress_line.h"
+#include "core/typed_json.h"
 #include "app/requests.h"
 
 namespace surefoot {
@@ -25,13 +26,12 @@ int tellPlan(const ExperimentRequest& request) {
     OrderedJson list = OrderedJson::array();
     for (const Condition& c : plan.conditions)
       list.push_back({{"name", c.name}, {"seed", c.configuration.seed}, {"text", c.text}});
-    return print(OrderedJson{{"title", plan.title},
+    const OrderedJson all = {{"title", plan.title},
                              {"seed", plan.seed},
                              {"lives", plan.lives},
                              {"paired", plan.paired},
-                             {"conditions", list}}
-                     .dump(2) +
-                 "\n");
+                             {"conditions", list}};
+    return print(jsonText(all, 2) + "\n");
   }
   std::string text = fmt::format("{}\n{} conditions, {} lives each, seed {}\n", plan.title, plan.conditions.size(),
                                  plan.lives, plan.seed);
@@ -71,17 +71,12 @@ class Teller {
   void show(const LabProgress& p) {
     const int done = p.livesThere + p.work.livesDone;
     if (json_) {
-      const auto now = std::chrono::steady_clock::now();
-      if (now - told_ < std::chrono::seconds(1)) return;
-      told_ = now;
-      print(OrderedJson{{"event", "progress"},
-                        {"share", p.work.share},
-                        {"lives", done},
-                        {"of", p.livesPlanned},
-                        {"falls", p.work.falls},
-                        {"steps", p.work.steps}}
-                .dump() +
-            "\n");
+      const auto time = std::chrono::steady_clock::now();
+      if (time - told_ < std::chrono::seconds(1)) return;
+      told_ = time;
+      const OrderedJson now = {{"event", "progress"}, {"share", p.work.share}, {"lives", done},
+                               {"of", p.livesPlanned}, {"falls", p.work.falls}, {"steps", p.work.steps}};
+      print(jsonText(now) + "\n");
       return;
     }
     if (!line_) line_.emplace();
@@ -114,17 +109,16 @@ int experimentCommand(const Registry& registry, const ExperimentRequest& request
   const auto hash = store->contentHash();
   if (!hash) return fail(hash.error());
   int code = kDone;
+  const OrderedJson done = {{"event", "done"},
+                            {"store", request.out},
+                            {"lives", result->livesThere},
+                            {"of", result->livesPlanned},
+                            {"complete", result->complete()},
+                            {"pre_learnings_at_cap", result->preLearningsAtCap},
+                            {"kept_in_hand", result->livesKept},
+                            {"content_hash", fmt::format("{:016x}", *hash)}};
   if (request.json)
-    code = print(OrderedJson{{"event", "done"},
-                             {"store", request.out},
-                             {"lives", result->livesThere},
-                             {"of", result->livesPlanned},
-                             {"complete", result->complete()},
-                             {"pre_learnings_at_cap", result->preLearningsAtCap},
-                             {"kept_in_hand", result->livesKept},
-                             {"content_hash", fmt::format("{:016x}", *hash)}}
-                     .dump() +
-                 "\n");
+    code = print(jsonText(done) + "\n");
   else
     code = print(fmt::format("{}: {} of {} lives, content {:016x}\n", request.out, result->livesThere,
                              result->livesPlanned, *hash));

@@ -12,6 +12,7 @@
 #include "core/experiment/checkpoint.h"
 #include "core/experiment/q_file.h"
 #include "core/text.h"
+#include "core/typed_json.h"
 
 namespace surefoot {
 
@@ -48,7 +49,7 @@ std::string textAt(const Json& json, const char* pointer) {
   if (!json.contains(at)) return "?";
   const Json& value = json[at];
   if (value.is_string()) return std::string(shortened(value.get_ref<const std::string&>()));
-  return std::string(shortened(value.dump(-1, ' ', true)));
+  return std::string(shortened(jsonText(value, -1, true)));
 }
 
 std::string asTable(const TensorFile& file) {
@@ -106,7 +107,7 @@ int inspectCommand(const Registry& registry, const InspectRequest& request) {
   if (const Status s = checkWhole(registry, *file); !s) return fail(s.error());
   if (!request.json) return print(asTable(**file));
   nlohmann::ordered_json json = {{"about", (*file)->about}, {"tensors", tensorsAsJson(**file)}};
-  return print(json.dump(2, ' ', true) + "\n");
+  return print(jsonText(json, 2, true) + "\n");
 }
 
 }  // namespace surefoot

@@ -7,6 +7,7 @@
 #include "core/formulas.h"
 #include "core/glossary.h"
 #include "core/number_text.h"
+#include "core/typed_json.h"
 
 namespace surefoot {
 
@@ -118,7 +119,7 @@ int listCommand(const Registry& r, const ListRequest& request) {
                               {"presets", describe(r.presets)},
                               {"scenarios", describe(r.scenarios)},
                               {"parameters", list}};
-    return print(json.dump(2) + "\n");
+    return print(jsonText(json, 2) + "\n");
   }
   return print(table("environments", r.environments) + table("features", r.features) + table("agents", r.agents) +
                table("policies", r.policies) + table("presets", r.presets) + table("scenarios", r.scenarios) +

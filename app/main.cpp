@@ -40,10 +40,12 @@ int run(int argc, char** argv) {
   Registry registry;
   registerCore(registry);
   registerPhysics(registry);
-  for (int i = 1; i < argc; ++i)
-    if (!isUtf8(argv[i])) return fail({fmt::format("argument {}: it is no UTF-8 text, as names of files must be.", i)});
   const Result<Request> request = parseCommandLine(registry, argc, argv);
   if (!request) return fail(request.error());
+  if (std::holds_alternative<WindowRequest>(*request))  // Qt has no other names
+    for (int i = 1; i < argc; ++i)
+      if (!isUtf8(argv[i]))
+        return fail({fmt::format("argument {}: it is no UTF-8 text, as names of files in the window must be.", i)});
 
   struct Dispatch {
     const Registry& registry;

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands.h"
+#include "core/typed_json.h"
 
 namespace surefoot {
 
@@ -22,7 +23,7 @@ int probabilitiesCommand(const Registry& registry, const ProbabilitiesRequest& r
   policy->probabilities(request.q, pi);
   if (request.json) {
     const nlohmann::ordered_json json = {{"q", request.q}, {"policy", request.policy}, {"probabilities", pi}};
-    return print(json.dump() + "\n");
+    return print(jsonText(json) + "\n");
   }
   std::string text = fmt::format("{:>6}  {:>12}  {:>12}\n", "action", "Q", "probability");
   for (std::size_t a = 0; a < pi.size(); ++a)

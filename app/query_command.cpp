@@ -8,6 +8,7 @@
 #include "app/commands.h"
 #include "app/requests.h"
 #include "app/stored_function.h"
+#include "core/typed_json.h"
 
 namespace surefoot {
 
@@ -73,7 +74,7 @@ std::string asJson(const StoredFunction& f, const std::vector<double>& state, co
   json["policy"] = a.policy;
   json["probabilities"] = a.pi;
   json["visits"] = a.visits;
-  return json.dump() + "\n";
+  return jsonText(json) + "\n";
 }
 
 std::string withUnit(const std::string& title, const std::string& unit) {

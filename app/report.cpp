@@ -10,6 +10,7 @@
 #include "core/experiment/configuration_json.h"
 #include "core/laboratory/statistics.h"
 #include "core/laboratory/store.h"
+#include "core/typed_json.h"
 #include "core/version.h"
 
 namespace surefoot {
@@ -111,7 +112,7 @@ std::string resultAsJson(const Configuration& configuration, const std::vector<L
       {"version", kVersion}, {"configuration", configurationAsJson(configuration)}, {"seed", configuration.seed}};
   if (!configuration.beganWith.is_null()) result["began_with"] = configuration.beganWith;
   result["lives"] = list;
-  return result.dump(2) + "\n";
+  return jsonText(result, 2) + "\n";
 }
 
 std::string logHeads(const std::vector<TaskMeasure>& measures) {

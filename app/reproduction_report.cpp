@@ -11,6 +11,7 @@
 #include "core/files/read_file.h"
 #include "core/files/whole_file.h"
 #include "core/laboratory/statistics_text.h"
+#include "core/typed_json.h"
 #include "core/version.h"
 
 namespace surefoot {
@@ -165,7 +166,7 @@ std::string claimsAsJson(const std::vector<Reproduced>& recipes) {
     claim["preset"] = r.preset;
     list.push_back(std::move(claim));
   }
-  return list.dump(2) + "\n";
+  return jsonText(list, 2) + "\n";
 }
 
 Status checkReportPlace(const std::string& folder) {

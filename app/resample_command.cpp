@@ -13,6 +13,7 @@
 #include "app/stored_function.h"
 #include "core/experiment/resample.h"
 #include "core/files/whole_file.h"
+#include "core/typed_json.h"
 
 namespace surefoot {
 
@@ -67,7 +68,7 @@ int resampleCommand(const Registry& registry, const ResampleRequest& request) {
                                          {"largest_error", error.largest},
                                          {"states", error.states},
                                          {"states_visited", error.visited}};
-    return print(json.dump() + "\n");
+    return print(jsonText(json) + "\n");
   }
   return print(
       fmt::format("error over {} states: {:.4g} (RMS), {:.4g} at most; over the {} visited ones {:.4g} (RMS)\n",

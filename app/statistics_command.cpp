@@ -2,6 +2,7 @@
 #include "app/commands.h"
 #include "app/interrupt.h"
 #include "core/laboratory/findings.h"
+#include "core/typed_json.h"
 
 namespace surefoot {
 
@@ -14,7 +15,7 @@ int statisticsCommand(const StatisticsRequest& request) {
   tellNote(*store);
   if (request.csv) return print(findingsAsCsv(*findings));
   if (request.latex) return print(findingsAsLatex(*findings));
-  return print(request.json ? findingsAsJson(*findings).dump(2) + "\n" : findingsAsTable(*findings));
+  return print(request.json ? jsonText(findingsAsJson(*findings), 2) + "\n" : findingsAsTable(*findings));
 }
 
 }  // namespace surefoot

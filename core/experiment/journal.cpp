@@ -15,6 +15,7 @@
 #include "core/files/limited_json.h"
 #include "core/files/read_file.h"
 #include "core/text.h"
+#include "core/typed_json.h"
 #include "core/version.h"
 
 namespace surefoot {
@@ -118,15 +119,15 @@ std::string journalOf(const Configuration& c, const LifeResult& life) {
     const char* kind = c.beganWith.contains("content") ? "content" : "hash";
     header["load"] = {{"file", c.beganWith["file"]}, {kind, c.beganWith[kind]}};
   }
-  std::string text = header.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  std::string text = jsonText(header) + "\n";
   for (const Change& change : life.changes)
-    text += Json({{"step", change.step}, {"key", change.key}, {"value", change.after}}).dump() + "\n";
+    text += jsonText(Json({{"step", change.step}, {"key", change.key}, {"value", change.after}})) + "\n";
   Json end = {{"step", life.steps},
               {"hash", hashText(life.hash)},
               {"episodes", life.totals.episodes},
               {"falls", life.totals.falls}};
   if (life.changesLeftOut) end["changes_left_out"] = true;
-  return text + Json({{"end", end}}).dump() + "\n";
+  return text + jsonText(Json({{"end", end}})) + "\n";
 }
 
 Result<Journal> parseJournal(const Registry& registry, const std::string& text, const std::string& name) {

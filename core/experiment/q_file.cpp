@@ -11,6 +11,7 @@
 #include "core/experiment/q_file_tensors.h"
 #include "core/experiment/lives_version.h"
 #include "core/text.h"
+#include "core/typed_json.h"
 #include "core/version.h"
 
 namespace surefoot {
@@ -187,7 +188,7 @@ Status checkTask(const TensorFile& file, const Task& task) {
   const auto refuse = [&](const std::string& what, const Json& theirs, const Json& ours) {
     return fileError(file.name,
                      fmt::format("{} is {} in the file, and {} in the configuration.", what,
-                                 shortened(theirs.dump(-1, ' ', true)), shortened(ours.dump(-1, ' ', true))));
+                                 shortened(jsonText(theirs, -1, true)), shortened(jsonText(ours, -1, true))));
   };
   const Json& about = file.about;
   const Json state = stateAsJson(task), actions = actionsAsJson(task);

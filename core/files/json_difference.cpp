@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/text.h"
+#include "core/typed_json.h"
 
 namespace surefoot {
 
@@ -19,7 +20,7 @@ std::optional<std::string> subjectOf(const Json& entry) {
 }
 
 std::string shortText(const Json& json) {
-  return std::string(shortened(json.dump(-1, ' ', true)));
+  return std::string(shortened(jsonText(json, -1, true)));
 }
 
 }  // namespace

@@ -3,10 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <string>
-
-#include "core/printable.h"
-
 namespace surefoot {
 
 namespace {
@@ -17,7 +13,6 @@ class Scanner {
   explicit Scanner(std::string_view text) : text_(text) {}
 
   Status check() {
-    if (text_.starts_with(kMark)) at_ += kMark.size();
     while (at_ < text_.size()) {
       const char c = text_[at_];
       if (c == '#') {
@@ -25,7 +20,6 @@ class Scanner {
       } else if (c == '"' || c == '\'') {
         skipString(c);
       } else {
-        if (static_cast<unsigned char>(c) >= 0x80) return Error{strayLetter(), ErrorKind::File};
         ++at_;
         if (!count(c)) return tooMuch(c);
       }
@@ -34,15 +28,6 @@ class Scanner {
   }
 
  private:
-  static constexpr std::string_view kMark = "\xEF\xBB\xBF";  // some editors put it before a text
-
-  /// TOML has none outside strings and comments, and the parser does not survive all of them.
-  std::string strayLetter() const {
-    std::size_t end = at_ + 1;
-    while (end < text_.size() && (static_cast<unsigned char>(text_[end]) & 0xC0) == 0x80) ++end;
-    return fmt::format("line {}: \"{}\" stands outside quotes; other letters than those of English need them", line_,
-                       printable(text_.substr(at_, end - at_)));
-  }
   /// False: one level or one part of a key too many.
   bool count(char c) {
     if (c == '\n') ++line_;

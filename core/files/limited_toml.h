@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is counted before a TOML text from outside is parsed: the parser calls itself for every level, and it bounds the
-// nesting of values but not of keys with dots; letters outside quotes can end it (toml++ 3.3). Any thread.
+// nesting of values but not of keys with dots. Any thread.
 #pragma once
 
 #include <cstddef>

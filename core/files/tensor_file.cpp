@@ -18,6 +18,7 @@
 
 #include "core/files/limited_json.h"
 #include "core/text.h"
+#include "core/typed_json.h"
 
 static_assert(std::endian::native == std::endian::little, "tensors are copied as they lie in memory");
 
@@ -60,7 +61,7 @@ Result<Tensor> readTensor(const std::string& file, const std::string& name, cons
   const auto type = std::find_if(kTypes.begin(), kTypes.end(), [&](const TypeName& t) { return dtype == t.name; });
   if (type == kTypes.end())
     return refuse(fmt::format("has the dtype {}; F64, I64, U64, U32, U16 and U8 are known",
-                              shortened(dtype.dump(-1, ' ', true))));
+                              shortened(jsonText(dtype, -1, true))));
   tensor.type = type->type;
 
   std::size_t count = 1;
@@ -88,7 +89,7 @@ bool isTensorEntry(const Json& entry) {
 
 /// A path in it may not be UTF-8: then as near as can be.
 std::string textOf(const Json& json) {
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return jsonText(json);
 }
 
 }  // namespace

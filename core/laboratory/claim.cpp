@@ -98,7 +98,7 @@ Judge::Group Judge::find(const char* key) {
   if (found == arguments_.end()) return group;
   for (const auto& pattern : *found) {
     const Group more = pattern.is_string() ? fitting(pattern.get<std::string>()) : Group{};
-    if (more.empty()) complain(key, fmt::format("no condition fits {}", pattern.dump()));
+    if (more.empty()) complain(key, fmt::format("no condition fits {}", jsonText(pattern)));
     group.insert(group.end(), more.begin(), more.end());
   }
   return group;

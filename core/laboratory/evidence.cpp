@@ -11,6 +11,7 @@
 
 #include "core/experiment/greedy_test.h"
 #include "core/files/limited_json.h"
+#include "core/typed_json.h"
 
 namespace surefoot {
 
@@ -76,7 +77,7 @@ Result<std::vector<Evidence>> readEvidence(const Store& store) {
     e.lives = measure(e.record, e.end);
     e.untilOtherEnds = resampledUntilEnd(e.record, e.end);
     e.configuration = parseJson(e.record.condition.configuration);
-    if (e.configuration.contains("pre_learning")) e.pool = e.configuration["pre_learning"].dump();
+    if (e.configuration.contains("pre_learning")) e.pool = jsonText(e.configuration["pre_learning"]);
     all.push_back(std::move(e));
   }
   return all;

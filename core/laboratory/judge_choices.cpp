@@ -53,7 +53,7 @@ Verdict Judge::best() {
     for (const Json& pattern : list)
       for (const Evidence* e : pattern.is_string() ? fitting(pattern) : Group{})
         everything.push_back(e), own.push_back(parameterOf(*e, along));
-    if (own.size() < 2) complain("groups", fmt::format("{} names fewer than two conditions", list.dump()));
+    if (own.size() < 2) complain("groups", fmt::format("{} names fewer than two conditions", jsonText(list)));
   }
   if (values.size() < 2) complain("groups", "two or more are expected");
   if (relation != "same" && relation != "lower" && relation != "not-lower")

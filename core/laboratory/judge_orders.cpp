@@ -30,7 +30,7 @@ Verdict Judge::pairs() {
     const bool two = pair.is_array() && pair.size() == 2 && pair[0].is_string() && pair[1].is_string();
     const Group first = two ? fitting(pair[0]) : Group{}, second = two ? fitting(pair[1]) : Group{};
     if (first.size() != 1 || second.size() != 1) {
-      complain("pairs", fmt::format("{} are not two conditions", pair.dump()));
+      complain("pairs", fmt::format("{} are not two conditions", jsonText(pair)));
       return Verdict::Undecided;
     }
     const double held = share({first[0], second[0]}, [](const auto& m) { return m[0] < m[1]; });

@@ -13,6 +13,7 @@
 #include "core/experiment/lives_version.h"
 #include "core/experiment/q_file.h"
 #include "core/files/whole_file.h"
+#include "core/typed_json.h"
 
 namespace surefoot {
 
@@ -50,7 +51,7 @@ std::string KeptLives::nameOf(const Condition& c, int life) {
 std::string KeptLives::nameOf(const PreLearning& p, int qFunction) {
   auto json = configurationAsJson(p.configuration);
   json.erase("lives");
-  return "pre-learning-" + hashOf(json.dump(), p.configuration.seed, qFunction);
+  return "pre-learning-" + hashOf(jsonText(json), p.configuration.seed, qFunction);
 }
 
 std::string KeptLives::fileOf(const std::string& name) const {

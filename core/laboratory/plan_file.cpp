@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/laboratory/plan_file.h"
 
-#define TOML_EXCEPTIONS 0
-#define TOML_ENABLE_FORMATTERS 0
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <optional>
 
 #include "core/files/limited_toml.h"
+#include "core/files/toml_parser.h"
 #include "core/number_text.h"
 #include "core/parameters.h"
 #include "core/text.h"

@@ -67,7 +67,7 @@ Status checkKeys(const Json& block, const Keys& keys) {
       return unknownKey(key, names);
     }
     if (!isOne(value, known->second))
-      return Error{fmt::format("{}: {} is expected, not {}.", key, wordsFor(known->second), shortened(value.dump()))};
+      return Error{fmt::format("{}: {} is expected, not {}.", key, wordsFor(known->second), shortened(jsonText(value)))};
   }
   return Done{};
 }
@@ -170,7 +170,7 @@ Result<Recipe> parseRecipe(const Registry& registry, const std::string& text, co
     if (shown.is_string()) recipe.shows.push_back(shown);
   const auto measures = measureNames();
   for (const Json& column : (*blocks)["table"]) {
-    const std::string measure = column.is_string() ? column.get<std::string>() : column.dump();
+    const std::string measure = column.is_string() ? column.get<std::string>() : jsonText(column);
     if (std::find(measures.begin(), measures.end(), measure) == measures.end())
       return planError(path, 0, fmt::format("table: there is no measure \"{}\".", measure));
     recipe.table.push_back(measure);

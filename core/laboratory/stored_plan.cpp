@@ -8,6 +8,7 @@
 #include "core/files/limited_json.h"
 #include "core/files/read_file.h"
 #include "core/laboratory/store.h"
+#include "core/typed_json.h"
 #include "core/version.h"
 
 namespace surefoot {
@@ -34,7 +35,7 @@ Result<StoredPlan> planToStore(const Registry& registry, const Plan& plan) {
       json["pre_learning"] = {{"pool", c.preLearning->pool}, {"configuration", std::move(pre)}};
     }
     stored.conditions.push_back(
-        {c.name, c.reference, c.text, json.dump(), plan.lives, task.highestReturn, task.stepTime.value_or(0.0)});
+        {c.name, c.reference, c.text, jsonText(json), plan.lives, task.highestReturn, task.stepTime.value_or(0.0)});
   }
   return stored;
 }
@@ -58,7 +59,7 @@ Result<PreLearning> storedPreLearning(const Registry& registry, const Json& json
   auto c = storedConfiguration(registry, json["configuration"], file);
   if (!c) return c.error();
   PreLearning pre{.configuration = std::move(*c), .pool = json["pool"].get<int>(), .text = {}};
-  pre.text = json["configuration"].dump();
+  pre.text = jsonText(json["configuration"]);
   return pre;
 }
 

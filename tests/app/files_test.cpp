@@ -277,7 +277,7 @@ TEST(Files, HugeOrStrangeFilesAreRefusedBeforeTheyAreRead) {
   std::filesystem::resize_file(big, 1ull << 40);
   for (const char* command : {"inspect ", "replay ", "query --state 0,0,0 ", "statistics ", "experiment --dry-run "})
     expectRefusal(command + big + (std::string(command).starts_with("experiment") ? ".toml" : ""), 3, {"big"});
-  expectRefusal("inspect $(printf 'q\\377')", 2, {"argument 2", "UTF-8"});
+  expectRefusal("inspect $(printf 'q\\377')", 3, {"q\\xff", "cannot be read"});
   ASSERT_EQ(mkfifo(folder.file("pipe").c_str(), 0600), 0);
   for (const char* command : {"statistics ", "export --csv x ", "inspect ", "train --from "})
     expectRefusal(command + folder.file("pipe"), 3, {"regular file"});

@@ -180,4 +180,27 @@ TEST(FilesAttack, ALogThatNoMemoryHoldsIsRefusedBefore) {
   EXPECT_FALSE(std::filesystem::exists(folder.file("l.csv")));
 }
 
+// As old disks have them: the name is taken as it is and shown with escapes, and no life ends with an exception.
+TEST(Attack, NamesThatAreNoUtf8AreNamesOfFiles) {
+  const Folder folder;
+  const std::string name = "'" + folder.file("") + "'$(printf 'bad\\377\\303')";
+  const auto works = [&](const std::string& command, const std::string& says) {
+    const Finished run = surefootInBounds(command);
+    EXPECT_EQ(run.code, 0) << command << "\n" << run.err;
+    EXPECT_NE(run.out.find(says), std::string::npos) << command << "\n" << run.out;
+  };
+  works("train --episodes 20 --json --save " + name + ".q --log " + name + ".csv --journal " + name +
+            ".jsonl --checkpoint " + name + ".ckpt",
+        "\"lives\"");
+  works("train --episodes 5 --json --load " + name + ".q", "\"lives\"");
+  works("train --episodes 30 --resume " + name + ".ckpt", "falls");
+  works("replay " + name + ".jsonl", "hash");
+  works("inspect " + name + ".q", "q-function");
+  written(folder.file("plan.toml"),
+          "lives = 1\n[[condition]]\nname = \"a\"\nenvironment = \"cliff\"\nfeatures = \"table\"\nepisodes = 5\n");
+  works("experiment " + folder.file("plan.toml") + " --json --out " + name + ".sqlite", "content_hash");
+  works("statistics --json " + name + ".sqlite", "conditions");
+  expectRefusalInBounds("train --log " + name + ".csv", 3, {"bad\\xff\\xc3.csv", "exists already"});
+}
+
 }  // namespace surefoot

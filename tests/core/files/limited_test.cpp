@@ -66,12 +66,6 @@ TEST(LimitedToml, StringsCommentsAndNumbersAreNotCounted) {
 }
 
 TEST(LimitedToml, HugeTextsAreRefused) {
-  for (const char* text : {"\xEF\xBB\xBF" "a = 1", "a = \"²\" # ε\n\"ε\" = 1", "a = '''\n²'''"}) EXPECT_TRUE(checkTomlLimits(text)) << text;
-  for (const char* text : {"a = 1\n² = 2", "a = {b\xC2\xB2 = 1}", "a =\xC2\xA0" "1", "a = \xFF"}) {
-    const Status status = checkTomlLimits(text);
-    ASSERT_FALSE(status) << text;
-    EXPECT_NE(status.error().message.find("outside quotes"), std::string::npos);
-  }
   EXPECT_FALSE(checkTomlLimits(std::string(kLongestToml + 1, '\n')));
 }
 
