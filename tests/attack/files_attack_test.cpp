@@ -200,7 +200,7 @@ TEST(Attack, NamesThatAreNoUtf8AreNamesOfFiles) {
           "lives = 1\n[[condition]]\nname = \"a\"\nenvironment = \"cliff\"\nfeatures = \"table\"\nepisodes = 5\n");
   works("experiment " + folder.file("plan.toml") + " --json --out " + name + ".sqlite", "content_hash");
   works("statistics --json " + name + ".sqlite", "conditions");
-  expectRefusalInBounds("train --log " + name + ".csv", 3, {"bad\\xff\\xc3.csv", "exists already"});
+  expectRefusalInBounds("train --minutes 1 --log " + name + ".csv", 3, {"bad\\xff\\xc3.csv", "exists already"});
 }
 
 }  // namespace surefoot
