@@ -13,7 +13,26 @@
 
 namespace surefoot {
 
+namespace {
+
+/// A checkpoint holds the whole log, so that a resumed life can write it; then it is in memory as well. What cannot fit is
+/// refused before a night is spent on it.
+Status checkMemory(const TrainRequest& request) {
+  const Configuration& c = request.configuration;
+  if (!request.log || !request.checkpoint || !c.episodes) return Done{};
+  const double wanted = static_cast<double>(*c.episodes) * sizeof(EpisodeRow);
+  const double there = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  if (there <= 0 || wanted <= there) return Done{};
+  constexpr double kGigabyte = 1e9;
+  return Error{fmt::format("--checkpoint with --log: {} episodes need {:.3g} GB of memory, and the machine has {:.3g}; "
+                           "leave one of them out.",
+                           *c.episodes, wanted / kGigabyte, there / kGigabyte)};
+}
+
+}  // namespace
+
 Result<TrainFiles> TrainFiles::claim(const TrainRequest& request, const Task& task) {
+  if (const Status s = checkMemory(request); !s) return s.error();
   TrainFiles files(request, task);
   for (const auto& [name, path, file] :
        {std::tuple{"--log", &request.log, &files.log_}, std::tuple{"--save", &request.save, &files.save_},
@@ -23,7 +42,6 @@ Result<TrainFiles> TrainFiles::claim(const TrainRequest& request, const Task& ta
     if (!place) return place.error();
     file->emplace(std::move(*place));
   }
-  // A checkpoint holds the whole log, so that a resumed life can write it: then it stays in memory.
   if (files.log_ && !request.checkpoint) {
     const auto folder = std::filesystem::path(*request.log).parent_path().string();
     files.spool_ = std::make_unique<EpisodeSpool>(folder.empty() ? "." : folder);

@@ -78,7 +78,7 @@ std::string twoWalks() {
 
 /// As many as the longest recipe of the thesis has, in groups.
 std::string manyWalks() {
-  std::string text = "title = \"TRL after pre-learning on scenarios 2 to 6, of 30 conditions\"\n";
+  std::string text = "title = \"TRL after pre-learning on scenarios 2 to 6\"\n";
   text += kHead;
   const auto condition = [&](const std::string& name, const std::string& rest) {
     text += "[[condition]]\nname = \"" + name + "\"\n" + rest;
