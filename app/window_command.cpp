@@ -120,6 +120,8 @@ int windowCommand(const Registry& registry, const WindowRequest& request, int ar
   application.tell = nullptr;
   const std::unique_ptr<Life> life = session.finish();
   const int code = report(request, session.configuration(), *life, std::move(log));
+  if (const auto& why = window.whyNotKept())
+    return fail({fmt::format("the session is not kept for the next start: {}", why->message), why->kind});
   return code == kDone && interrupted && !life->finished() ? kInterrupted : code;
 }
 

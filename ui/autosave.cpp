@@ -125,20 +125,22 @@ void Autosave::takeOver(const QString& file) {
   save();
 }
 
-void Autosave::save(std::function<void()> then) {
-  if (writing_ || session_.snapshot().steps == saved_ || !QDir().mkpath(folder_)) {
-    if (then) then();
-    return;
-  }
+void Autosave::save(std::function<void(const Status&)> then) {
+  const auto tell = [then](const Status& s) {
+    if (then) then(s);
+  };
+  if (writing_ || session_.snapshot().steps == saved_) return tell(Done{});
+  if (!QDir().mkpath(folder_)) return tell(Error{tr("%1 cannot be made.").arg(folder_).toStdString()});
   saved_ = session_.snapshot().steps;
   writing_ = true;
   // A full disk is no reason to disturb; the next try may work.
-  const auto written = [this, replaces = takenOver_, then = std::move(then)](const Status& s) {
+  const auto written = [this, replaces = takenOver_, tell](const Status& s) {
     writing_ = false;
+    if (!s) saved_ = -1;
     if (s && !replaces.isEmpty() && replaces != path_) forget(replaces);
     if (s && replaces == takenOver_) takenOver_.clear();
     if (s && !again_) forgetBefore();
-    if (then) then();
+    tell(s);
     if (again_ && !leaving_) {
       again_ = false;
       saved_ = -1;
@@ -148,12 +150,12 @@ void Autosave::save(std::function<void()> then) {
   session_.save(SavedAs::Session, path_.toStdString(), written);
 }
 
-void Autosave::leave(std::function<void()> then) {
+void Autosave::leave(std::function<void(const Status&)> then) {
   timer_.stop();
   leaving_ = true;
   const auto before = session_.unsavedBefore();
   if (session_.learned() || before.empty()) return save(std::move(then));
-  session_.saveKept(*before.back(), path_.toStdString(), [then = std::move(then)](const Status&) { then(); });
+  session_.saveKept(*before.back(), path_.toStdString(), std::move(then));
 }
 
 QString Autosave::setAside(const QString& file) {

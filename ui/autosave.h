@@ -39,8 +39,8 @@ class Autosave final : public QObject {
   void leaveThere() { claimed_.release(); }
   /// The session goes on from one that was left: it is removed when this process has written one of its own.
   void takeOver(const QString& file);
-  /// Writes now, if the life has moved since.
-  void save(std::function<void()> then = {});
+  /// Writes now, if the life has moved since, and calls `then` with what came of it.
+  void save(std::function<void(const Status&)> then = {});
   /// One that cannot be read gets a name under which nobody looks for it; empty: it could not.
   QString setAside(const QString& file);
   /// The window is closed: writes what was learned, the lives before that were not saved, too, to be offered at the next
@@ -49,7 +49,7 @@ class Autosave final : public QObject {
   /// The window was closed; its autosaves go, unless keepLast() failed.
   void finish();
   /// The program is ended from outside: writes once more, leaves the file, then calls `then`.
-  void leave(std::function<void()> then);
+  void leave(std::function<void(const Status&)> then);
 
  private:
   /// A life that was written and then gave way to another one, which would be written over it.

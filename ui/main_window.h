@@ -6,7 +6,9 @@
 #include <QPointer>
 #include <functional>
 #include <map>
+#include <optional>
 
+#include "core/result.h"
 #include "ui/experiment.h"
 #include "ui/run_bar.h"
 
@@ -52,6 +54,8 @@ class MainWindow final : public QMainWindow {
   void saveTo(SavedAs what, const QString& path, const std::function<void()>& then = {});
   /// The program is ended from outside: the session is kept for the next start, then the window closes.
   void closeForNow();
+  /// Why the session could not be kept when the window was closed for now.
+  const std::optional<Error>& whyNotKept() const { return whyNotKept_; }
 
  protected:
   void closeEvent(QCloseEvent* event) override;
@@ -135,6 +139,7 @@ class MainWindow final : public QMainWindow {
   SessionName* name_ = nullptr;
   QString troubleShown_;
   bool asksOnQuit_ = true, closing_ = false, couldNotKeep_ = false;
+  std::optional<Error> whyNotKept_;
   QSize fitted_;  // the size that the program chose; empty: it has been fitted, frame and all
 };
 

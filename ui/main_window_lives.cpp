@@ -125,7 +125,10 @@ void MainWindow::closeForNow() {
   closing_ = true;
   constexpr int kPatience = 5000;  // [ms]
   QTimer::singleShot(kPatience, this, &QWidget::close);
-  autosave_->leave([this] { close(); });
+  autosave_->leave([this](const Status& s) {
+    if (!s) whyNotKept_ = s.error();
+    close();
+  });
 }
 
 /// What would be lost: of the life that runs, and of those that undo could bring back.

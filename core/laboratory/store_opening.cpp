@@ -43,7 +43,7 @@ bool wantsLog(const std::string& path) {
   return head && head->size() > kReadVersion && (*head)[kReadVersion] == 2;
 }
 
-/// Store and log in a folder where SQLite can make what it needs to join them.
+/// Store and log, or the journal of a change that was cut off, in a folder where SQLite can put them together.
 Result<std::pair<TemporaryFolder, std::string>> copyOf(const std::string& path) {
   std::error_code failed;
   std::string folder = (fs::temp_directory_path(failed) / "surefoot-XXXXXX").string();
@@ -51,9 +51,16 @@ Result<std::pair<TemporaryFolder, std::string>> copyOf(const std::string& path) 
     return fileError(path, "it was left in the middle of writing, and there is no folder to put it right in.");
   TemporaryFolder temporary{fs::path(folder)};
   const std::string copy = folder + "/store.sqlite";
-  for (const char* part : {"", "-wal"})
+  for (const char* part : {"", "-wal", "-journal"}) {
+    if (!isThere(path + part)) continue;
     if (!fs::copy_file(path + part, copy + part, failed)) return fileError(path, "it cannot be copied to be read.");
-  for (const char* part : {"", "-wal"}) fs::permissions(copy + part, fs::perms::owner_all, failed);
+    fs::permissions(copy + part, fs::perms::owner_all, failed);
+  }
+  if (isThere(copy + "-journal"))  // undone by whoever opens it to write
+    static_cast<void>(guarded<Done>(path, [&]() -> Status {
+      SQLite::Database(copy, SQLite::OPEN_READWRITE).execAndGet("SELECT count(*) FROM sqlite_master");
+      return Done{};
+    }));
   return std::pair(std::move(temporary), copy);
 }
 
@@ -195,7 +202,7 @@ Result<Store> Store::open(const std::string& path, const std::atomic<bool>* inte
   // written.
   if (!log && !journal && wantsLog(path) && !StoreLock::isHeld(path)) return read(uriOf(path, "?immutable=1"), {});
   auto store = read(uriOf(path, ""), {});
-  if (store || !log || StoreLock::isHeld(path)) return store;
+  if (store || (!log && !journal) || StoreLock::isHeld(path)) return store;
   auto copy = copyOf(path);
   if (!copy) return store;
   return read(uriOf(copy->second, ""), std::move(copy->first));

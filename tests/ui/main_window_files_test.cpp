@@ -238,7 +238,7 @@ TEST(Autosave, AnEndFromOutsideLeavesTheSession) {
   ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().steps == 1; }));
   Autosave autosave(*w.session, folder.path());
   bool left = false;
-  autosave.leave([&] { left = true; });
+  autosave.leave([&](const Status&) { left = true; });
   ASSERT_TRUE(w.waitFor([&] { return left; }));
   autosave.finish();
   EXPECT_EQ(QDir(folder.path()).entryList({"*.surefoot"}, QDir::Files).size(), 1);

@@ -146,6 +146,30 @@ TEST_F(StoreTest, ACopyWithoutItsLogHasWhatWasSettledAndTellsOfTheRest) {
   EXPECT_EQ(livesIn("copy"), 3u);
 }
 
+// As it is left when the program is killed while it changes over to the log.
+TEST_F(StoreTest, AChangeThatWasCutOffIsUndoneForWhoeverReads) {
+  {
+    Store store = make("s");
+    for (int i = 0; i < 3; ++i) save(store, i);
+  }
+  const std::uint64_t content = *Store::open(folder.file("s"))->contentHash();
+  fs::copy_file(folder.file("s"), folder.file("working"));
+  {
+    SQLite::Database db(folder.file("working"), SQLite::OPEN_READWRITE);
+    db.exec("PRAGMA journal_mode = DELETE; PRAGMA cache_size = 1; PRAGMA synchronous = FULL; BEGIN IMMEDIATE");
+    db.exec("UPDATE lives SET falls = falls + 1; UPDATE conditions SET name = 'other' || name");
+    db.exec("CREATE TABLE big(x); INSERT INTO big SELECT zeroblob(100000)");
+    for (const char* part : {"", "-journal"}) fs::copy_file(folder.file("working") + part, folder.file("cut") + part);
+    db.exec("ROLLBACK");
+  }
+  const auto files = filesOf("cut");
+  ASSERT_EQ(files.size(), 2u);
+  const auto cut = Store::open(folder.file("cut"));
+  ASSERT_TRUE(cut) << cut.error().message;
+  EXPECT_EQ(*cut->contentHash(), content);
+  EXPECT_EQ(filesOf("cut"), files) << "looking at it changes nothing";
+}
+
 TEST_F(StoreTest, OfEqualStoresTheMarkIsNoContent) {
   Store writer = make("s");
   save(writer, 0);
