@@ -11,6 +11,9 @@
 
 namespace surefoot {
 
+/// More than any life has: what a file says beyond it is damage.
+inline constexpr std::int64_t kMostLifeSteps = 1'000'000'000'000'000;
+
 class EndOfLearning {
  public:
   /// The average reward after episode number `episode` (from 1), which ended after so many steps of the life.
@@ -29,8 +32,8 @@ class EndOfLearning {
 
   void transfer(Archive& archive) {
     archive.table("averages", averages_);
-    archive.value("episode", episode_);
-    archive.value("steps", lifeSteps_);
+    archive.value("episode", episode_, 0, kMostLifeSteps);
+    archive.value("steps", lifeSteps_, 0, kMostLifeSteps);
   }
 
  private:

@@ -140,6 +140,7 @@ void EpisodeLog::transfer(Archive& archive) {
   archive.under("end_of_learning.", [&] { end_.transfer(archive); });
   if (totals_.successes + totals_.failures > totals_.episodes || totals_.successesAfter > totals_.successes)
     archive.refuse("episodes", "is less than its successes and failures");
+  if (end_.episode() > totals_.episodes) archive.refuse("end_of_learning.episode", "has not been yet");
 }
 
 }  // namespace surefoot

@@ -15,9 +15,6 @@
 
 namespace surefoot {
 
-/// More than any life has: what a file says beyond it is damage.
-inline constexpr std::int64_t kMostLifeSteps = 1'000'000'000'000'000;
-
 /// Below every reward; a number that files can hold.
 inline constexpr double kNoReward = -1e300;
 

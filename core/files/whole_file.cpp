@@ -3,13 +3,16 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <signal.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <vector>
 
 namespace surefoot {
 
@@ -41,6 +44,25 @@ std::string nameIn(const std::string& folder, int nameless) {
     if (errno != EEXIST) break;
   }
   return {};
+}
+
+/// What a program left that was killed between giving a file a name of its own and giving it its place: names whose
+/// process is gone, and that are older than any such moment on another machine that shares the folder.
+void clearLitter(const std::string& folder) {
+  constexpr auto kOld = std::chrono::seconds(10);
+  std::error_code failed;
+  std::vector<std::filesystem::path> litter;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, failed)) {
+    int process = 0, number = 0, length = 0;
+    const std::string name = entry.path().filename().string();
+    if (std::sscanf(name.c_str(), ".surefoot-%d-%d%n", &process, &number, &length) != 2) continue;
+    if (static_cast<std::size_t>(length) != name.size() || process <= 0) continue;
+    if (kill(process, 0) == 0 || errno != ESRCH) continue;
+    std::error_code unknown;
+    const auto written = entry.last_write_time(unknown);
+    if (!unknown && std::filesystem::file_time_type::clock::now() - written > kOld) litter.push_back(entry.path());
+  }
+  for (const auto& file : litter) std::filesystem::remove(file, failed);
 }
 
 int openNameless(const std::string& folder) {
@@ -85,6 +107,7 @@ Result<WholeFile> WholeFile::open(const std::string& what, const std::string& pa
   if (stat(folder.c_str(), &info) != 0)
     return unwritable(what, path, fmt::format("the folder {}: {}", folder, std::strerror(errno)));
 
+  clearLitter(folder);
   // A file without a name, where the file system has such: whatever ends the program, nothing is left behind.
   if (canBeNamedLater(folder))
     if (const int nameless = openNameless(folder); nameless >= 0) return WholeFile(what, path, "", nameless, replaces);

@@ -69,4 +69,20 @@ TEST_F(WholeFileTest, AFolderThatIsNotThereIsNamed) {
   EXPECT_NE(file.error().message.find("no/such/a.csv"), std::string::npos);
 }
 
+TEST_F(WholeFileTest, WhatAKilledProgramLeftGoesWithTheNextFile) {
+  namespace fs = std::filesystem;
+  const auto left = [&](const std::string& name, int secondsAgo) {
+    const fs::path path = fs::path(this->path("x")).parent_path() / name;
+    std::ofstream(path) << "half";
+    fs::last_write_time(path, fs::file_time_type::clock::now() - std::chrono::seconds(secondsAgo));
+    return path;
+  };
+  const fs::path gone = left(".surefoot-2000000000-0", 60), fresh = left(".surefoot-2000000000-1", 0),
+                 ours = left(".surefoot-" + std::to_string(getpid()) + "-7", 60), other = left(".surefoot-notes", 60);
+  ASSERT_TRUE(writeWhole("file", path("x"), "content"));
+  EXPECT_FALSE(fs::exists(gone));
+  EXPECT_TRUE(fs::exists(fresh)) << "another machine may be about to use it";
+  EXPECT_TRUE(fs::exists(ours) && fs::exists(other));
+}
+
 }  // namespace surefoot
