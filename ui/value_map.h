@@ -79,7 +79,7 @@ class ValueMap {
   static void drawHatching(QPainter& painter, const QRectF& where, const Theme& theme);
   /// Draws a bar with numbers, or with `names` at its steps, at its right.
   static void drawBar(QPainter& painter, const QRectF& bar, const MapScale& scale, const Theme& theme,
-                      std::span<const double> numbers, std::span<const QString> names = {});
+                      std::span<const double> numbers, std::span<const QString> names = {}, double room = 1e9);
 
  private:
   /// False: it would take too long.

@@ -153,7 +153,7 @@ void ValueMap::drawArrows(QPainter& p, const QRectF& square, const Theme& t, con
 }
 
 void ValueMap::drawBar(QPainter& p, const QRectF& bar, const MapScale& scale, const Theme& t,
-                       std::span<const double> numbers, std::span<const QString> names) {
+                       std::span<const double> numbers, std::span<const QString> names, double room) {
   p.save();
   p.setRenderHint(QPainter::Antialiasing, false);
   const int rows = static_cast<int>(bar.height());
@@ -173,12 +173,13 @@ void ValueMap::drawBar(QPainter& p, const QRectF& bar, const MapScale& scale, co
     const double y = bar.bottom() - scale.position(value) * bar.height();
     const double middle = std::clamp(y, bar.top() + height / 2, std::max(bar.top(), bar.bottom() - height / 2));
     if (std::any_of(taken.begin(), taken.end(), [&](double other) { return std::abs(other - middle) < 0.9 * height; })) continue;
+    const QString text = i < names.size() ? names[i] : numberText(value, scale);
+    if (taken.size() >= 2 && symbolWidth(p.font(), text) > room) continue;
     taken.push_back(middle);
     p.setPen(QPen(t.outline, 1));
     p.drawLine(QPointF(bar.right(), y), QPointF(bar.right() + 3, y));
     p.setPen(t.quiet);
-    drawSymbol(p, QRectF(bar.right() + 6, middle - height / 2, 40, height), Qt::AlignLeft,
-               i < names.size() ? names[i] : numberText(value, scale));
+    drawSymbol(p, QRectF(bar.right() + 6, middle - height / 2, 40, height), Qt::AlignLeft, text);
   }
   p.restore();
 }

@@ -98,6 +98,12 @@ std::vector<QPointF> ValueMaps::directions() const {
   return list;
 }
 
+// Colours of a paused life change with the theme, too.
+void ValueMaps::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange) recompute();
+}
+
 void ValueMaps::recompute() {
   const ValueSnapshot* v = session_.values();
   const Task& task = session_.task();

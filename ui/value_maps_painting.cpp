@@ -165,7 +165,8 @@ void ValueMaps::drawBigBar(QPainter& p, const Geometry& g, const Theme& t) const
   } else {
     numbers = {bigScale_.low, bigScale_.low / 2, 0, bigScale_.high / 2, bigScale_.high};
   }
-  ValueMap::drawBar(p, g.bigBar, bigScale_, t, numbers, names);
+  const double room = g.smallTitle - g.bigBar.right() - 12;  // beside a number between the ends may stand a title
+  ValueMap::drawBar(p, g.bigBar, bigScale_, t, numbers, names, room);
   if (!valued() || session_.configuration().names.policy != "trl") return;
   const double y =
       g.bigBar.bottom() - std::clamp(bigScale_.position(session_.threshold()), 0.0, 1.0) * g.bigBar.height();

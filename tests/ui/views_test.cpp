@@ -130,6 +130,26 @@ TEST(ValueMaps, ShowLearnedValuesAndHatchTheRest) {
   EXPECT_GT(colours.size(), 100);
 }
 
+TEST(ValueMaps, OfAPausedLifeChangeWithTheTheme) {
+  Learned w;
+  const auto bright = [&] {  // where a value near 0 stands: white in the light, dark in the dark
+    const QImage image = w.picture<ValueMaps>();
+    int count = 0;
+    for (int y = 30; y < 200; ++y)
+      for (int x = 50; x < 230; ++x) count += qGray(image.pixel(x, y)) > 200;
+    return count;
+  };
+  const int light = bright();
+  applyAppearance(*qApp, Appearance::Dark);
+  QTest::qWait(50);
+  const int dark = bright();
+  applyAppearance(*qApp, Appearance::Light);
+  QTest::qWait(50);
+  EXPECT_GT(light, 1000);
+  EXPECT_LT(dark, light / 5);
+  EXPECT_EQ(bright(), light);
+}
+
 TEST(ValueMaps, TheCursorShowsWhatTheRobotWouldDoThere) {
   Learned w;
   auto* maps = w.window->findChild<ValueMaps*>();
