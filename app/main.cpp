@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <string_view>
 
 #include "app/commands.h"
 #include "app/exit_code.h"
@@ -34,12 +35,27 @@ int print(const std::string& content) {
 
 namespace {
 
+/// An empty name is a slip, of a script for instance whose variable is not set; nothing is written to "/" for that.
+Status checkNoneIsEmpty(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view text = argv[i], before = argv[i - 1];
+    if (text.starts_with("--") && text.ends_with('='))
+      return Error{fmt::format("{}: it is empty; give a value, or leave the option away.", text.substr(0, text.size() - 1))};
+    if (!text.empty()) continue;
+    if (i > 1 && before.starts_with("--"))
+      return Error{fmt::format("{}: it is empty; give a value, or leave the option away.", before)};
+    return Error{fmt::format("argument {} is empty; a name or a value is needed there.", i)};
+  }
+  return Done{};
+}
+
 int run(int argc, char** argv) {
   reportFailedWrites();
   watchForInterrupt();
   Registry registry;
   registerCore(registry);
   registerPhysics(registry);
+  if (const Status s = checkNoneIsEmpty(argc, argv); !s) return fail(s.error());
   const Result<Request> request = parseCommandLine(registry, argc, argv);
   if (!request) return fail(request.error());
   if (std::holds_alternative<WindowRequest>(*request))  // Qt has no other names
