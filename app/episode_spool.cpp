@@ -27,7 +27,8 @@ bool writeAll(int descriptor, std::int64_t from, std::string_view text) {
 
 bool readAll(int descriptor, std::int64_t from, std::string& text) {
   for (std::size_t done = 0; done < text.size();) {
-    const ssize_t got = pread(descriptor, text.data() + done, text.size() - done, from + static_cast<std::int64_t>(done));
+    const ssize_t got =
+        pread(descriptor, text.data() + done, text.size() - done, from + static_cast<std::int64_t>(done));
     if (got < 0 && errno == EINTR) continue;
     if (got <= 0) return false;
     done += static_cast<std::size_t>(got);
@@ -68,7 +69,8 @@ Status EpisodeSpool::read(const std::function<Status(std::string_view part)>& ta
     if (part.from >= 0) {
       text.resize(part.length);
       if (!readAll(descriptor_, part.from, text))
-        return Error{std::string("the rows of the log cannot be read again: ") + std::strerror(errno) + ".", ErrorKind::File};
+        return Error{std::string("the rows of the log cannot be read again: ") + std::strerror(errno) + ".",
+                     ErrorKind::File};
     }
     if (const Status s = take(part.from >= 0 ? text : part.text); !s) return s;
   }

@@ -40,7 +40,8 @@ Status checkNoneIsEmpty(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string_view text = argv[i], before = argv[i - 1];
     if (text.starts_with("--") && text.ends_with('='))
-      return Error{fmt::format("{}: it is empty; give a value, or leave the option away.", text.substr(0, text.size() - 1))};
+      return Error{
+          fmt::format("{}: it is empty; give a value, or leave the option away.", text.substr(0, text.size() - 1))};
     if (!text.empty()) continue;
     if (i > 1 && before.starts_with("--"))
       return Error{fmt::format("{}: it is empty; give a value, or leave the option away.", before)};

@@ -106,7 +106,8 @@ std::vector<Error> TrainFiles::finish(const std::vector<LifeResult>& lives) {
     commit(*journal_, *request_->journal, journalOf(request_->configuration, lives.front()));
   if (!checkpoint_.empty())
     if (const Status written = writeWhole("--checkpoint", *request_->checkpoint, checkpoint_); !written)
-      missing.push_back(rescue(*request_->checkpoint, [&](WholeFile& f) { return f.commit(checkpoint_); }, written.error()));
+      missing.push_back(rescue(
+          *request_->checkpoint, [&](WholeFile& f) { return f.commit(checkpoint_); }, written.error()));
   return missing;
 }
 

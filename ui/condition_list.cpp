@@ -71,7 +71,8 @@ void ConditionList::drawGroup(QPainter& p, const QString& title, double y) const
   p.setFont(textFont(11, 500));
   p.setPen(t.quiet);
   const int room = width() - 2 * kPadding;
-  drawSymbol(p, QRectF(kPadding, y + 8, room, 16), Qt::AlignLeft, p.fontMetrics().elidedText(title, Qt::ElideRight, room));
+  drawSymbol(p, QRectF(kPadding, y + 8, room, 16), Qt::AlignLeft,
+             p.fontMetrics().elidedText(title, Qt::ElideRight, room));
 }
 
 void ConditionList::paintEvent(QPaintEvent*) {

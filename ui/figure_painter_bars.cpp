@@ -152,8 +152,10 @@ void FigurePainter::paintBar(QPainter& p, const Theme& t, const QRectF& plot, do
         p.drawLine(QPointF(x - cap, end + way), QPointF(x, end));
         p.drawLine(QPointF(x, end), QPointF(x + cap, end + way));
       };
-      yOf(v.high, plot) < plot.top() - 1 ? arrow(high, cap) : p.drawLine(QPointF(x - cap, high), QPointF(x + cap, high));
-      yOf(v.low, plot) > plot.bottom() + 1 ? arrow(low, -cap) : p.drawLine(QPointF(x - cap, low), QPointF(x + cap, low));
+      yOf(v.high, plot) < plot.top() - 1 ? arrow(high, cap)
+                                         : p.drawLine(QPointF(x - cap, high), QPointF(x + cap, high));
+      yOf(v.low, plot) > plot.bottom() + 1 ? arrow(low, -cap)
+                                           : p.drawLine(QPointF(x - cap, low), QPointF(x + cap, low));
     };
     whisker(QPen(t.ink, 1.5));
     if (s.complete()) {

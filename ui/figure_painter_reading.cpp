@@ -64,12 +64,15 @@ void FigurePainter::paintReading(QPainter& p, const Theme& t, QSizeF size) const
     texts.push_back(listName(i) + QStringLiteral("  ") + intervalText(figure_.series[i].y[*placeAt(i, *time)]));
     widest = std::max(widest, symbolWidth(p.font(), texts.back()));
   }
-  const QString head = QStringLiteral("%1: %2").arg(toText(figure_.xTitle), toText(fixedText(*time, xMost_ - xLeast_ < 20 ? 2 : 0)));
+  const QString head =
+      QStringLiteral("%1: %2").arg(toText(figure_.xTitle), toText(fixedText(*time, xMost_ - xLeast_ < 20 ? 2 : 0)));
   widest = std::max(widest + stroke, symbolWidth(p.font(), head));
   const QSizeF box(std::min(widest + 16, plot.width()), row * static_cast<double>(read.size() + 1) + 8);
   const bool right = x < plot.center().x();
-  const QRectF where(QPointF(right ? std::min(x + 8, plot.right() - box.width()) : std::max(x - 8 - box.width(), plot.left()),
-                             std::max(plot.top(), plot.bottom() - 6 - box.height())), box);
+  const QRectF where(
+      QPointF(right ? std::min(x + 8, plot.right() - box.width()) : std::max(x - 8 - box.width(), plot.left()),
+              std::max(plot.top(), plot.bottom() - 6 - box.height())),
+      box);
   QColor ground = t.panel;
   ground.setAlphaF(0.92f);
   p.setPen(QPen(t.hairline, 1));

@@ -138,10 +138,10 @@ QString MainWindow::whatIsNotSaved() const {
   for (auto life = before.rbegin(); life != before.rend() && others.size() < 4; ++life)
     others << toText(countText(static_cast<double>((*life)->progress.episodes)));
   if (before.size() > 4) others << tr("…");
-  const QString kept = before.size() == 1 ? tr("A life before this one, of %1,").arg(episodesText(before[0]->progress.episodes))
-                                          : tr("%1 lives before this one, of %2 episodes,")
-                                                .arg(before.size())
-                                                .arg(others.join(QStringLiteral(", ")));
+  const QString kept =
+      before.size() == 1
+          ? tr("A life before this one, of %1,").arg(episodesText(before[0]->progress.episodes))
+          : tr("%1 lives before this one, of %2 episodes,").arg(before.size()).arg(others.join(QStringLiteral(", ")));
   QString second;
   if (const Session* other = secondUnsaved())
     second = tr("What the second learned in %1 is not saved.").arg(episodesText(other->progress().episodes));

@@ -172,7 +172,8 @@ void ValueMap::drawBar(QPainter& p, const QRectF& bar, const MapScale& scale, co
     const double value = numbers[i];
     const double y = bar.bottom() - scale.position(value) * bar.height();
     const double middle = std::clamp(y, bar.top() + height / 2, std::max(bar.top(), bar.bottom() - height / 2));
-    if (std::any_of(taken.begin(), taken.end(), [&](double other) { return std::abs(other - middle) < 0.9 * height; })) continue;
+    if (std::any_of(taken.begin(), taken.end(), [&](double other) { return std::abs(other - middle) < 0.9 * height; }))
+      continue;
     const QString text = i < names.size() ? names[i] : numberText(value, scale);
     if (taken.size() >= 2 && symbolWidth(p.font(), text) > room) continue;
     taken.push_back(middle);

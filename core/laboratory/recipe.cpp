@@ -67,7 +67,8 @@ Status checkKeys(const Json& block, const Keys& keys) {
       return unknownKey(key, names);
     }
     if (!isOne(value, known->second))
-      return Error{fmt::format("{}: {} is expected, not {}.", key, wordsFor(known->second), shortened(jsonText(value)))};
+      return Error{
+          fmt::format("{}: {} is expected, not {}.", key, wordsFor(known->second), shortened(jsonText(value)))};
   }
   return Done{};
 }

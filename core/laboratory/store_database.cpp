@@ -52,7 +52,9 @@ Error plainError(const std::string& path, const SQLite::Exception& e) {
     case SQLITE_LOCKED:
       return inUse(path);
     case SQLITE_FULL:
-      return say("the disk is full; what was written before is kept. Make room and go on: `experiment` with --resume, `reproduce` as it is.");
+      return say(
+          "the disk is full; what was written before is kept. Make room and go on: `experiment` with --resume, "
+          "`reproduce` as it is.");
     case SQLITE_READONLY:
     case SQLITE_PERM:
       return say("it cannot be written to; look at its permissions and those of its folder.");

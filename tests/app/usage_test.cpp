@@ -71,9 +71,10 @@ TEST(Usage, ImpossibleCombinationsAreRefused) {
   expectRefusal("train --episodes '1\n2' --policy '\033[31m'", 2);
   expectRefusal("''", 2, {"argument 1"});
   // Of a script, for instance, whose variable is not set: nothing is written to "/" for that.
-  for (const char* command : {"train --episodes 3 --save ''", "train --episodes 3 --load ''", "train --resume ''",
-                              "experiment plan.toml --out ''", "experiment plan.toml --out=", "export s.sqlite --csv ''",
-                              "merge a b --out ''", "reproduce 2.1 --out ''", "train --set ''", "window --from ''"})
+  for (const char* command :
+       {"train --episodes 3 --save ''", "train --episodes 3 --load ''", "train --resume ''",
+        "experiment plan.toml --out ''", "experiment plan.toml --out=", "export s.sqlite --csv ''",
+        "merge a b --out ''", "reproduce 2.1 --out ''", "train --set ''", "window --from ''"})
     expectRefusal(command, 2, {"--", "empty"});
   for (const char* command : {"experiment ''", "statistics ''", "inspect ''", "replay ''", "merge a '' --out c"})
     expectRefusal(command, 2, {"argument", "empty"});

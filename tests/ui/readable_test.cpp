@@ -87,8 +87,10 @@ std::string manyWalks() {
     const std::string pre = "pre(" + std::to_string(group) + "): ", reference = pre + "ε-greedy";
     const std::string length = "episodes = 5" + std::to_string(group) + "\n";
     condition(reference, length);
-    condition(pre + "TRL {policy.threshold}", length + "policy = \"trl\"\nset.policy.threshold = [-50, 0, 50, 100, 150]\n"
-                                              "reference = \"" + reference + "\"\n");
+    condition(pre + "TRL {policy.threshold}", length +
+                                                  "policy = \"trl\"\nset.policy.threshold = [-50, 0, 50, 100, 150]\n"
+                                                  "reference = \"" +
+                                                  reference + "\"\n");
   }
   return text;
 }

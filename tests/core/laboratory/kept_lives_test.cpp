@@ -99,7 +99,8 @@ TEST_F(KeptLivesTest, StoppedAgainAndAgainTheContentIsThatOfOneRun) {
 TEST_F(KeptLivesTest, PausedTheyStandStillAndGoOnInMemory) {
   // Long enough that the first look at them finds lives in hand.
   const Plan plan = planOf(
-      "lives = 2\n[base]\nminutes = 100\n[[condition]]\nname = \"a\"\n[[condition]]\nname = \"b\"\npolicy = \"softmax\"\n");
+      "lives = 2\n[base]\nminutes = 100\n[[condition]]\nname = \"a\"\n[[condition]]\nname = \"b\"\npolicy = "
+      "\"softmax\"\n");
   const std::uint64_t whole = hashOfWhole(plan);
   Store store = make(plan, "s");
   std::atomic<bool> paused{false};
