@@ -15,8 +15,8 @@ namespace surefoot {
 
 namespace {
 
-/// A checkpoint holds the whole log, so that a resumed life can write it; then it is in memory as well. What cannot fit is
-/// refused before a night is spent on it.
+/// A checkpoint holds the whole log, so that a resumed life can write it; then it is in memory as well. What cannot fit
+/// is refused before a night is spent on it.
 Status checkMemory(const TrainRequest& request) {
   const Configuration& c = request.configuration;
   if (!request.log || !request.checkpoint || !c.episodes) return Done{};

@@ -19,8 +19,8 @@ inline double numberIn(const nlohmann::json& json, const std::string& key,
   return json.is_object() && json.contains(key) && json[key].is_number() ? json[key].get<double>() : otherwise;
 }
 
-/// JSON as text. Whatever it holds this never throws: bytes that are no UTF-8, as old disks have them in names of files,
-/// become U+FFFD. `indent` < 0: in one line; `ascii`: other letters as \u escapes.
+/// JSON as text. Whatever it holds this never throws: bytes that are no UTF-8, as old disks have them in names of
+/// files, become U+FFFD. `indent` < 0: in one line; `ascii`: other letters as \u escapes.
 template <class AnyJson>
 std::string jsonText(const AnyJson& json, int indent = -1, bool ascii = false) {
   return json.dump(indent, ' ', ascii, AnyJson::error_handler_t::replace);

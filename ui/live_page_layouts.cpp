@@ -151,8 +151,8 @@ void LivePage::followTextSize() {
 
 namespace {
 
-/// Qt follows the numbers of a layout to wherever they point: one that was damaged on the disk ends the program. So each
-/// carries its hash.
+/// Qt follows the numbers of a layout to wherever they point: one that was damaged on the disk ends the program. So
+/// each carries its hash.
 QByteArray hashOf(const QByteArray& state) {
   return QCryptographicHash::hash(state, QCryptographicHash::Sha256);
 }

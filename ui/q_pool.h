@@ -27,8 +27,8 @@ class QPool final : public QObject {
   explicit QPool(const Registry& registry, QObject* parent = nullptr);
 
   /// `simulation` is what is learned on, with its seed and how long: until an average reward (and kCap episodes at the
-  /// most), or so many minutes or episodes. Policy and start are set here: ε-greedy, from nothing. Life i of the pool is
-  /// life i of that configuration.
+  /// most), or so many minutes or episodes. Policy and start are set here: ε-greedy, from nothing. Life i of the pool
+  /// is life i of that configuration.
   void start(Configuration simulation, int pool);
   void cancel() { background_.cancel(); }
   bool busy() const { return background_.busy(); }

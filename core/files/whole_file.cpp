@@ -47,9 +47,10 @@ std::string nameIn(const std::string& folder, int nameless) {
 }
 
 /// What a program left that was killed between giving a file a name of its own and giving it its place: names whose
-/// process is gone, and that are older than any such moment on another machine that shares the folder.
+/// process is gone, and that are older than any such moment on another machine or in another container that shares the
+/// folder.
 void clearLitter(const std::string& folder) {
-  constexpr auto kOld = std::chrono::seconds(10);
+  constexpr auto kOld = std::chrono::hours(1);
   std::error_code failed;
   std::vector<std::filesystem::path> litter;
   for (const auto& entry : std::filesystem::directory_iterator(folder, failed)) {

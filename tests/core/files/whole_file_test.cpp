@@ -77,8 +77,9 @@ TEST_F(WholeFileTest, WhatAKilledProgramLeftGoesWithTheNextFile) {
     fs::last_write_time(path, fs::file_time_type::clock::now() - std::chrono::seconds(secondsAgo));
     return path;
   };
-  const fs::path gone = left(".surefoot-2000000000-0", 60), fresh = left(".surefoot-2000000000-1", 0),
-                 ours = left(".surefoot-" + std::to_string(getpid()) + "-7", 60), other = left(".surefoot-notes", 60);
+  const fs::path gone = left(".surefoot-2000000000-0", 7200), fresh = left(".surefoot-2000000000-1", 0),
+                 ours = left(".surefoot-" + std::to_string(getpid()) + "-7", 7200),
+                 other = left(".surefoot-notes", 7200);
   ASSERT_TRUE(writeWhole("file", path("x"), "content"));
   EXPECT_FALSE(fs::exists(gone));
   EXPECT_TRUE(fs::exists(fresh)) << "another machine may be about to use it";
