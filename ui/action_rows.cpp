@@ -6,6 +6,7 @@
 #include <QMouseEvent>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/text.h"
 #include "ui/map_choice.h"
@@ -28,6 +29,11 @@ ActionRows::ActionRows(Session& session, QWidget* parent) : Painted(parent), ses
   connect(&session_, &Session::frame, this, &ActionRows::nextFrame);
   connect(&session_, &Session::valuesArrived, this, qOverload<>(&ActionRows::update));  // the threshold, as the maps
   connect(&session_, &Session::configurationChanged, this, &ActionRows::rebuild);
+  connect(&session_, &Session::lifeReplaced, this, [this] {
+    share_ = 0;
+    dragging_ = false;
+    rebuild();
+  });
   connect(&session_, &Session::examinedChanged, this, [this] {
     sinceUpdate_.invalidate();
     nextFrame();
@@ -46,9 +52,10 @@ void ActionRows::rebuild() {
     const auto entry = findEntry(session_.registry().policies, "policy", name);
     columns_.push_back({name, toText((*entry)->title), std::move(*policy), {}});
   }
-  low_ = std::min(session_.task().lowestReturn, 0.0);
-  high_ = std::max(session_.task().highestReturn, low_ + 1.0);
   q_.clear();
+  positive_.clear();
+  negative_.clear();
+  fitScale();
   numberWidth_ = 0;
   nextFrame();
 }
@@ -64,6 +71,7 @@ void ActionRows::nextFrame() {
   sinceUpdate_.start();
   if (session_.shown().q.empty()) return;
   takeValues();
+  fitScale();
   const LifeTime time = session_.lifeTime();
   for (Column& column : columns_) {
     column.policy->advance(time);
@@ -102,6 +110,26 @@ void ActionRows::takeValues() {
   session_.valuesShown()->evaluate(state, Layer::Negative, negative_);
 }
 
+/// As much of the task's returns, from 0 to both sides, as the values have needed since the life began. It does not
+/// shrink, nor move under a threshold that is being dragged.
+void ActionRows::fitScale() {
+  const double lowest = std::min(session_.task().lowestReturn, 0.0);
+  const double highest = std::max(session_.task().highestReturn, lowest == 0 ? 1.0 : 0.0);
+  const auto shareOf = [&](double v) { return v == 0 ? 0.0 : v > 0 ? v / highest : v / lowest; };
+  double needed = share_;
+  for (const auto* values : {&q_, &positive_, &negative_})
+    for (const double v : *values) needed = std::max(needed, shareOf(v));
+  if (const double t = session_.threshold();
+      session_.configuration().names.policy == "trl" && t >= lowest && t <= highest)
+    needed = std::max(needed, shareOf(t));
+  if (!dragging_) {
+    share_ = 1;
+    for (const double less : {0.5, 0.2, 0.1, 0.05})
+      if (needed <= less) share_ = less;
+  }
+  low_ = share_ * lowest, high_ = share_ * highest;
+}
+
 std::string ActionRows::asCsv() const {
   const auto& variables = session_.task().actionVariables;
   std::string csv = "action";
@@ -135,14 +163,16 @@ void ActionRows::mouseMoveEvent(QMouseEvent* event) {
   setCursor(dragging_ || onThreshold(mouseAt(*event)) ? Qt::SplitHCursor : Qt::ArrowCursor);
   if (!dragging_) return;
   const Geometry g = geometry();
-  const double share = std::clamp((mouseAt(*event).x() - g.qLeft) / (g.qRight - g.qLeft), 0.0, 1.0);
-  const double value = std::round(low_ + share * (high_ - low_));
+  const double share = (mouseAt(*event).x() - g.qLeft) / (g.qRight - g.qLeft);
+  const double value = std::round(std::clamp(low_ + share * (high_ - low_), low_ / share_, high_ / share_));
   if (value != session_.threshold())
     static_cast<void>(static_cast<bool>(session_.setParameter("policy.threshold", value)));
 }
 
 void ActionRows::mouseReleaseEvent(QMouseEvent*) {
-  dragging_ = false;
+  if (!std::exchange(dragging_, false)) return;
+  fitScale();
+  update();
 }
 
 }  // namespace surefoot

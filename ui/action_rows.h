@@ -30,6 +30,8 @@ class ActionRows final : public Painted<>, public CsvSource {
   QSize minimumSizeHint() const override { return scaled({400, 190}); }
   /// A row an action: its value, the parts of it, its probability under each policy.
   std::string asCsv() const override;
+  /// Least and greatest value on the scale of Q.
+  std::pair<double, double> scaleOfQ() const { return {low_, high_}; }
   /// Right end of the scale of Q, and left end of its numbers: nothing of the one reaches the other [px].
   std::pair<double, double> scaleAndNumbers() const;
 
@@ -67,6 +69,7 @@ class ActionRows final : public Painted<>, public CsvSource {
   void rebuild();
   void nextFrame();
   void takeValues();
+  void fitScale();
   void sumLevels();
   bool inForce(std::size_t column) const;
   static QString valueText(double q);
@@ -78,6 +81,7 @@ class ActionRows final : public Painted<>, public CsvSource {
   void drawLevelNumbers(QPainter& p, const Theme& t, const Level& level, bool chosen, const LevelPlace& at) const;
   Geometry geometry() const;
   double xOf(double value, const Geometry& g) const;
+  bool onScale(double value) const { return value >= low_ && value <= high_; }
   void drawHead(QPainter& p, const Theme& t, const Geometry& g) const;
   void drawBars(QPainter& p, const Theme& t, const Geometry& g, std::size_t action) const;
   void drawNumbers(QPainter& p, const Theme& t, const Geometry& g, std::size_t action) const;
@@ -92,6 +96,7 @@ class ActionRows final : public Painted<>, public CsvSource {
   Action chosen_ = kNoAction;
   double numberWidth_ = 0;          // the widest number of Q so far, in the usual size of text [px]
   double low_ = -100, high_ = 200;  // scale of Q
+  double share_ = 0;                // of the task's returns that it shows
   bool dragging_ = false;
   QElapsedTimer sinceUpdate_;
 };

@@ -39,7 +39,7 @@ class ScaleNumbers {
   ScaleNumbers(QPainter& p, double y) : p_(p), y_(y) {}
   void draw(double x, const QString& text) {
     const double half = symbolWidth(p_.font(), text) / 2;
-    if (x - half < last_ + 4) return;
+    if (x - half < last_ + 8) return;
     last_ = x + half;
     const double height = QFontMetricsF(p_.font()).height();
     drawSymbol(p_, QRectF(x - half, y_ + 4, 2 * half, height), Qt::AlignHCenter, text);
@@ -72,8 +72,10 @@ ActionRows::Geometry ActionRows::geometry() const {
   g.label = std::max(59 * k, 12 + names);
   g.qLeft = g.label + 17 * k;
   const double percent = widthOf(QStringLiteral("100.0"), 13, 500), q = std::max(numberWidth_, 30.0) * k;
-  const double column = std::max(titles, percent + 40 * k), qLeast = g.qLeft + (60 + 10 + 22) * k + q;
+  double column = std::max(titles, percent + 40 * k), qLeast = g.qLeft + (60 + 10 + 22) * k + q;
   for (std::size_t i = 0; i < columns_.size(); ++i) g.columns.push_back(i);
+  if (qLeast + column * static_cast<double>(g.columns.size()) > w)  // shorter bars before a policy goes
+    column = std::max(titles, percent + 28 * k), qLeast -= 20 * k;
   while (g.columns.size() > 1 && qLeast + column * static_cast<double>(g.columns.size()) > w) {
     const auto last = std::find_if(g.columns.rbegin(), g.columns.rend(), [this](std::size_t i) { return !inForce(i); });
     g.columns.erase(std::next(last).base());
@@ -222,10 +224,12 @@ void ActionRows::drawNumbers(QPainter& p, const Theme& t, const Geometry& g, std
 void ActionRows::drawThreshold(QPainter& p, const Theme& t, const Geometry& g) const {
   if (session_.configuration().names.policy != "trl") return;
   const double x = xOf(session_.threshold(), g), k = textScale();
-  QPen pen(t.trl, 2 * k, Qt::CustomDashLine, Qt::FlatCap);
-  pen.setDashPattern({3, 2});
-  p.setPen(pen);
-  p.drawLine(QPointF(x, g.top - 4), QPointF(x, g.bottom));
+  if (onScale(session_.threshold())) {  // else the flag says at which side it lies
+    QPen pen(t.trl, 2 * k, Qt::CustomDashLine, Qt::FlatCap);
+    pen.setDashPattern({3, 2});
+    p.setPen(pen);
+    p.drawLine(QPointF(x, g.top - 4), QPointF(x, g.bottom));
+  }
   const QString beyond = session_.threshold() > high_  ? QStringLiteral(" ›")
                          : session_.threshold() < low_ ? QStringLiteral(" ‹")
                                                        : QString();

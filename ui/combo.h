@@ -11,9 +11,15 @@ class Combo final : public QComboBox {
 
  public:
   explicit Combo(const QString& name, QWidget* parent = nullptr);
+  /// The data of its items are names of policies: each has its marker, in the theme's and the text's size.
+  void setPolicyMarkers();
 
  protected:
   void wheelEvent(QWheelEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  bool markers_ = false;
 };
 
 }  // namespace surefoot

@@ -22,7 +22,7 @@ namespace surefoot {
 
 namespace {
 
-constexpr int kAround = 32;  // edges and arrow of a box [px]
+constexpr int kAround = 46, kMarker = 20;  // edges and arrow of a box, marker of a policy [px]
 
 QString count(std::int64_t number) {
   return toText(countText(static_cast<double>(number)));
@@ -62,18 +62,21 @@ CompareStrip::CompareStrip(Rival& rival)
     grid->setContentsMargins(scaled({12, 6, 12, 6}));
     grid->setHorizontalSpacing(scaled(6));
     grid->setVerticalSpacing(scaled(3));
+    policies_->setPolicyMarkers();
     if (starts_->count() > 0) refresh();
   });
   grid->addWidget(new QLabel(tr("First")), 0, 0);
-  grid->addWidget(first_, 0, 1, 1, 4);
+  grid->addWidget(first_, 0, 1, 1, 3);
   grid->addWidget(new QLabel(tr("Second")), 1, 0);
   int column = 1;
-  for (QWidget* choice : {static_cast<QWidget*>(policies_), static_cast<QWidget*>(agents_),
-                          static_cast<QWidget*>(starts_), static_cast<QWidget*>(parameters_)})
+  for (Combo* choice : {policies_, agents_, starts_}) {
+    grid->setColumnStretch(column, 1);
     grid->addWidget(choice, 1, column++);
-  grid->addWidget(own_, 2, 1, 1, 4);
+  }
+  grid->addWidget(own_, 2, 1, 1, 2);
+  grid->addWidget(parameters_, 2, 3);
   grid->addWidget(new QLabel(tr("Falls")), 3, 0);
-  grid->addWidget(falls_, 3, 1, 1, 4);
+  grid->addWidget(falls_, 3, 1, 1, 3);
   makeChoices();
   for (Session* session : {&rival_.first(), &rival_.session()}) {
     connect(session, &Session::valuesArrived, this, &CompareStrip::refreshFalls);
@@ -88,6 +91,7 @@ CompareStrip::CompareStrip(Rival& rival)
 void CompareStrip::makeChoices() {
   for (const auto& entry : rival_.first().registry().policies)
     policies_->addItem(toText(entry.title), toText(entry.name));
+  policies_->setPolicyMarkers();
   fillAgents();
   starts_->addItem(tr("same start"), static_cast<int>(Rival::Start::Same));
   starts_->addItem(tr("empty"), static_cast<int>(Rival::Start::Empty));
@@ -129,7 +133,7 @@ QString CompareStrip::first() const {
 QString CompareStrip::falls() const {
   const RunCurve &a = rival_.first().curves().live(), &b = rival_.session().curves().live();
   const auto episodes = fallsAtEqualEpisodes(a, b);
-  if (!episodes) return tr("no episode is over yet in both");
+  if (!episodes) return tr("No episode has ended in both yet.");
   QString text =
       tr("after %1 %2 : %3").arg(episodesText(episodes->at), count(episodes->first), count(episodes->second));
   const auto steps = fallsAtEqualSteps(a, b);
@@ -154,7 +158,8 @@ void CompareStrip::refresh() {
   select(*policies_, toText(rival_.policy()));
   select(*starts_, static_cast<int>(rival_.start()));
   for (Combo* combo : {agents_, policies_, starts_})  // what stands there is never cut
-    combo->setMinimumWidth(QFontMetrics(scaledFont(13)).horizontalAdvance(combo->currentText()) + scaled(kAround));
+    combo->setMinimumWidth(QFontMetrics(scaledFont(13)).horizontalAdvance(combo->currentText()) +
+                           scaled(kAround + (combo == policies_ ? kMarker : 0)));
   const QString own = rival_.ownParameters();
   own_->setText(own.isEmpty() ? beganAs(rival_.session()) : tr("%1; its own: %2").arg(beganAs(rival_.session()), own));
   refreshFalls();

@@ -55,14 +55,12 @@ void LearningChart::drawForeground(QPainter* painter, const QRectF&) {
 void LearningChart::drawAxes(QPainter& p, const Theme& t) const {
   p.setFont(textFont(kText));
   const double h = lineHeight(p.font());
-  const double lines = std::clamp(std::floor(plot_.height() / (1.2 * h)), 1.0, 5.0);
-  const double yStep = niceAbove((yMost_ - yLeast_) / (lines + 1e-4));
-  for (double y = std::ceil(yLeast_ / yStep) * yStep; y <= yMost_ + 1e-9; y += yStep) {
+  for (double y = std::ceil(yLeast_ / yStep_) * yStep_; y <= yMost_ + 1e-9; y += yStep_) {
     const double at = std::round(toPixel(span_.from(), y).y()) + 0.5;
     p.setPen(QPen(t.hairline, 1));
     p.drawLine(QPointF(plot_.left(), at), QPointF(plot_.right(), at));
     p.setPen(t.quiet);
-    drawSymbol(p, QRectF(0, at - h / 2, kLeft - 8, h), Qt::AlignRight, axisText(y, yStep));
+    drawSymbol(p, QRectF(0, at - h / 2, kLeft - 8, h), Qt::AlignRight, axisText(y, yStep_));
   }
   drawTimeAxis(p, t);
   if (!exporting_) return;
@@ -155,14 +153,22 @@ QString LearningChart::nameOf(const Run& run) const {
 /// The list needs so much at the right, in both charts the same, or their time axes would not line up.
 double LearningChart::listWidth() const {
   constexpr double kLeast = 56, kMostShare = 0.38;
-  double widest = kLeast;
   const QFont font = textFont(kText, 500);
+  double widest = hasTests() ? std::max(kLeast, kBesideName + symbolWidth(textFont(kText), testsName()) + 6) : kLeast;
   for (const Run& run : runs()) widest = std::max(widest, kBesideName + symbolWidth(font, nameOf(run)) + 6);
   return std::min(widest, std::max(kLeast, kMostShare * width()));
 }
 
 QString LearningChart::valueText(double value) const {
   return toText(shows_ == Shows::Falls ? countText(value) : fixedText(value, 1));
+}
+
+bool LearningChart::hasTests() const {
+  return session_.values() && !session_.values()->tests.empty();
+}
+
+QString LearningChart::testsName() const {
+  return tr("greedy tests");
 }
 
 /// Ordered by what the runs have come to at the end of what is shown.
@@ -192,6 +198,15 @@ void LearningChart::drawList(QPainter& p, const Theme& t) const {
     const QRectF where(plot_.right() + kBesideName, y - h / 2, width() - plot_.right() - kBesideName - 2, h);
     drawSymbol(p, where, Qt::AlignLeft, QFontMetricsF(p.font()).elidedText(text, Qt::ElideRight, where.width()));
   }
+  if (shows_ == Shows::Falls || !hasTests() || y > last) return;
+  p.setFont(textFont(kText));
+  p.setPen(QPen(policyLook(session_.curves().live().policy(), t).colour, 1));
+  p.setBrush(t.panel);
+  p.drawEllipse(QPointF(plot_.right() + kBesideName - 8, y), 1.8, 1.8);
+  p.setBrush(Qt::NoBrush);
+  p.setPen(t.quiet);
+  const QRectF where(plot_.right() + kBesideName, y - h / 2, width() - plot_.right() - kBesideName - 2, h);
+  drawSymbol(p, where, Qt::AlignLeft, QFontMetricsF(p.font()).elidedText(testsName(), Qt::ElideRight, where.width()));
 }
 
 void LearningChart::drawCursor(QPainter& p, const Theme& t) const {

@@ -77,7 +77,8 @@ std::string LearningChart::asCsv() const {
 }
 
 /// Of each column of pixels the first, the least, the greatest and the last point; all where they are few.
-void LearningChart::drawPiece(std::size_t index, const std::vector<CurvePoint>& piece, const QPen& pen) {
+void LearningChart::drawPiece(std::size_t index, const std::vector<CurvePoint>& piece, const QPen& pen,
+                              bool fromZero) {
   while (series_.size() <= index) {
     series_.push_back(new QLineSeries);
     chart()->addSeries(series_.back());
@@ -90,6 +91,7 @@ void LearningChart::drawPiece(std::size_t index, const std::vector<CurvePoint>& 
   if (begin != piece.begin()) --begin;  // the curve goes on beyond the edges
   if (end != piece.end()) ++end;
   QList<QPointF> points;
+  if (fromZero && begin == piece.begin()) points << QPointF(0, 0);
   while (begin != end) {
     const double column = std::floor(toPixel(xOf(*begin), 0).x());
     auto next = begin + 1;
@@ -97,12 +99,51 @@ void LearningChart::drawPiece(std::size_t index, const std::vector<CurvePoint>& 
     const auto [least, greatest] =
         std::minmax_element(begin, next, [&](const auto& a, const auto& b) { return yOf(a) < yOf(b); });
     auto shown = piece.end();
-    for (const auto& point : {begin, std::min(least, greatest), std::max(least, greatest), next - 1})
-      if (std::exchange(shown, point) != point) points << QPointF(xOf(*point), yOf(*point));
+    for (const auto& point : {begin, std::min(least, greatest), std::max(least, greatest), next - 1}) {
+      if (std::exchange(shown, point) == point) continue;
+      // A count stays as it is until it changes.
+      if (shows_ == Shows::Falls && !points.isEmpty()) points << QPointF(xOf(*point), points.back().y());
+      points << QPointF(xOf(*point), yOf(*point));
+    }
     begin = next;
   }
   series_[index]->replace(points);
   series_[index]->setPen(pen);
+}
+
+/// Outwards to grid lines, as many as have room with their numbers.
+void LearningChart::roundRange(double least, double most) {
+  const double lines = std::clamp(std::floor(plot_.height() / (1.2 * QFontMetricsF(textFont(11)).height())), 2.0, 5.0);
+  yStep_ = niceAbove((most - least) / (lines + 1e-4));
+  const auto low = [&] { return std::floor(least / yStep_ + 1e-9); };
+  const auto high = [&] { return std::ceil(most / yStep_ - 1e-9); };
+  while (high() - low() > lines) yStep_ = niceAbove(1.001 * yStep_);
+  yLeast_ = low() * yStep_;
+  yMost_ = high() * yStep_;
+}
+
+/// From 0 to what the curves and the greedy tests have come to, as far as the task's returns go; a little more, so that
+/// no curve lies on the frame.
+void LearningChart::chooseRewards() {
+  const Task& task = session_.task();
+  double least = 0, most = 0;
+  const auto include = [&](double x, double value) {
+    if (x < span_.from() || x > span_.to()) return;
+    least = std::min(least, value);
+    most = std::max(most, value);
+  };
+  for (const Run& run : runs())
+    for (const CurvePoint& point : run.curve->points) include(xOf(point), yOf(point));
+  if (const ValueSnapshot* v = session_.values())
+    for (const GreedyTest& test : v->tests) include(timeOf(task, test.episode, test.lifeSteps), test.reward);
+  least = std::max(least, std::min(task.lowestReturn, 0.0));
+  most = std::min(most, std::max(task.highestReturn, 0.0));
+  if (least == most) least = task.lowestReturn, most = std::max(task.highestReturn, least + 1);  // nothing yet
+  roundRange(least, most);
+  constexpr double kBeyond = 4;  // [px]
+  const double beyond = kBeyond * (yMost_ - yLeast_) / std::max(plot_.height() - 2 * kBeyond, 1.0);
+  yLeast_ -= beyond;
+  yMost_ += beyond;
 }
 
 void LearningChart::chooseRanges() {
@@ -114,12 +155,10 @@ void LearningChart::chooseRanges() {
   }
   if (shows_ == Shows::Falls) {
     const bool part = span_.shows() == ChartSpan::Shows::Part && least < most;
-    const double step = niceAbove((most - (part ? least : 0.0)) / 5.0001);
-    yLeast_ = part ? step * std::floor(least / step) : 0.0;
-    yMost_ = std::max(yLeast_ + 10.0, step * std::ceil(most / step));
+    if (!part) least = 0;
+    roundRange(least, std::max(most, least + 10));
   } else {
-    yLeast_ = session_.task().lowestReturn;
-    yMost_ = std::max(session_.task().highestReturn, yLeast_ + 1);
+    chooseRewards();
   }
   chart()->axes(Qt::Horizontal).front()->setRange(span_.from(), span_.to());
   chart()->axes(Qt::Vertical).front()->setRange(yLeast_, yMost_);
@@ -170,7 +209,8 @@ void LearningChart::refresh() {
       if (earlier) colour.setAlphaF(0.55f);
       QPen pen(colour, earlier ? 1.25 : 2);
       if (run.curve->agent == "sarsa-2q") pen.setDashPattern({5, 2.5});  // the dash says the learning rule
-      drawPiece(used++, run.curve->pieces[i].points, pen);
+      const bool fromZero = shows_ == Shows::Falls && i == 0 && run.curve->points.front().episode == 1;
+      drawPiece(used++, run.curve->pieces[i].points, pen, fromZero);
     }
   }
   for (std::size_t i = used; i < series_.size(); ++i) series_[i]->clear();

@@ -84,13 +84,17 @@ class LearningChart final : public Painted<QChartView>, public CsvSource {
   void refresh();
   void place();
   void chooseRanges();
-  void drawPiece(std::size_t index, const std::vector<CurvePoint>& piece, const QPen& pen);
+  void chooseRewards();
+  void roundRange(double least, double most);
+  void drawPiece(std::size_t index, const std::vector<CurvePoint>& piece, const QPen& pen, bool fromZero);
   double xOf(const CurvePoint& point) const;
   double yOf(const CurvePoint& point) const;
   QPointF toPixel(double x, double y) const;
   double timeAt(double pixel) const;
   QString nameOf(const Run& run) const;
   double listWidth() const;
+  bool hasTests() const;
+  QString testsName() const;
   QString valueText(double value) const;
   QString timeText(double time) const;
   /// The last state up to a time; nullptr: the curve begins behind it.
@@ -139,7 +143,7 @@ class LearningChart final : public Painted<QChartView>, public CsvSource {
   bool exporting_ = false, ring_ = false;
   std::vector<QLineSeries*> series_;  // one a piece, earlier lives first; those not needed are empty
   QRectF plot_;
-  double yLeast_ = 0, yMost_ = 1;
+  double yLeast_ = 0, yMost_ = 1, yStep_ = 1;
   std::optional<double> mouseY_;             // of the cursor, where the mouse moves it [px]
   std::optional<std::size_t> readRun_;       // of runs(), where the keyboard chose one
   std::optional<double> pressed_, dragged_;  // a part is being selected [px]

@@ -11,6 +11,7 @@
 #include "ui/action_key.h"
 #include "ui/action_rows.h"
 #include "ui/compare_strip.h"
+#include "ui/counted.h"
 #include "ui/falls_list.h"
 #include "ui/chart_span.h"
 #include "ui/learning_charts.h"
@@ -92,11 +93,13 @@ void LivePage::makeCharts() {
   average->setBelow(cumulative);
   Panel* reward = addPanel(tr("Average reward"), "reward", average, Qt::RightDockWidgetArea);
   const auto noteReward = [this, reward] {
-    reward->header().setNote(session_.task().testEvery > 0 ? tr("last 80 episodes; ○ greedy tests")
-                                                           : tr("last 80 episodes"));
+    const std::int64_t episodes = session_.numbers().episodes;
+    reward->header().setNote(episodes == 0 || episodes >= EpisodeLog::kAverageOver ? tr("last %1 episodes").arg(EpisodeLog::kAverageOver)
+                                                                    : tr("all %1 so far").arg(episodesText(episodes)));
   };
   noteReward();
-  connect(&session_, &Session::lifeReplaced, this, noteReward);
+  for (const auto changed : {&Session::lifeReplaced, &Session::valuesArrived})
+    connect(&session_, changed, this, noteReward);
   connect(&session_, &Session::parametersReplaced, this, &LivePage::followTask);
   Panel* falls = addPanel(tr("Falls"), "falls", cumulative, Qt::RightDockWidgetArea);
   const auto noteFalls = [this, span, falls] { falls->header().setNote(fallsNote(*span)); };
@@ -154,7 +157,7 @@ QString LivePage::actionsNote() const {
   if (!session_.examined().empty()) return tr("in the state under the cursor on the map");
   if (!session_.task().actionVariables.empty()) return tr("%1 actions: by joint").arg(session_.task().actions.size());
   if (session_.playback()) return tr("in the replay");
-  return session_.turbo() && session_.running() ? tr("in the real-time world") : tr("in the live state");
+  return session_.turbo() && session_.running() ? tr("in the real-time world") : tr("in the live state; the next action is shaded");
 }
 
 void LivePage::resetParameters() {
@@ -220,8 +223,8 @@ void LivePage::setComparing(bool comparing) {
   second.strip().setVisible(comparing);
   if (comparing) worlds_->setSizes({1, 1});
   second.setResting(!comparing);
-  world_->setBeside(rival_ ? &rival_->world() : nullptr);
-  second.world().setBeside(rival_ ? world_ : nullptr);
+  world_->setBeside(rival_ ? &rival_->world() : nullptr, tr("First"));
+  second.world().setBeside(rival_ ? world_ : nullptr, tr("Second"));
   for (LearningChart* chart : findChildren<LearningChart*>()) chart->setSecond(rival_ ? &rival_->session() : nullptr);
 }
 

@@ -178,7 +178,7 @@ void ParameterForm::refresh() {
     for (const auto& [parameter, place, row] : section.rows) {
       if (!row || !c.parameters.find(row->key())) continue;  // its rows are those of the task before
       row->show(c.parameters.get(row->key()), session_.base(row->key()), session_.changedAt(row->key()));
-      row->setInForce(inForce.contains(row->key()));
+      row->setInForce(inForce.contains(row->key()) ? c.names.policy : "");
     }
 }
 

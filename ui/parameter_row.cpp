@@ -151,8 +151,8 @@ void ParameterRow::showTips() {
     if (part) part->setToolTip(tip);
 }
 
-void ParameterRow::setInForce(bool inForce) {
-  inForce_ = inForce;
+void ParameterRow::setInForce(const std::string& policy) {
+  inForce_ = policy;
   update();
 }
 

@@ -10,7 +10,6 @@
 
 #include "core/parameters.h"
 #include "ui/painted.h"
-#include "ui/painted.h"
 
 class QLineEdit;
 class QMouseEvent;
@@ -31,8 +30,8 @@ class ParameterRow final : public Painted<> {
   const std::string& key() const { return parameter_.key; }
   /// Shows a value, what Reset goes back to, and since which step it holds, if it was changed.
   void show(double value, double base, std::optional<std::int64_t> changedAt);
-  /// Whether the marker's policy is in force.
-  void setInForce(bool inForce);
+  /// The policy in force, if it uses the parameter, else empty: then the marker is its own policy's, and open.
+  void setInForce(const std::string& policy);
   /// Says for a while, in place of the name, why a value was refused: a few words, and the whole sentence to those who
   /// point at it or listen.
   void tellRefused(const QString& words, const QString& sentence);
@@ -69,7 +68,8 @@ class ParameterRow final : public Painted<> {
 
   Parameter parameter_;
   std::string policy_;
-  bool inForce_ = false, shown_ = false;
+  std::string inForce_;
+  bool shown_ = false;
   double value_ = 0.0, base_ = 0.0;
   std::optional<std::int64_t> changedAt_;
   Slider* slider_ = nullptr;

@@ -122,7 +122,8 @@ void ParameterRow::paintName(QPainter& p) const {
   const auto width = [&] { return QFontMetricsF(font).horizontalAdvance(title); };
   // "Stance knee k̇" rather than "Stance knee ra…": the symbol says what the last word did.
   if (!symbol.isEmpty() && width() > room && title.contains(' ')) title = title.section(' ', 0, -2);
-  if (width() > room) font = textFont(11);
+  const double beside = symbol.isEmpty() ? 0 : 5 + symbolWidth(textFont(13), symbol);
+  if (width() + beside > room) font = textFont(11);
   title = QFontMetricsF(font).elidedText(title, Qt::ElideRight, room);
   const double baseline = height() / 2.0 + QFontMetricsF(textFont(13)).capHeight() / 2.0;
   p.setFont(font);
@@ -155,7 +156,8 @@ void ParameterRow::paintRefusal(QPainter& p) const {
 void ParameterRow::paintEvent(QPaintEvent*) {
   const Theme& t = themeOf(*this);
   ScaledPainter p(this);
-  if (!policy_.empty()) drawMarker(p, {5, height() / 2.0}, policyLook(policy_, t), inForce_);
+  if (!policy_.empty())
+    drawMarker(p, {5, height() / 2.0}, policyLook(inForce_.empty() ? policy_ : inForce_, t), !inForce_.empty());
   refusal_.isEmpty() ? paintName(p) : paintRefusal(p);
   if (number_ && number_->hasFocus()) {
     p.setBrush(Qt::NoBrush);

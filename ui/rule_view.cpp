@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/rule_view.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QPainter>
 #include <QPushButton>
+#include <QRegularExpression>
+#include <QTextDocument>
 #include <cmath>
 
 #include "core/text.h"
@@ -18,6 +21,12 @@ constexpr int kNumber = 24, kText = 11;  // sizes of text [px]
 
 QString oneDecimal(double value) {
   return toText(fixedText(value, 1));
+}
+
+/// "γ^n*" and "R_t" with what stands high and low, not to be broken there.
+QString richText(const QString& text) {
+  static const QRegularExpression high("\\^([^ )]+)"), low("([A-Za-z])_([a-z])");
+  return text.toHtmlEscaped().replace("(1 − ", "(1\u00A0−\u00A0").replace(high, "<sup>\\1</sup>").replace(low, "\\1<sub>\\2</sub>");
 }
 }  // namespace
 
@@ -80,8 +89,8 @@ QStringList RuleView::lines() const {
                "eq. %2).")
                 .arg(timed ? tr("; R_t: reward of every step") : QString(), timed ? "4.3" : "4.1");
   else
-    list << tr("There is no goal, so R is the highest reward of a step so far and n* the transitions of a footstep%1: "
-               "expected to serve, not tested (thesis, section 4.5).")
+    list << tr("There is no goal. R: the highest reward of a step so far; n*: transitions of a footstep%1. The thesis "
+               "expects this to serve and did not test it (section 4.5).")
                 .arg(timed ? tr("; R_t: reward of every step") : QString());
   if (r->preLearned)
     list << tr("It began with something learned: there are no limits to tell.");
@@ -117,11 +126,18 @@ void RuleView::paintEvent(QPaintEvent*) {
   p.drawText(QRectF(kPadding, 4, width() - 2 * kPadding, head - 4), Qt::AlignVCenter, list[0]);
   double y = head + kGap;
   for (qsizetype i = 1; i < list.size(); ++i) {
-    p.setFont(i == 1 ? textFont(kText, 500) : text);
-    p.setPen(i == 1 ? t.ink : t.quiet);
-    const QRectF where(kPadding, y, width() - 2 * kPadding, height());
-    p.drawText(where, Qt::TextWordWrap, list[i]);
-    y += QFontMetricsF(p.font()).boundingRect(where, Qt::TextWordWrap, list[i]).height() + kGap;
+    QTextDocument words;
+    words.setDocumentMargin(0);
+    words.setDefaultFont(i == 1 ? textFont(kText, 500) : text);
+    words.setTextWidth(width() - 2 * kPadding);
+    words.setHtml(richText(list[i]));
+    QAbstractTextDocumentLayout::PaintContext context;
+    context.palette.setColor(QPalette::Text, i == 1 ? t.ink : t.quiet);
+    p.save();
+    p.translate(kPadding, y);
+    words.documentLayout()->draw(&p, context);
+    p.restore();
+    y += words.size().height() + kGap;
   }
 }
 

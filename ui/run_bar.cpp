@@ -4,9 +4,7 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
-#include <QEvent>
 #include <QMenu>
-#include <QPainter>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <algorithm>
@@ -36,15 +34,6 @@ double paceAt(int position) {
 }
 int positionOf(double pace) {
   return static_cast<int>(std::lround(Slider::kSteps * std::log(pace / kSlowest) / std::log(kFastest / kSlowest)));
-}
-
-QIcon markerIcon(const std::string& policy, const Theme& t) {
-  QPixmap pixmap(scaled({32, 32}));
-  pixmap.setDevicePixelRatio(2);
-  pixmap.fill(Qt::transparent);
-  ScaledPainter p(&pixmap);
-  drawMarker(p, {8, 8}, policyLook(policy, t), true);
-  return pixmap;
 }
 
 }  // namespace
@@ -106,7 +95,7 @@ RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
   makeMeaning();
   whenScaled(this, [this] {
     setFixedHeight(scaled(48));
-    setMarkers();
+    policy_->setPolicyMarkers();
     fillTasks();
     refresh();
   });
@@ -121,7 +110,7 @@ void RunBar::readNumbers() {
   setAccessibleDescription(session_.task().canFall
                                ? tr("%1 in %2").arg(fallsText(now.falls), episodesText(now.episodes))
                                : episodesText(now.episodes));
-  if (counterWidth() != counterWidth_) layOut();
+  if (counterWidth(kNothing) != counterWidth_) layOut();
   update();
 }
 
@@ -191,18 +180,6 @@ void RunBar::fillAgents() {
     agent_->addItem(toText(entry.title), toText(entry.name));
     agent_->setItemData(agent_->count() - 1, tipOf(entry.name, entry.help), Qt::ToolTipRole);
   }
-}
-
-void RunBar::setMarkers() {
-  const Theme& t = themeOf(*this);
-  policy_->setIconSize(scaled({16, 16}));
-  for (int i = 0; i < policy_->count(); ++i)
-    policy_->setItemIcon(i, markerIcon(policy_->itemData(i).toString().toStdString(), t));
-}
-
-void RunBar::changeEvent(QEvent* event) {
-  QWidget::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) setMarkers();
 }
 
 void RunBar::changePace(int notches) {

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <QAction>
-#include <QComboBox>
 #include <QWidget>
 #include <vector>
 
@@ -14,6 +13,7 @@ class QToolButton;
 
 namespace surefoot {
 
+class Combo;
 class Session;
 class Slider;
 struct Theme;
@@ -48,7 +48,6 @@ class RunBar final : public Painted<> {
  protected:
   void paintEvent(QPaintEvent*) override;
   void resizeEvent(QResizeEvent*) override { layOut(); }
-  void changeEvent(QEvent* event) override;
 
   /// Of the counter at the right, from the right: what is written and how large.
   struct Word {
@@ -63,20 +62,19 @@ class RunBar final : public Painted<> {
   enum Fold { kNothing, kPaceWord, kEpisodes, kFactor, kPace, kBoxes, kShortBoxes, kFolds };
   void layOut();
   int place(int fold, int spare);
-  std::vector<Word> counter() const;
-  int counterWidth() const;
+  std::vector<Word> counter(int fold) const;
+  int counterWidth(int fold) const;
   void refresh();
   void readNumbers();
   void fillTasks();
   void fillAgents();
-  void setMarkers();
   void makeMeaning();
 
   Session& session_;
   RunActions actions_;
   std::vector<QWidget*> buttons_;
   Slider* pace_;
-  QComboBox *task_, *agent_, *policy_;
+  Combo *task_, *agent_, *policy_;
   QToolButton* meaning_;
   Texts texts_;
   double paceLabel_ = 0, factorLabel_ = 0;  // left ends [px]; 0: not shown

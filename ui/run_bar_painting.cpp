@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the toolbar is laid out in the room it has, and drawn.
 #include <QAbstractButton>
-#include <QComboBox>
 #include <QPainter>
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
 
+#include "ui/combo.h"
 #include "ui/run_bar.h"
 #include "ui/session.h"
 #include "ui/slider.h"
@@ -19,18 +19,18 @@ namespace {
 constexpr int kButton = 32;  // [px], with texts of the usual size
 }
 
-std::vector<RunBar::Word> RunBar::counter() const {
+std::vector<RunBar::Word> RunBar::counter(int fold) const {
   if (!session_.task().canFall) return {{tr("episodes"), 11, 400, false, 7}, {texts_.episodes, 24, 500, false, 0}};
   std::vector<Word> words;
-  if (fold_ < kEpisodes) words = {{tr("episodes"), 11, 400, false, 6}, {texts_.episodes, 13, 500, false, 20}};
+  if (fold < kEpisodes) words = {{tr("episodes"), 11, 400, false, 6}, {texts_.episodes, 13, 500, false, 20}};
   words.push_back({tr("falls"), 11, 400, false, 7});
   words.push_back({texts_.falls, 24, 500, true, 0});
   return words;
 }
 
-int RunBar::counterWidth() const {
+int RunBar::counterWidth(int fold) const {
   double width = 0;
-  for (const Word& w : counter()) width += symbolWidth(textFont(w.pixels, w.weight), w.text) + textScale() * w.gap;
+  for (const Word& w : counter(fold)) width += symbolWidth(textFont(w.pixels, w.weight), w.text) + textScale() * w.gap;
   return static_cast<int>(std::ceil(width));
 }
 
@@ -67,7 +67,8 @@ int RunBar::place(int fold, int spare) {
   const int least = fold < kShortBoxes ? px(100) : px(64);
   const auto wanted = [&](const QComboBox* combo) {  // for all of its text
     const double name = symbolWidth(textFont(13), combo->currentText()) + (combo == policy_ ? px(20) : 0);
-    return std::clamp(static_cast<int>(name) + px(46), px(combo == policy_ ? 116 : 132), px(280));
+    const int usual = (combo == policy_ ? 116 : 132) - (fold < kPaceWord ? 0 : 20);
+    return std::clamp(static_cast<int>(name) + px(46), px(usual), px(280));
   };
   int need = 0;
   for (const QComboBox* combo : {task_, agent_, policy_}) need += std::max(0, wanted(combo) - least);
@@ -84,9 +85,9 @@ int RunBar::place(int fold, int spare) {
 }
 
 void RunBar::layOut() {
+  counterWidth_ = counterWidth(kNothing);
   for (fold_ = kNothing; fold_ < kFolds; ++fold_) {
-    counterWidth_ = counterWidth();
-    const int spare = width() - 12 - counterWidth_ - place(fold_, 0);
+    const int spare = width() - 12 - counterWidth(fold_) - place(fold_, 0);
     if (spare < 0 && fold_ + 1 < kFolds) continue;
     place(fold_, std::max(0, spare));
     break;
@@ -119,7 +120,7 @@ void RunBar::paintEvent(QPaintEvent*) {
   // Falls large; from the right: "episodes", its number, "falls", its number.
   double right = width() - 12;
   const double baseline = height() / 2.0 + 6 * k;
-  for (const Word& w : counter()) {
+  for (const Word& w : counter(fold_)) {
     p.setFont(textFont(w.pixels, w.weight));
     p.setPen(w.falls ? t.fallText : w.weight > 400 ? t.ink : t.quiet);
     right = std::floor(right - symbolWidth(p.font(), w.text));

@@ -167,6 +167,7 @@ class Session final : public QObject {
   using GoOn = std::function<void()>;
   using Ask = std::function<void(const std::shared_ptr<KeptLife>& kept, const GoOn& goOn)>;
   void setAskBeforeEnding(Ask ask) { askBeforeEnding_ = std::move(ask); }
+  const Ask& askBeforeEnding() const { return askBeforeEnding_; }
   /// Memory for lives that undo can bring back [bytes].
   void setMostKept(std::size_t bytes) { mostKept_ = bytes; }
   /// Lives within reach of undo and redo of which something is not saved.
@@ -282,7 +283,7 @@ class Session final : public QObject {
   std::uint64_t lineage_ = 1, lineages_ = 1;  // changes that were made to one life are not undone in another
   std::vector<std::weak_ptr<KeptLife>> kept_;
   Ask askBeforeEnding_;
-  bool undoAgain_ = false;
+  bool undoAgain_ = false, keepsBefore_ = true;
 };
 
 }  // namespace surefoot

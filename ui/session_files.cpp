@@ -150,10 +150,14 @@ Status Session::whenMade(Make make, Adopt adopt, const Then& then) {
 void Session::finishOrAsk(std::function<void()> finish) {
   const bool keeps = canKeep();
   const auto least = learned() && keeps ? withoutRoom(bytesOfLife(), 1) : nullptr;
-  if (askBeforeEnding_ && ((unsaved() && !keeps) || (least && least->unsaved())))
-    askBeforeEnding_(least, finish);
-  else
+  const auto end = [this, keeps, finish = std::move(finish)] {
+    keepsBefore_ = keeps || canKeep();  // what was found out before does not change between question and answer
     finish();
+  };
+  if (askBeforeEnding_ && ((unsaved() && !keeps) || (least && least->unsaved())))
+    askBeforeEnding_(least, end);
+  else
+    end();
 }
 
 Status Session::beginAgain(Configuration configuration) {

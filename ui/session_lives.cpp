@@ -172,7 +172,7 @@ std::shared_ptr<KeptLife> Session::putAside() {
 
 /// A life in which nothing was learned yet is not missed.
 std::shared_ptr<KeptLife> Session::putAsideIfLearned() {
-  return learned() && canKeep() ? putAside() : nullptr;
+  return learned() && keepsBefore_ ? putAside() : nullptr;
 }
 
 /// Of the lives that are kept the one to let go if so many lives and bytes come to them; nullptr: there is room.

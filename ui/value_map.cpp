@@ -123,6 +123,10 @@ std::optional<std::pair<double, double>> ValueMap::range() const {
   return range;
 }
 
+bool ValueMap::anyNeverVisited() const {
+  return std::any_of(values_.begin(), values_.end(), [](double v) { return std::isnan(v); });
+}
+
 void ValueMap::colour(const MapScale& scale, bool dark) {
   if (image_.size() != QSize(columns_, rows_)) image_ = QImage(columns_, rows_, QImage::Format_ARGB32);
   for (int row = 0; row < rows_; ++row) {

@@ -55,6 +55,7 @@ class ValueMap {
   void evaluate(const Task& task, const MapSlice& slice, int cells, const Quantity& quantity);
   /// Least and greatest value; nothing if every cell was never visited.
   std::optional<std::pair<double, double>> range() const;
+  bool anyNeverVisited() const;
   /// Turns values into colours.
   void colour(const MapScale& scale, bool dark);
 

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "core/text.h"
+#include "ui/learning_charts.h"
 #include "ui/session.h"
 
 namespace surefoot {
@@ -82,6 +83,10 @@ MapScale ValueMaps::scaleOf(const ValueMap& map) const {
   }
   low = std::min(low, 0.0), high = std::max(high, 0.0);
   if (low == high) high = 1.0;  // nothing learned yet
+  if (!choice_.locked) {        // to round numbers, the same ones whatever the size of the cells
+    const double step = niceAbove(std::max(-low, high) / 10);
+    low = step * std::floor(low / step + 1e-9), high = step * std::ceil(high / step - 1e-9);
+  }
   return {MapScale::Kind::Diverging, low, high};
 }
 

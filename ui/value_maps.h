@@ -7,6 +7,7 @@
 #include <QElapsedTimer>
 #include <QWidget>
 #include <limits>
+#include <utility>
 
 #include "ui/exporting.h"
 #include "ui/map_choice.h"
@@ -57,7 +58,10 @@ class ValueMaps final : public Painted<>, public CsvSource {
   /// Where the maps and their bars lie; Q, Q⁺ and Q⁻ share one bar.
   struct Geometry {
     QRectF square, big, bigBar, upper, upperBar, lower, lowerBar;  // `square`: the room of the big one
-    double smallTitle;                                             // left end of the small maps' titles
+    double bigBarRoom;                                             // for numbers beside its bar
+    double upperTitleEnd, lowerTitleEnd;                           // right ends of the small maps' titles
+    QPointF key;                                                   // "never visited"
+    std::pair<double, double> xTitle;                              // room of the title below the big map
   };
   bool split() const;
   bool valued() const;  ///< the large map is in units of reward
@@ -76,8 +80,14 @@ class ValueMaps final : public Painted<>, public CsvSource {
   std::optional<std::vector<double>> stateAt(const QPointF& at) const;
 
   Geometry geometry() const;
+  Geometry besideEachOther() const;
+  Geometry belowEachOther() const;
+  QRectF areaOf(const QRectF& square) const;
   QString title() const;
   void drawAxes(QPainter& painter, const Geometry& geometry, const Theme& theme) const;
+  /// The values are on both sides of the threshold, so that a contour is drawn.
+  bool thresholdCuts() const;
+  void drawThresholdNote(QPainter& painter, const Geometry& geometry, const Theme& theme) const;
   void drawTitles(QPainter& painter, const Geometry& geometry, const Theme& theme) const;
   void drawNumbers(QPainter& painter, const QRectF& map, const Theme& theme, bool horizontal) const;
   void drawBigBar(QPainter& painter, const Geometry& geometry, const Theme& theme) const;

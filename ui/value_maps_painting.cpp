@@ -14,8 +14,6 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kLeft = 47, kTop = 24, kUnder = 48;  // gutters [px], with texts of the usual size
-
 /// Numbers at an axis, as many as can be read: from the first, so far apart.
 struct Ticks {
   double first, step;
@@ -37,29 +35,6 @@ QString fitted(const QFont& font, const StateVariable& v, double room) {
 }
 
 }  // namespace
-
-ValueMaps::Geometry ValueMaps::geometry() const {
-  const bool oneBar = split() && valued();
-  const double k = textScale(), left = k * kLeft, top = k * kTop, numbers = k * 37;  // numbers of a bar
-  const double beside = left + (oneBar ? 16 : 18 + numbers) + 18 + numbers;
-  const double room = std::min((width() - beside + k * 14) / 1.5, height() - k * (kTop + kUnder));
-  const double m = std::floor(std::max(room, 48.0) / kCell) * kCell;
-  const double gap = k * 28;  // between the small maps: the lower one's title
-  const double s = std::max(std::floor((m - gap) / 2 / kSmallCell) * kSmallCell, 16.0);
-  Geometry g;
-  const MapSlice slice{choice_.x, choice_.y, {}};
-  const auto area = [&](const QRectF& square) { return ValueMap::area(session_.task(), slice, square); };
-  g.square = QRectF(left, top, m, m);
-  g.big = area(g.square);
-  const double x = g.square.right() + (oneBar ? 16 : 18 + numbers);
-  g.upper = area({x, top, s, s});
-  g.lower = area({x, top + m - s, s, s});
-  g.bigBar = QRectF(oneBar ? x + s + 8 : g.square.right() + 8, top, 10, m);
-  g.upperBar = QRectF(x + s + 8, top, 10, s);
-  g.lowerBar = QRectF(x + s + 8, top + m - s, 10, s);
-  g.smallTitle = x;
-  return g;
-}
 
 QString ValueMaps::title() const {
   switch (choice_.quantity) {
@@ -113,7 +88,32 @@ void ValueMaps::paintEvent(QPaintEvent*) {
   drawReading(p, g, t);
 }
 
-/// What each map shows; beside the large one's title the contour, if there is room.
+/// A value never visited counts as below.
+bool ValueMaps::thresholdCuts() const {
+  const auto range = big_.range();
+  return range && session_.threshold() < range->second &&
+         (session_.threshold() >= range->first || big_.anyNeverVisited());
+}
+
+/// What the contour is, or that there is none; as long as there is room for.
+void ValueMaps::drawThresholdNote(QPainter& p, const Geometry& g, const Theme& t) const {
+  if (!valued() || session_.configuration().names.policy != "trl" || !big_.range()) return;
+  p.setFont(textFont(11));
+  p.setPen(t.quiet);
+  const double from = g.square.left() + symbolWidth(textFont(13, 500), title()) + 8;
+  const bool below = session_.threshold() >= big_.range()->second;
+  const QStringList texts = thresholdCuts() ? QStringList{tr("contour: threshold %1"), tr("threshold %1"), "%1"}
+                            : below ? QStringList{tr("all values below threshold %1"), tr("all below %1"), "< %1"}
+                                    : QStringList{tr("all values above threshold %1"), tr("all above %1"), "> %1"};
+  for (const QString& text : texts) {
+    const QString words = text.arg(toText(countText(session_.threshold())));
+    const double x = g.square.right() - symbolWidth(p.font(), words);
+    if (x < from) continue;
+    return drawSymbol(p, x, g.square.top() - 8 * textScale(), words);
+  }
+}
+
+/// What each map shows.
 void ValueMaps::drawTitles(QPainter& p, const Geometry& g, const Theme& t) const {
   const bool parts = split() && valued();
   const auto write = [&](double x, double y, const QString& name, const QString& note, double right) {
@@ -127,26 +127,15 @@ void ValueMaps::drawTitles(QPainter& p, const Geometry& g, const Theme& t) const
   };
   const double up = 8 * textScale();
   write(g.square.left(), g.square.top() - up, title(), {}, 0);
-  if (valued() && session_.configuration().names.policy == "trl") {
-    p.setFont(textFont(11));
-    p.setPen(t.quiet);
-    const double from = g.square.left() + symbolWidth(textFont(13, 500), title()) + 8;
-    for (const QString& text : {tr("contour: threshold %1"), tr("threshold %1"), QStringLiteral("%1")}) {
-      const QString words = text.arg(toText(countText(session_.threshold())));
-      const double x = g.square.right() - symbolWidth(p.font(), words);
-      if (x < from) continue;
-      drawSymbol(p, x, g.square.top() - up, words);
-      break;
-    }
-  }
+  drawThresholdNote(p, g, t);
   const bool goal = session_.task().goalReward.has_value();
   const auto& terms = session_.task().rewardTerms;
   const bool falls = std::find(terms.begin(), terms.end(), "fall") != terms.end();
   const bool fall = goal && falls && session_.task().timeReward == 0.0;
-  write(g.smallTitle, g.upper.top() - up, parts ? QStringLiteral("Q⁺") : tr("Visits"),
-        parts ? goal ? tr("goal") : tr("gains") : QString(), width());
-  write(g.smallTitle, g.lower.top() - up, parts ? QStringLiteral("Q⁻") : tr("Eligibility"),
-        parts ? fall ? tr("fall") : tr("losses") : QString(), width());
+  write(g.upper.left(), g.upper.top() - up, parts ? QStringLiteral("Q⁺") : tr("Visits"),
+        parts ? goal ? tr("goal") : tr("gains") : QString(), g.upperTitleEnd);
+  write(g.lower.left(), g.lower.top() - up, parts ? QStringLiteral("Q⁻") : tr("Eligibility"),
+        parts ? fall ? tr("fall") : tr("losses") : QString(), g.lowerTitleEnd);
 }
 
 void ValueMaps::drawBigBar(QPainter& p, const Geometry& g, const Theme& t) const {
@@ -163,13 +152,17 @@ void ValueMaps::drawBigBar(QPainter& p, const Geometry& g, const Theme& t) const
   } else if (bigScale_.kind == MapScale::Kind::Positive) {
     numbers = {0, 0.5, 1};
   } else {
-    numbers = {bigScale_.low, bigScale_.low / 2, 0, bigScale_.high / 2, bigScale_.high};
+    const double low = bigScale_.low, high = bigScale_.high, step = niceAbove((high - low) / 4.0001);
+    numbers = {low, 0};
+    for (double v = step * std::ceil(low / step); v < high; v += step)
+      if (v > low && std::abs(v) > step / 2) numbers.push_back(v);
+    numbers.push_back(high);
   }
-  const double room = g.smallTitle - g.bigBar.right() - 12;  // beside a number between the ends may stand a title
-  ValueMap::drawBar(p, g.bigBar, bigScale_, t, numbers, names, room);
+  ValueMap::drawBar(p, g.bigBar, bigScale_, t, numbers, names, g.bigBarRoom);
   if (!valued() || session_.configuration().names.policy != "trl") return;
-  const double y =
-      g.bigBar.bottom() - std::clamp(bigScale_.position(session_.threshold()), 0.0, 1.0) * g.bigBar.height();
+  const double share = bigScale_.position(session_.threshold());
+  if (share < 0 || share > 1) return;  // the note at the title says where it is
+  const double y = g.bigBar.bottom() - share * g.bigBar.height();
   p.setPen(QPen(t.ink, 2));
   p.drawLine(QPointF(g.bigBar.left() - 1, y), QPointF(g.bigBar.right() + 1, y));
 }
@@ -189,7 +182,7 @@ void ValueMaps::drawSmallMaps(QPainter& p, const Geometry& g, const Theme& t) co
 
 void ValueMaps::drawKey(QPainter& p, const Geometry& g, const Theme& t) const {
   const double k = textScale();
-  const QRectF key(g.smallTitle, g.square.bottom() + 25 * k, 16 * k, 10 * k);
+  const QRectF key(g.key, QSizeF(16 * k, 10 * k));
   ValueMap::drawHatching(p, key, t);
   p.setPen(QPen(t.outline, 1));
   p.drawRect(key);
@@ -231,7 +224,7 @@ void ValueMaps::drawAxes(QPainter& p, const Geometry& g, const Theme& t) const {
   drawNumbers(p, g.big, t, true);
   p.setPen(t.quiet);
   drawSymbol(p, QRectF(g.big.left(), g.big.bottom() + 22 * k, g.big.width(), 16 * k), Qt::AlignHCenter,
-             fitted(p.font(), x, g.smallTitle - g.big.left()));
+             fitted(p.font(), x, g.xTitle.second - g.xTitle.first));
   if (slice_.strip()) return;
   drawNumbers(p, g.big, t, false);
   p.save();

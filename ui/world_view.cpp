@@ -44,8 +44,10 @@ void WorldView::nextFrame() {
   update();
 }
 
-void WorldView::setBeside(WorldView* other) {
+void WorldView::setBeside(WorldView* other, const QString& which) {
   beside_ = other;
+  which_ = which;
+  updateGeometry();
   update();
 }
 

@@ -25,12 +25,13 @@ class WorldView final : public Painted<> {
  public:
   explicit WorldView(Session& session, QWidget* parent = nullptr);
   QSize sizeHint() const override { return scaled({576, 400}); }
-  QSize minimumSizeHint() const override { return scaled({240, 220}); }
+  QSize minimumSizeHint() const override { return scaled(beside_ ? QSize(216, 246) : QSize(240, 220)); }
   /// Somebody holds the body with the mouse.
   bool held() const { return hand_.has_value(); }
   void fit();  ///< the zoom that shows everything
-  /// Another world that is shown beside this one, in the same size (nullptr: none).
-  void setBeside(WorldView* other);
+  /// Another world that is shown beside this one, in the same size (nullptr: none); "First" or "Second": which of the
+  /// two this one is, told above it with what acts here.
+  void setBeside(WorldView* other, const QString& which);
   double pixelsPerMetre() const;  ///< of what is drawn
 
  protected:
@@ -47,6 +48,7 @@ class WorldView final : public Painted<> {
   void measure();
   double floorLevel() const;
   double strokes() const;
+  double captionHeight() const;
 
   Point toMetres(QPointF at) const;
   bool overBody(QPointF at) const;
@@ -56,9 +58,11 @@ class WorldView final : public Painted<> {
   void drawTrail(QPainter& painter, const Theme& theme) const;
   void drawPicture(QPainter& painter, const Theme& theme) const;
   void drawReadOuts(QPainter& painter, const Theme& theme) const;
+  void drawCaption(QPainter& painter, const Theme& theme) const;
 
   Session& session_;
   QPointer<WorldView> beside_;
+  QString which_;
   Scene scene_;
   std::vector<ReadOut> readOuts_;
   int ownColumns_ = 1, columns_ = 1;  // of the read-outs: that there is room for, that there are

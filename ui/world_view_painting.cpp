@@ -20,10 +20,11 @@ namespace {
 
 // [px], with texts of the usual size
 constexpr double kScale = 46;            // from the floor down: metre scale, and which leg stands
-constexpr double kNoScale = 12;          // … where there is neither
+constexpr double kNoScale = 20;          // … where there is neither
 constexpr double kReadOut = 22;          // height of a row of read-outs
 constexpr double kUnderReadOuts = 20;    // from the last one's baseline to the bottom edge
 constexpr double kHeadroom = 28;         // above the highest thing drawn
+constexpr double kCaption = 26;          // of two worlds: what acts in this one
 constexpr double kSide = 24;             // beside the widest
 constexpr double kMostScale = 1700;      // [px/m]
 constexpr std::size_t kTrail = 14;       // frames
@@ -57,7 +58,7 @@ void WorldView::measure() {
   readOutsHeight_ = k * (kReadOut * rows + kUnderReadOuts);
   band_ = readOutsHeight_ + k * (scene_.metres ? kScale : kNoScale);
 
-  fit_ = std::min(kMostScale, (height() - band_ - k * kHeadroom) / scene_.height);
+  fit_ = std::min(kMostScale, (height() - band_ - captionHeight() - k * kHeadroom) / scene_.height);
   if (scene_.width > 0) fit_ = std::min(fit_, (width() - 2 * kSide) / scene_.width);
   const double least = 0.5 * fit_;  // then words move in from the edge
   for (const Shape& shape : scene_.shapes) {
@@ -68,7 +69,12 @@ void WorldView::measure() {
       fit_ = std::min(fit_, (width() / 2.0 - words) / reach);
   }
   fit_ = std::max({fit_, least, 1.0});
-  if (!scene_.metres) band_ += std::max(0.0, (height() - band_ - k * kHeadroom - fit_ * scene_.height) / 2);
+  const double above = captionHeight() + k * kHeadroom;
+  if (!scene_.metres) band_ += std::max(0.0, (height() - band_ - above - fit_ * scene_.height) / 2);
+}
+
+double WorldView::captionHeight() const {
+  return beside_ && beside_->isVisible() ? kCaption * textScale() : 0;
 }
 
 void WorldView::drawSpring(QPainter& p, const Theme& t) const {
@@ -110,10 +116,11 @@ void WorldView::paintEvent(QPaintEvent*) {
   measure();
   p.setRenderHint(QPainter::Antialiasing);
   p.save();  // however near one looks, the read-outs stay free
-  p.setClipRect(QRectF(0, 0, width(), height() - readOutsHeight_));
+  p.setClipRect(QRectF(0, captionHeight(), width(), height() - readOutsHeight_ - captionHeight()));
   drawPicture(p, t);
   p.restore();
   drawReadOuts(p, t);
+  drawCaption(p, t);
   if (ring_) drawFocusRing(p, *this);
 }
 
@@ -124,7 +131,7 @@ void WorldView::drawPicture(QPainter& p, const Theme& t) const {
   const double scale = pixelsPerMetre();
   ScenePainter painter(
       p, t, session_.shown().flash && !reducedMotion(), [this](Point at) { return toPixel(at); }, scale);
-  painter.setBounds(QRectF(rect()).adjusted(3, 2, -3, -2));
+  painter.setBounds(QRectF(rect()).adjusted(3, 2 + captionHeight(), -3, -2));
   painter.setStrokes(strokes());
   paintScene(scene_, painter);
   drawSpring(p, t);
@@ -165,6 +172,25 @@ void WorldView::drawTrail(QPainter& p, const Theme& t) const {
     p.setPen(QPen(colour, 1.25));
     p.drawLine(toPixel(trail_[i - 1]), toPixel(trail_[i]));
   }
+}
+
+/// Of two worlds: which one it is, and what acts in it.
+void WorldView::drawCaption(QPainter& p, const Theme& t) const {
+  if (captionHeight() == 0) return;
+  const double k = textScale(), baseline = 18 * k;
+  const Names& names = session_.configuration().names;
+  const auto& registry = session_.registry();
+  const auto title = [](const auto& entry, const std::string& name) { return toText(entry ? (*entry)->title : name); };
+  p.setFont(textFont(13, 500));
+  p.setPen(t.ink);
+  double x = 12;
+  drawSymbol(p, x, baseline, which_);
+  x += symbolWidth(p.font(), which_) + 14 * k;
+  drawMarker(p, {x, baseline - 4.5 * k}, policyLook(names.policy, t), true);
+  p.setFont(textFont(13));
+  drawSymbol(p, x + 9 * k, baseline,
+             title(findEntry(registry.policies, "policy", names.policy), names.policy) + QStringLiteral(", ") +
+                 title(findEntry(registry.agents, "agent", names.agent), names.agent));
 }
 
 void WorldView::drawReadOuts(QPainter& p, const Theme& t) const {

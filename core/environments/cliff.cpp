@@ -45,8 +45,8 @@ void Cliff::draw(std::span<const double> pose, Scene& scene) const {
   scene.shapes.push_back(Polygon{
       .points = {{1, 0}, {kEnd - 1, 0}, {kEnd - 1, 1}, {1, 1}}, .fill = Fill::Fall, .ink = Ink::Fall, .width = 0});
   scene.shapes.push_back(Label{{kEnd / 2, 0.5}, "cliff", 0, 0, 0, Ink::Fall, false, kEnd - 2});
-  scene.shapes.push_back(Label{{0.5, 0.5}, "start", 0, 0, 0, Ink::Quiet, false, 0.9});
-  scene.shapes.push_back(Label{{kEnd - 0.5, 0.5}, "goal", 0, 0, 0, Ink::Quiet, false, 0.9});
+  scene.shapes.push_back(Label{{0.5, 0}, "start", 0, 9});
+  scene.shapes.push_back(Label{{kEnd - 0.5, 0}, "goal", 0, 9});
   kGrid.drawWalker(scene, pose);
 }
 

@@ -51,8 +51,8 @@ void GridWorld::draw(std::span<const double> pose, Scene& scene) const {
                                  .width = 0});
   const Point middle{(kLeft + kRight) / 2, (kBottom + kTop) / 2};
   scene.shapes.push_back(Label{middle, "fall", 0, 0, 0, Ink::Fall, false, kRight - kLeft});
-  scene.shapes.push_back(Label{{0.5, 0.5}, "start", 0, 0, 0, Ink::Quiet, false, 0.9});
-  scene.shapes.push_back(Label{{kGrid.columns - 0.5, kGrid.rows - 0.5}, "goal", 0, 0, 0, Ink::Quiet, false, 0.9});
+  scene.shapes.push_back(Label{{0.5, 0}, "start", 0, 9});
+  scene.shapes.push_back(Label{{kGrid.columns - 0.5, kGrid.rows}, "goal", 0, -9});
   kGrid.drawWalker(scene, pose);
 }
 

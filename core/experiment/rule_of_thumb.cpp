@@ -57,7 +57,7 @@ std::string whyNoRule(const Task& task, const Parameters& parameters) {
   if (!parameters.find("agent.discount")) return "The rule of thumb needs a learning rule that discounts.";
   if (task.goalReward) return "The rule of thumb appears with the first success.";
   if (measureAt(task.measures, "net_footsteps")) return "The rule of thumb appears with the first footstep.";
-  return "The rule of thumb is not defined for this task: it rewards no goal.";
+  return "The rule of thumb is not defined for this task: no goal is rewarded.";
 }
 
 namespace {

@@ -39,5 +39,5 @@ TEST(TextFromOutside, HasOneParserEach) {
 
 TEST(TextFromOutside, IsNoHtmlInTheWindow) {
   forbid({"ui"}, R"(Qt::RichText|setHtml\(|Qt::AutoText|insertHtml\(|appendHtml\()",
-         {"experiment_page_results.cpp", "flat_style.cpp", "main_window_dialogs.cpp"});
+         {"experiment_page_results.cpp", "flat_style.cpp", "main_window_dialogs.cpp", "rule_view.cpp"});
 }

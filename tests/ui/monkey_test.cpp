@@ -12,6 +12,7 @@
 #include <QMenuBar>
 #include <QTimer>
 #include <QWheelEvent>
+#include <utility>
 
 #include "core/random.h"
 #include "tests/ui/window_setup.h"
@@ -122,13 +123,20 @@ class Monkey {
   Random random_;
 };
 
-/// Sees to it that every life that learned something unsaved is within reach of undo when another one takes its place.
+/// Sees to it that every life that learned something unsaved is within reach of undo when another one takes its place,
+/// or that a question was answered so.
 class Witness {
  public:
   explicit Witness(Window& w) : session_(*w.session) {
     QObject::connect(&session_, &Session::frame, w.window.get(), [this] { note(); });
+    session_.setAskBeforeEnding([this, ask = session_.askBeforeEnding()](const auto& kept, const Session::GoOn& goOn) {
+      ask(kept, [this, running = !kept, goOn] {
+        if (running) ++answered_;
+        goOn();
+      });
+    });
     QObject::connect(&session_, &Session::lifeReplaced, w.window.get(), [this] {
-      if (unsaved_) ++ended_;
+      if (std::exchange(answered_, 0) == 0 && unsaved_) ++ended_;
       note();
     });
     for (auto signal : {&Session::lifeKept, &Session::lifeBroughtBack})
@@ -145,7 +153,7 @@ class Witness {
 
   Session& session_;
   bool unsaved_ = false;
-  int ended_ = 0, kept_ = 0;
+  int ended_ = 0, kept_ = 0, answered_ = 0;
 };
 
 int fromEnvironment(const char* name, int otherwise) {
