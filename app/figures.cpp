@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/figures.h"
+#include "app/reports/figures.h"
 
 #include <QApplication>
 
-#include "ui/figure_view.h"
-#include "ui/theme.h"
+#include "ui/experiment/figures/figure_view.h"
+#include "ui/style/theme.h"
 
 namespace surefoot {
 

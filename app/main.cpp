@@ -7,10 +7,11 @@
 #include <cstring>
 #include <string_view>
 
-#include "app/commands.h"
-#include "app/exit_code.h"
-#include "app/interrupt.h"
-#include "core/printable.h"
+#include "app/commands/commands.h"
+#include "app/process/exit_code.h"
+#include "app/process/interrupt.h"
+#include "core/register/register.h"
+#include "core/text/printable.h"
 #include "physics/register.h"
 
 namespace surefoot {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // In place of figures.cpp where the program is built without Qt.
-#include "app/figures.h"
+#include "app/reports/figures.h"
 
 namespace surefoot {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `surefoot window` in a build without Qt.
-#include "app/commands.h"
+#include "app/commands/commands.h"
 
 namespace surefoot {
 

@@ -5,17 +5,17 @@
 #include <QApplication>
 #include <QTimer>
 
-#include "app/commands.h"
-#include "app/exit_code.h"
-#include "app/interrupt.h"
-#include "app/report.h"
-#include "app/resources.h"
+#include "app/commands/commands.h"
+#include "app/process/exit_code.h"
+#include "app/process/interrupt.h"
+#include "app/process/resources.h"
+#include "app/reports/report.h"
+#include "core/basics/guarded_call.h"
 #include "core/files/whole_file.h"
-#include "core/guarded_call.h"
 #include "core/version.h"
-#include "ui/main_window.h"
-#include "ui/preferences.h"
-#include "ui/session.h"
+#include "ui/controls/preferences.h"
+#include "ui/session/session.h"
+#include "ui/window/main_window.h"
 
 namespace surefoot {
 

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "core/types.h"
+#include "core/basics/types.h"
 
 namespace surefoot {
 

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "core/action_value.h"
+#include "core/basics/random.h"
+#include "core/basics/types.h"
 #include "core/files/archive.h"
+#include "core/learned_step.h"
 #include "core/policy.h"
-#include "core/random.h"
-#include "core/types.h"
-#include "core/values/learned_step.h"
 
 namespace surefoot {
 

@@ -8,10 +8,10 @@
 #include <string>
 #include <vector>
 
+#include "core/basics/random.h"
+#include "core/basics/types.h"
 #include "core/parameters.h"
-#include "core/random.h"
 #include "core/scene.h"
-#include "core/types.h"
 
 namespace surefoot {
 

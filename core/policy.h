@@ -4,10 +4,10 @@
 
 #include <span>
 
+#include "core/basics/random.h"
+#include "core/basics/types.h"
 #include "core/parameters.h"
-#include "core/random.h"
 #include "core/schedule.h"
-#include "core/types.h"
 
 namespace surefoot {
 

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "core/agent.h"
+#include "core/basics/result.h"
 #include "core/environment.h"
 #include "core/policy.h"
-#include "core/result.h"
 
 namespace surefoot {
 
@@ -65,9 +65,6 @@ struct Registry {
   std::vector<AssignmentEntry> presets;
   std::vector<AssignmentEntry> scenarios;
 };
-
-/// The learning rules, feature maps and policies of core/.
-void registerCore(Registry& registry);
 
 /// "policy: there is no \"softmx\"; choose greedy, softmax or trl (did you mean softmax?)."
 Error unknownName(std::string_view what, std::string_view name, const std::vector<std::string>& names);

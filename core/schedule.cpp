@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/portable_math.h"
+#include "core/basics/portable_math.h"
 
 namespace surefoot {
 

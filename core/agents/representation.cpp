@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/files/json_difference.h"
-#include "core/text.h"
+#include "core/text/text.h"
 
 namespace surefoot {
 

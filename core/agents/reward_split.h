@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "core/basics/types.h"
 #include "core/parameters.h"
-#include "core/types.h"
 
 namespace surefoot {
 

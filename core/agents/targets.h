@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <span>
 
-#include "core/types.h"
+#include "core/basics/types.h"
 
 namespace surefoot {
 

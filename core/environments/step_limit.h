@@ -2,8 +2,8 @@
 // After how many steps an episode is cut off (truncated): for tasks whose episodes could go on for ever.
 #pragma once
 
+#include "core/basics/types.h"
 #include "core/parameters.h"
-#include "core/types.h"
 
 namespace surefoot {
 

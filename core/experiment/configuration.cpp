@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/experiment/q_file.h"
-#include "core/number_text.h"
+#include "core/experiment/task_description.h"
+#include "core/text/number_text.h"
 
 namespace surefoot {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/experiment/life.h"
+#include "core/life/life.h"
 #include "core/parameters.h"
 #include "core/registry.h"
 

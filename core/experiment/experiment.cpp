@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/experiment/cpu_time.h"
+#include "core/basics/cpu_time.h"
 #include "core/experiment/meter.h"
 #include "core/experiment/work_pool.h"
 

@@ -10,7 +10,7 @@
 
 #include "core/experiment/configuration.h"
 #include "core/experiment/meter.h"
-#include "core/experiment/rule_of_thumb.h"
+#include "core/life/rule_of_thumb.h"
 
 namespace surefoot {
 

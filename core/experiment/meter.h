@@ -7,8 +7,8 @@
 #include <limits>
 #include <vector>
 
-#include "core/experiment/life.h"
 #include "core/experiment/work_pool.h"
+#include "core/life/life.h"
 
 namespace surefoot {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <functional>
 
-#include "core/result.h"
+#include "core/basics/result.h"
 
 namespace surefoot {
 

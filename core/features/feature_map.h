@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "core/result.h"
+#include "core/basics/result.h"
 
 namespace surefoot {
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/basics/random.h"
 #include "core/features/resolution.h"
-#include "core/random.h"
 
 namespace surefoot {
 

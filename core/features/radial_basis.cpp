@@ -7,8 +7,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/basics/portable_math.h"
 #include "core/features/resolution.h"
-#include "core/portable_math.h"
 
 namespace surefoot {
 

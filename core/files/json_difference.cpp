@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include "core/text.h"
-#include "core/typed_json.h"
+#include "core/basics/typed_json.h"
+#include "core/text/text.h"
 
 namespace surefoot {
 

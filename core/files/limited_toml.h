@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "core/result.h"
+#include "core/basics/result.h"
 
 namespace surefoot {
 

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/result.h"
+#include "core/basics/result.h"
 
 namespace surefoot {
 

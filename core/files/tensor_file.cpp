@@ -16,9 +16,9 @@
 #include <optional>
 #include <tuple>
 
+#include "core/basics/typed_json.h"
 #include "core/files/limited_json.h"
-#include "core/text.h"
-#include "core/typed_json.h"
+#include "core/text/text.h"
 
 static_assert(std::endian::native == std::endian::little, "tensors are copied as they lie in memory");
 

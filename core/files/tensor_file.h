@@ -16,8 +16,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/basics/result.h"
 #include "core/files/read_file.h"
-#include "core/result.h"
 
 namespace surefoot {
 

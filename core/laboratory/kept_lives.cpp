@@ -9,11 +9,11 @@
 #include <filesystem>
 #include <new>
 
+#include "core/basics/typed_json.h"
 #include "core/experiment/configuration_json.h"
-#include "core/experiment/lives_version.h"
-#include "core/experiment/q_file.h"
 #include "core/files/whole_file.h"
-#include "core/typed_json.h"
+#include "core/life/lives_version.h"
+#include "core/saved/q_file.h"
 
 namespace surefoot {
 

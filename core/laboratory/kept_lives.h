@@ -11,8 +11,8 @@
 #include <set>
 #include <string>
 
-#include "core/experiment/checkpoint.h"
-#include "core/laboratory/store.h"
+#include "core/saved/checkpoint.h"
+#include "core/store/store.h"
 
 namespace surefoot {
 

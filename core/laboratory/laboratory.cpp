@@ -7,12 +7,12 @@
 #include <mutex>
 #include <set>
 
-#include "core/experiment/lives_version.h"
-#include "core/experiment/q_file.h"
 #include "core/files/read_file.h"
 #include "core/laboratory/kept_lives.h"
 #include "core/laboratory/lesson.h"
 #include "core/laboratory/whole_life.h"
+#include "core/life/lives_version.h"
+#include "core/saved/q_file.h"
 #include "core/version.h"
 
 namespace surefoot {

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "core/experiment/meter.h"
-#include "core/laboratory/store.h"
+#include "core/store/store.h"
 
 namespace surefoot {
 

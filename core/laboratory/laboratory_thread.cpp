@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-#include "core/guarded_call.h"
+#include "core/basics/guarded_call.h"
 
 namespace surefoot {
 

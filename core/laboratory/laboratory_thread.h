@@ -8,7 +8,7 @@
 #include <mutex>
 #include <thread>
 
-#include "core/laboratory/findings.h"
+#include "core/findings/findings.h"
 #include "core/laboratory/laboratory.h"
 
 namespace surefoot {

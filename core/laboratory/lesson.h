@@ -9,7 +9,7 @@
 
 #include "core/experiment/work_pool.h"
 #include "core/files/tensor_file.h"
-#include "core/laboratory/store.h"
+#include "core/store/store.h"
 
 namespace surefoot {
 

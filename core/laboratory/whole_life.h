@@ -5,8 +5,8 @@
 #include <chrono>
 #include <functional>
 
-#include "core/experiment/checkpoint.h"
 #include "core/experiment/meter.h"
+#include "core/saved/checkpoint.h"
 
 namespace surefoot {
 

@@ -10,10 +10,10 @@
 #include <limits>
 #include <utility>
 
+#include "core/learned_step.h"
 #include "core/schedule.h"
 #include "core/values/deferred_trace.h"
 #include "core/values/eligibility_trace.h"
-#include "core/values/learned_step.h"
 #include "core/values/linear_action_value.h"
 
 namespace surefoot {

@@ -17,9 +17,9 @@
 #include <vector>
 
 #include "core/action_value.h"
+#include "core/basics/random.h"
 #include "core/features/feature_map.h"
 #include "core/files/archive.h"
-#include "core/random.h"
 #include "core/values/initial_value.h"
 #include "core/values/shared_weights.h"
 #include "core/values/weight_table.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/text.h"
+#include "core/text/text.h"
 #include "physics/leo/leo.h"
 
 namespace surefoot {

@@ -3,7 +3,7 @@
 #include <chrono>
 #include <sstream>
 
-#include "core/random.h"
+#include "core/basics/random.h"
 #include "tests/app/program.h"
 
 namespace surefoot {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <sstream>
 
-#include "core/random.h"
+#include "core/basics/random.h"
 #include "tests/app/program.h"
 
 namespace surefoot {

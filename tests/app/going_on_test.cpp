@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "tests/app/program.h"
-#include "tests/core/laboratory/seal_store.h"
+#include "tests/core/store/seal_store.h"
 
 namespace surefoot {
 

@@ -2,7 +2,7 @@
 // `--load FILE`: the file knows what it was learned under, and commands that are suggested run as they are.
 #include <sstream>
 
-#include "core/shell_text.h"
+#include "core/text/shell_text.h"
 #include "tests/app/program.h"
 
 namespace surefoot {

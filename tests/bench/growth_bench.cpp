@@ -2,6 +2,7 @@
 // What a step costs as the problem grows: a random walk in so many dimensions with so many actions, 16 tilings.
 #include <fmt/format.h>
 
+#include "core/register/register.h"
 #include "core/registry.h"
 #include "tests/bench/living.h"
 

@@ -2,6 +2,7 @@
 // The whole learning loop: environment, features, choice, update, log. The counter is steps per CPU-second.
 #include <benchmark/benchmark.h>
 
+#include "core/register/register.h"
 #include "physics/register.h"
 #include "tests/bench/living.h"
 

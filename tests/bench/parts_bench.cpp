@@ -2,8 +2,9 @@
 // The parts of a step, and what the window and the files ask for.
 #include <benchmark/benchmark.h>
 
-#include "core/experiment/q_file.h"
 #include "core/features/tile_coder.h"
+#include "core/register/register.h"
+#include "core/saved/q_file.h"
 #include "core/values/deferred_trace.h"
 #include "core/values/eligibility_trace.h"
 #include "physics/register.h"

@@ -25,14 +25,15 @@
 
 #include <unistd.h>
 
-#include "core/laboratory/statistics.h"
+#include "core/register/register.h"
+#include "core/statistics/statistics.h"
 #include "physics/register.h"
-#include "ui/live_page.h"
-#include "ui/main_window.h"
-#include "ui/panel.h"
-#include "ui/session.h"
-#include "ui/theme.h"
-#include "ui/world_view.h"
+#include "ui/controls/panel.h"
+#include "ui/live/live_page.h"
+#include "ui/live/world/world_view.h"
+#include "ui/session/session.h"
+#include "ui/style/theme.h"
+#include "ui/window/main_window.h"
 
 using namespace surefoot;
 

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "core/register/register.h"
 #include "tests/fuzz/use_file.h"
 #include "tests/fuzz/use_store.h"
 #include "tests/fuzz/use_text.h"

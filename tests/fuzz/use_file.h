@@ -3,9 +3,9 @@
 // for some steps. Whatever the bytes, this must return.
 #pragma once
 
-#include "core/experiment/checkpoint.h"
-#include "core/experiment/journal.h"
-#include "core/experiment/q_file.h"
+#include "core/saved/checkpoint.h"
+#include "core/saved/journal.h"
+#include "core/saved/q_file.h"
 
 namespace surefoot {
 

@@ -8,7 +8,7 @@
 
 #include <fstream>
 
-#include "core/laboratory/findings.h"
+#include "core/findings/findings.h"
 
 namespace surefoot {
 

@@ -4,12 +4,12 @@
 #pragma once
 
 #include "core/files/limited_json.h"
-#include "core/laboratory/recipe.h"
-#include "core/latex.h"
-#include "core/number_text.h"
-#include "core/printable.h"
-#include "core/shell_text.h"
-#include "core/text.h"
+#include "core/recipes/recipe.h"
+#include "core/text/latex.h"
+#include "core/text/number_text.h"
+#include "core/text/printable.h"
+#include "core/text/shell_text.h"
+#include "core/text/text.h"
 
 namespace surefoot {
 

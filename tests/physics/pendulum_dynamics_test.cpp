@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/random.h"
+#include "core/basics/random.h"
 #include "physics/pendulum/pendulum.h"
 #include "tests/physics/pendulum_reference.h"
 

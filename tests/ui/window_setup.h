@@ -10,8 +10,8 @@
 #pragma GCC poison QVERIFY QCOMPARE
 
 #include "tests/core/experiment/test_setup.h"
-#include "ui/main_window.h"
-#include "ui/session.h"
+#include "ui/session/session.h"
+#include "ui/window/main_window.h"
 
 namespace surefoot {
 

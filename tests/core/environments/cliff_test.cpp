@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/environments/cliff.h"
+#include "core/register/register.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/environments/mountain_car.h"
+#include "core/register/register.h"
 
 #include <gtest/gtest.h>
 

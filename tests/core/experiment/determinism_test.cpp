@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/experiment/experiment.h"
-#include "core/experiment/lives_version.h"
+#include "core/life/lives_version.h"
 #include "tests/core/experiment/test_setup.h"
 
 namespace surefoot {

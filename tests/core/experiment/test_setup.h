@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/experiment/configuration.h"
+#include "core/register/register.h"
 #include "physics/register.h"
 
 namespace surefoot {

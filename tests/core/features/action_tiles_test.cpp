@@ -7,8 +7,8 @@
 #include <map>
 #include <set>
 
+#include "core/basics/random.h"
 #include "core/features/hashed_tile_coder.h"
-#include "core/random.h"
 #include "core/values/estimate.h"
 
 namespace surefoot {

@@ -5,8 +5,8 @@
 
 #include <map>
 
+#include "core/basics/random.h"
 #include "core/features/tile_coder.h"
-#include "core/random.h"
 
 namespace surefoot {
 

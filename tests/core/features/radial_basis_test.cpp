@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "core/random.h"
+#include "core/basics/random.h"
 
 namespace surefoot {
 

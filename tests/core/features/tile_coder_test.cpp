@@ -8,7 +8,7 @@
 #include <limits>
 #include <set>
 
-#include "core/random.h"
+#include "core/basics/random.h"
 
 namespace surefoot {
 

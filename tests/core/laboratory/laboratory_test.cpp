@@ -5,7 +5,7 @@
 #include <fstream>
 #include <map>
 
-#include "core/laboratory/findings.h"
+#include "core/findings/findings.h"
 #include "tests/app/folder.h"
 #include "tests/core/experiment/test_setup.h"
 

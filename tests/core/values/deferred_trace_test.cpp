@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "core/random.h"
+#include "core/basics/random.h"
 #include "core/values/eligibility_trace.h"
 
 namespace surefoot {

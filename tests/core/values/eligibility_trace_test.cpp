@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "core/random.h"
+#include "core/basics/random.h"
 
 namespace surefoot {
 

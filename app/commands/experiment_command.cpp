@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `surefoot experiment`: a plan into a store.
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "app/commands/commands.h"
+#include "app/process/exit_code.h"
+#include "app/process/interrupt.h"
+#include "app/reports/progress_line.h"
+#include "app/requests/requests.h"
+#include "core/basics/typed_json.h"
+
+namespace surefoot {
+
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+/// What would be done, a line a condition.
+int tellPlan(const ExperimentRequest& request) {
+  const Plan& plan = request.plan;
+  if (request.json) {
+    OrderedJson list = OrderedJson::array();
+    for (const Condition& c : plan.conditions)
+      list.push_back({{"name", c.name}, {"seed", c.configuration.seed}, {"text", c.text}});
+    const OrderedJson all = {{"title", plan.title},
+                             {"seed", plan.seed},
+                             {"lives", plan.lives},
+                             {"paired", plan.paired},
+                             {"conditions", list}};
+    return print(jsonText(all, 2) + "\n");
+  }
+  std::string text = fmt::format("{}\n{} conditions, {} lives each, seed {}\n", plan.title, plan.conditions.size(),
+                                 plan.lives, plan.seed);
+  for (const Condition& c : plan.conditions) text += fmt::format("  {}\n      {}\n", c.name, c.text);
+  return print(text);
+}
+
+/// A new store, or the one there is, if it belongs to the plan.
+Result<Store> openStore(const Registry& registry, const ExperimentRequest& request) {
+  auto stored = planToStore(registry, request.plan);
+  if (!stored) return stored.error();
+  stored->shard = request.lab.shard, stored->shards = request.lab.shards;
+  if (!request.resume || Store::missing(request.out)) return Store::create(request.out, *stored);
+  auto store = Store::openToWrite(request.out, &watchForInterrupt());
+  if (!store) return store;
+  const auto there = store->plan();
+  if (!there) return there.error();
+  if (const Status s = checkSamePlan(*there, *stored, request.out); !s) return s.error();
+  if (const Status s = checkSameShard(*there, *stored, request.out); !s) return s.error();
+  const auto lives = store->lives();
+  if (!lives) return lives.error();
+  if (const Status s = checkLivesVersion(*lives, request.out); !s && !request.otherVersion)
+    return orOtherVersion(s.error());
+  const int planned = there->conditions.front().lives;
+  if (request.plan.lives < planned)
+    return Error{fmt::format("--lives: {} holds {} lives a condition; going on, there can only be more, not {}.",
+                             request.out, planned, request.plan.lives)};
+  if (request.plan.lives > planned)
+    if (const Status s = store->setLives(request.plan.lives); !s) return s.error();
+  return store;
+}
+
+class Teller {
+ public:
+  explicit Teller(bool json) : json_(json) {}
+  bool wanted() const { return json_ || isatty(STDERR_FILENO); }
+  void show(const LabProgress& p) {
+    const int done = p.livesThere + p.work.livesDone;
+    if (json_) {
+      const auto time = std::chrono::steady_clock::now();
+      if (time - told_ < std::chrono::seconds(1)) return;
+      told_ = time;
+      const OrderedJson now = {{"event", "progress"}, {"share", p.work.share}, {"lives", done},
+                               {"of", p.livesPlanned}, {"falls", p.work.falls}, {"steps", p.work.steps}};
+      print(jsonText(now) + "\n");
+      return;
+    }
+    if (!line_) line_.emplace();
+    line_->show(p.work.share, fmt::format("{} of {} lives, {} falls", done, p.livesPlanned, p.work.falls));
+  }
+
+ private:
+  bool json_;
+  std::optional<ProgressLine> line_;
+  std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+int experimentCommand(const Registry& registry, const ExperimentRequest& request) {
+  if (request.dryRun) return tellPlan(request);
+  auto store = openStore(registry, request);
+  if (!store) return fail(store.error());
+  tellNote(*store);
+
+  LabOptions lab = request.lab;
+  lab.interrupted = &watchForInterrupt();
+  Result<LabResult> result = Error{};
+  {
+    Teller teller(request.json);
+    if (teller.wanted()) lab.progress = [&](const LabProgress& p) { teller.show(p); };
+    result = runPlan(registry, request.plan, *store, lab);
+  }
+  if (!result) return fail(result.error());
+  const auto hash = store->contentHash();
+  if (!hash) return fail(hash.error());
+  int code = kDone;
+  const OrderedJson done = {{"event", "done"},
+                            {"store", request.out},
+                            {"lives", result->livesThere},
+                            {"of", result->livesPlanned},
+                            {"complete", result->complete()},
+                            {"pre_learnings_at_cap", result->preLearningsAtCap},
+                            {"kept_in_hand", result->livesKept},
+                            {"content_hash", fmt::format("{:016x}", *hash)}};
+  if (request.json)
+    code = print(jsonText(done) + "\n");
+  else
+    code = print(fmt::format("{}: {} of {} lives, content {:016x}\n", request.out, result->livesThere,
+                             result->livesPlanned, *hash));
+  if (code != kDone) return code;
+  if (result->preLearningsAtCap > 0)
+    std::fprintf(stderr,
+                 "surefoot: %d Q-functions did not reach the reward of their pre-learning before its cap; they are "
+                 "used as they are.\n",
+                 result->preLearningsAtCap);
+  if (!result->keeping) std::fprintf(stderr, "surefoot: %s\n", result->keeping.error().message.c_str());
+  if (!result->complete())
+    return fail({fmt::format("interrupted; {} of {} lives are in {}{}, and --resume does the rest.", result->livesThere,
+                             result->livesPlanned, request.out,
+                             result->livesKept > 0 ? ", those in hand are kept beside it" : ""),
+                 ErrorKind::Interrupted});
+  return kDone;
+}
+
+}  // namespace surefoot

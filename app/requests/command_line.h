@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From arguments to a checked request. Every value is read as text and converted by the parsers of core/parameters.h.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/experiment/configuration.h"
+#include "core/laboratory/laboratory.h"
+#include "core/saved/checkpoint.h"
+
+namespace surefoot {
+
+/// `surefoot list`
+struct ListRequest {
+  bool json = false;
+};
+
+/// `surefoot probabilities`
+struct ProbabilitiesRequest {
+  std::vector<double> q;
+  std::string policy;
+  std::vector<Assignment> assignments;
+  bool json = false;
+};
+
+/// `surefoot train`, and `surefoot window` with the same options.
+struct TrainRequest {
+  Configuration configuration;
+  int jobs = 1;
+  bool json = false;
+  std::optional<std::string> log;
+  bool turbo = false;  ///< window only: start flat out
+
+  // `train` only: files.
+  std::optional<std::string> save, journal, checkpoint;
+  std::int64_t checkpointEvery = 0;           ///< steps
+  std::shared_ptr<const TensorFile> resumed;  ///< the life goes on from here
+  NewLimits limits;                           ///< for a life that goes on
+  Versions versions = Versions::Same;         ///< likewise
+  std::optional<std::int64_t> mostSteps;      ///< of a life that is lived anew, where nothing else ends it
+};
+struct WindowRequest : TrainRequest {};
+
+/// `surefoot query`: what is learned about one state.
+struct QueryRequest {
+  std::string file;
+  std::optional<std::string> state, policy;
+  std::vector<std::string> assignments;
+  bool json = false;
+};
+
+/// `surefoot slice`: a plane through a Q-function.
+struct SliceRequest {
+  std::string file;
+  std::optional<std::string> axes, at, points, out;
+};
+
+/// `surefoot inspect`: what a file holds.
+struct InspectRequest {
+  std::string file;
+  bool json = false;
+};
+
+/// `surefoot resample`: a Q-function in another resolution.
+struct ResampleRequest {
+  std::string file;
+  std::vector<std::string> assignments;
+  std::optional<std::string> save;
+  bool json = false;
+};
+
+/// `surefoot replay`
+struct ReplayRequest {
+  std::string file;
+  bool verify = false, json = false;
+};
+
+/// `surefoot bench`
+struct BenchRequest {
+  bool json = false;
+};
+
+/// `surefoot experiment`: a plan into a store.
+struct ExperimentRequest {
+  Plan plan{};
+  std::string out;
+  LabOptions lab{};
+  bool resume = false, dryRun = false, json = false;
+  bool otherVersion = false;  ///< go on with a store whose lives another version lived
+};
+
+/// `surefoot reproduce`: recipes of the thesis.
+struct ReproduceRequest {
+  std::vector<std::string> recipes;  ///< files
+  std::string out;
+  PlanChanges changes{};
+  LabOptions lab{};
+  bool otherVersion = false;  ///< go on with stores whose lives another version lived
+};
+
+/// `surefoot export`
+struct ExportRequest {
+  std::string store;
+  std::optional<std::string> csv;
+  bool forSpreadsheets = false;
+};
+
+/// `surefoot merge`
+struct MergeRequest {
+  std::vector<std::string> parts;
+  std::optional<std::string> out;
+  bool otherVersion = false;  ///< join lives of several versions
+};
+
+/// `surefoot statistics`
+struct StatisticsRequest {
+  std::string store;
+  bool json = false, csv = false, latex = false;
+};
+
+/// --help or --version: the text to print.
+struct PrintRequest {
+  std::string text;
+};
+
+using Request = std::variant<ListRequest, ProbabilitiesRequest, TrainRequest, WindowRequest, QueryRequest, SliceRequest,
+                             InspectRequest, ResampleRequest, ReplayRequest, BenchRequest, ExperimentRequest,
+                             ReproduceRequest, ExportRequest, MergeRequest, StatisticsRequest, PrintRequest>;
+
+Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv);
+
+}  // namespace surefoot

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the texts that were given to checked requests. Every value is converted by the parsers of core/parameters.h.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/requests/command_line.h"
+
+namespace surefoot {
+
+/// What was chosen by name; nothing where nothing was said.
+struct ChosenNames {
+  std::optional<std::string> environment, preset, scenario, agent, features, policy;
+};
+/// These, and the others from `otherwise`.
+Names namesOr(const ChosenNames& chosen, const Names& otherwise);
+
+/// The options of `train` and `window`, as they were written.
+struct TrainOptions {
+  ChosenNames names;
+  std::vector<std::string> assignments;
+  std::optional<std::string> seed, minutes, episodes, until, lives, jobs, log, load;
+  std::vector<std::string> at;
+  bool json = false, turbo = false, otherVersion = false;
+  std::optional<std::string> from;
+  std::optional<std::string> save, journal, checkpoint, every, resume;  ///< `train` only
+};
+
+/// The options of `probabilities`, as they were written.
+struct ProbabilitiesOptions {
+  std::optional<std::string> q;
+  std::string policy = "epsilon-greedy";
+  std::vector<std::string> assignments;
+  bool json = false;
+};
+
+/// KEY=VALUE, each key once.
+Result<std::vector<Assignment>> parseAssignments(const std::vector<std::string>& texts);
+/// A whole number from 1 to `most`.
+Result<std::int64_t> parseCount(const std::string& option, const std::string& text, std::int64_t most);
+
+/// A key of a policy that is not the chosen one would have no effect: a slip worth a word.
+Status checkPolicyKeys(const Registry& registry, const std::string& policy, const std::vector<Assignment>& assignments);
+
+/// An error about lives of another version, with what can be done about it.
+Error orOtherVersion(const Error& error);
+
+Result<TrainRequest> makeTrainRequest(const Registry& registry, const TrainOptions& options, bool window);
+Result<ProbabilitiesRequest> makeProbabilitiesRequest(const Registry& registry, const ProbabilitiesOptions& options);
+
+}  // namespace surefoot

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/requests/train_load.h"
+
+#include <fmt/format.h>
+
+#include "core/saved/q_file.h"
+#include "core/text/text.h"
+
+namespace surefoot {
+
+namespace {
+
+Status checkSame(const TensorFile& file, const char* option, const std::optional<std::string>& given,
+                 const std::string& theirs) {
+  if (!given || *given == theirs) return Done{};
+  return fileError(file.name, fmt::format("it was learned with {0} {1}, and {0} {2} is given; leave {0} away.", option,
+                                          theirs, shortened(*given)));
+}
+
+/// The values that a preset or scenario stands for.
+Status bring(const std::vector<AssignmentEntry>& entries, const char* what, const std::optional<std::string>& name,
+             Parameters& parameters) {
+  if (!name) return Done{};
+  const auto entry = findEntry(entries, what, *name);
+  if (!entry) return entry.error();
+  for (const auto& [key, value] : (*entry)->values)
+    if (parameters.find(key))
+      if (const Status s = parameters.set(key, value); !s) return s;
+  return Done{};
+}
+
+}  // namespace
+
+Result<Configuration> configurationUpon(const Registry& registry, const TensorFile& file, const ChosenNames& chosen,
+                                        const std::vector<Assignment>& assignments) {
+  const auto theirs = configurationOf(registry, file);
+  if (!theirs) return theirs.error();
+  const Names& names = theirs->names;
+  if (const Status s = checkSame(file, "--environment", chosen.environment, names.environment); !s) return s.error();
+  if (const Status s = checkSame(file, "--features", chosen.features, names.features); !s) return s.error();
+  const auto usual = configure(registry, names, {});
+  auto ours = configure(registry, namesOr(chosen, names), {});
+  if (!usual) return usual.error();
+  if (!ours) return ours.error();
+  for (const auto& [parameter, value] : theirs->parameters.all())
+    if (value != usual->parameters.get(parameter.key) && ours->parameters.find(parameter.key))
+      if (const Status s = ours->parameters.set(parameter.key, value); !s) return s.error();
+  if (const Status s = bring(registry.presets, "--preset", chosen.preset, ours->parameters); !s) return s.error();
+  if (const Status s = bring(registry.scenarios, "--scenario", chosen.scenario, ours->parameters); !s) return s.error();
+  for (const Assignment& a : assignments)
+    if (const Status s = ours->parameters.set(a.key, std::string_view(a.value)); !s) return s.error();
+  return ours;
+}
+
+}  // namespace surefoot

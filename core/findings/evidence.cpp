@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/findings/evidence.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+#include "core/basics/typed_json.h"
+#include "core/files/limited_json.h"
+#include "core/life/greedy_trial.h"
+
+namespace surefoot {
+
+namespace {
+
+struct NamedMeasure {
+  const char *name, *title;
+  double (*of)(const LifeMeasures&);
+};
+
+double own(const LifeMeasures& life, std::string_view name) {
+  const auto found = std::find_if(life.own.begin(), life.own.end(), [&](const auto& m) { return m.name == name; });
+  return found == life.own.end() ? std::numeric_limits<double>::quiet_NaN() : found->value;
+}
+
+/// 1: at its end the robot walks, by the last ten greedy tests.
+double walks(const LifeMeasures& life) {
+  const double distance = own(life, "greedy_distance");
+  return std::isfinite(distance) ? distance > kWalkDistance && own(life, "greedy_falls") <= 0.5 : distance;
+}
+
+constexpr NamedMeasure kMeasures[] = {
+    {"falls", "falls during learning", [](const LifeMeasures& l) { return l.falls; }},
+    {"minutes", "learning time [min]", [](const LifeMeasures& l) { return l.minutes; }},
+    {"all_falls", "falls of a life", [](const LifeMeasures& l) { return l.allFalls; }},
+    {"end_performance", "falls per episode, last 500", [](const LifeMeasures& l) { return l.endPerformance; }},
+    {"average_reward", "average reward at the end", [](const LifeMeasures& l) { return l.averageReward; }},
+    {"success_during", "transitions of a success, during learning",
+     [](const LifeMeasures& l) { return l.during.success; }},
+    {"success_after", "transitions of a success, after learning",
+     [](const LifeMeasures& l) { return l.after.success; }},
+    {"failure_during", "transitions of a failure, during learning",
+     [](const LifeMeasures& l) { return l.during.failure; }},
+    {"failure_after", "transitions of a failure, after learning",
+     [](const LifeMeasures& l) { return l.after.failure; }},
+    {"first_transitions", "transitions of an episode, first 80",
+     [](const LifeMeasures& l) { return l.firstTransitions; }},
+    {"walks", "lives that walk", walks}};
+
+/// What a task may measure besides (measuresOf).
+constexpr std::pair<const char*, const char*> kOwnMeasures[] = {
+    {"falls_per_hour", "falls an hour"},
+    {"distance", "distance of a life [m]"},
+    {"net_footsteps", "net footsteps of a life"},
+    {"energy", "energy of a life [J]"},
+    {"greedy_falls", "falls of a greedy test, last 10"},
+    {"greedy_distance", "distance of a greedy test, last 10 [m]"},
+    {"greedy_net_footsteps", "net footsteps of a greedy test, last 10"},
+    {"greedy_energy", "energy of a greedy test, last 10 [J]"},
+    {"greedy_reward", "reward of a greedy test, last 10"},
+    {"walks_after", "time to the first greedy walk [min]"}};
+
+}  // namespace
+
+Result<std::vector<Evidence>> readEvidence(const Store& store) {
+  auto records = readConditions(store);
+  if (!records) return records.error();
+  std::vector<Evidence> all;
+  for (ConditionRecord& record : *records) {
+    Evidence e{.record = std::move(record), .averages = {}, .end = {}, .lives = {}, .pool = {}, .configuration = {}};
+    e.averages = meanAverageRewards(e.record);
+    e.end = endOfLearning(e.averages, e.record.condition.goalReward);
+    e.lives = measure(e.record, e.end);
+    e.untilOtherEnds = resampledUntilEnd(e.record, e.end);
+    e.configuration = parseJson(e.record.condition.configuration);
+    if (e.configuration.contains("pre_learning")) e.pool = jsonText(e.configuration["pre_learning"]);
+    all.push_back(std::move(e));
+  }
+  return all;
+}
+
+std::vector<std::string> measureNames() {
+  std::vector<std::string> names;
+  for (const NamedMeasure& m : kMeasures) names.emplace_back(m.name);
+  for (const auto& [name, title] : kOwnMeasures) names.emplace_back(name);
+  return names;
+}
+
+std::string measureTitle(std::string_view measure) {
+  for (const NamedMeasure& m : kMeasures)
+    if (measure == m.name) return m.title;
+  for (const auto& [name, title] : kOwnMeasures)
+    if (measure == name) return title;
+  return std::string(measure);
+}
+
+std::vector<double> valuesOf(const Evidence& evidence, std::string_view measure) {
+  std::vector<double> values;
+  for (const NamedMeasure& m : kMeasures)
+    if (measure == m.name)
+      for (const LifeMeasures& l : evidence.lives) values.push_back(m.of(l));
+  for (const auto& [name, title] : kOwnMeasures)
+    if (measure == name)
+      for (const LifeMeasures& l : evidence.lives) values.push_back(own(l, measure));
+  return values;
+}
+
+Groups groupsOf(const Evidence& evidence, std::string_view measure) {
+  Groups groups = byQFunction(evidence.record, valuesOf(evidence, measure));
+  for (auto& group : groups) std::erase_if(group, [](double v) { return !std::isfinite(v); });
+  std::erase_if(groups, [](const auto& group) { return group.empty(); });
+  return groups;
+}
+
+namespace {
+
+/// What conditions with the same units have in common; empty: nothing.
+struct UnitKeys {
+  std::string qFunctions, lives;
+};
+
+UnitKeys keysOf(const Evidence& e) {
+  UnitKeys keys;
+  const Units units = unitsOf(e.record);
+  if (units.areQFunctions && e.hasPool()) {
+    std::set<int> numbers;
+    for (const StoredLife& l : e.record.lives) numbers.insert(l.qFunction);
+    keys.qFunctions = fmt::format("{} of {}", fmt::join(numbers, " "), e.pool);
+  }
+  if (e.record.paired) {
+    keys.lives = "lives";
+    for (std::size_t i = 0; i < units.of.size(); ++i)
+      keys.lives += fmt::format(" {} {}", units.of[i], e.record.lives[i].life);
+  }
+  return keys;
+}
+
+}  // namespace
+
+bool sameUnits(const Evidence& a, const Evidence& b) {
+  const UnitKeys ofA = keysOf(a), ofB = keysOf(b);
+  return (!ofA.qFunctions.empty() && ofA.qFunctions == ofB.qFunctions) ||
+         (!ofA.lives.empty() && ofA.lives == ofB.lives);
+}
+
+std::size_t FirstWithSameUnits::add(const Evidence& evidence) {
+  std::size_t first = count_++;
+  const UnitKeys keys = keysOf(evidence);
+  for (const std::string& key : {keys.qFunctions, keys.lives})
+    if (const auto found = firsts_.find(key); !key.empty() && found != firsts_.end())
+      first = std::min(first, found->second);
+  for (const std::string& key : {keys.qFunctions, keys.lives})
+    if (!key.empty()) firsts_.try_emplace(key, count_ - 1);
+  return first;
+}
+
+MeanEstimate estimateOf(const Evidence& evidence, std::string_view measure) {
+  const auto values = valuesOf(evidence, measure);
+  const Units units = unitsOf(evidence.record);
+  MeanEstimate estimate = estimateOf(values, units);
+  const auto found = evidence.untilOtherEnds.find(measure);
+  if (found != evidence.untilOtherEnds.end()) return estimateOf(estimate.value, found->second, units.count);
+  return estimate;
+}
+
+Interval meanOf(const Evidence& evidence, std::string_view measure) {
+  return intervalOf(estimateOf(evidence, measure));
+}
+
+}  // namespace surefoot

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/findings/findings.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "core/basics/typed_json.h"
+#include "core/life/rule_of_thumb.h"
+
+namespace surefoot {
+
+namespace {
+
+/// γ and the rewards of the rule of thumb, as the condition's configuration has them.
+std::optional<Interval> thresholdOf(const Evidence& m, const Interval& transitions) {
+  const auto& parameters = partOf(m.configuration, "parameters");
+  const double discount = numberIn(parameters, "agent.discount");
+  const double goal = numberIn(parameters, "environment.goal_reward");
+  if (!std::isfinite(discount) || !std::isfinite(goal) || !std::isfinite(transitions.value)) return std::nullopt;
+  const auto rule = [&](double n) {
+    return ruleOfThumb(discount, n, goal, numberIn(parameters, "environment.time_reward", 0.0));
+  };
+  return Interval{rule(transitions.value), rule(transitions.high), rule(transitions.low)};
+}
+
+Finding describe(const Evidence& m) {
+  Finding f;
+  f.name = m.record.condition.name, f.reference = m.record.condition.reference;
+  f.lives = static_cast<int>(m.lives.size());
+  f.diverged = m.record.diverged;
+  f.end = m.end;
+  if (m.end) f.largestChangeAfter = largestChangeAfter(m.averages, *m.end);
+  f.falls = meanOf(m, "falls");
+  f.minutes = meanOf(m, "minutes");
+  f.allFalls = meanOf(m, "all_falls");
+  f.endPerformance = meanOf(m, "end_performance");
+  f.averageReward = meanOf(m, "average_reward");
+  f.successDuring = meanOf(m, "success_during");
+  f.successAfter = meanOf(m, "success_after");
+  f.failureDuring = meanOf(m, "failure_during");
+  f.failureAfter = meanOf(m, "failure_after");
+  f.threshold = thresholdOf(m, f.successDuring);
+  f.qFunctions = static_cast<int>(m.record.preLearned.size());
+  for (const StoredPreLearning& p : m.record.preLearned) f.atCap += !p.reached;
+  const Groups groups = groupsOf(m, "falls");
+  if (groups.size() > 1) f.betweenQFunctions = varianceComponent({groups.begin(), groups.end()});
+  return f;
+}
+
+void warn(Finding& f, const Evidence& m) {
+  if (f.lives == 1) f.warnings.push_back("one life has no interval and no test; it takes two, better five");
+  if (!f.end) f.warnings.push_back("learning did not end by the rule of section 4.2.1; the whole lives are measured");
+  if (f.diverged > 0) f.warnings.push_back(fmt::format("{} lives diverged and are left out", f.diverged));
+  if (f.atCap > 0)
+    f.warnings.push_back(
+        fmt::format("{} of {} Q-functions did not reach the reward of their pre-learning", f.atCap, f.qFunctions));
+  if (const auto normal = normalityTest(valuesOf(m, "falls")); normal && normal->p < 0.01)
+    f.warnings.push_back(
+        fmt::format("falls are not normally distributed (p {:.2g}); trust the interval rather than p", normal->p));
+  if (f.betweenQFunctions && f.betweenQFunctions->test.p < 0.01)
+    f.warnings.push_back(
+        fmt::format("lives of one Q-function are alike ({:.0f} % of the variance lies between Q-functions); the "
+                    "analysis of variance takes them for independent, the intervals do not",
+                    100 * f.betweenQFunctions->share));
+}
+
+/// Pairs of units: lives with one seed, or the means of the lives of one Q-function.
+std::optional<TestResult> testOfPairs(const Evidence& reference, const Evidence& other) {
+  const auto means = [](const Evidence& e) {
+    const Units units = unitsOf(e.record);
+    std::vector<double> sums(units.count), counts(units.count);
+    const auto falls = valuesOf(e, "falls");
+    for (std::size_t i = 0; i < falls.size(); ++i) sums[units.of[i]] += falls[i], ++counts[units.of[i]];
+    for (std::size_t g = 0; g < units.count; ++g) sums[g] /= counts[g];
+    return sums;
+  };
+  if (!sameUnits(reference, other)) return std::nullopt;
+  return pairedTest(means(reference), means(other));
+}
+
+Comparison compare(const Evidence& reference, const Evidence& other, std::vector<std::string>& warnings) {
+  Comparison c;
+  const bool same = sameUnits(reference, other);
+  const MeanEstimate before = estimateOf(reference, "falls"), after = estimateOf(other, "falls");
+  c.change = changeOf(before, after, same);
+  c.difference = differenceOf(before, after, same);
+  if (reference.end) {
+    const auto until = [&](const Evidence& e) {
+      return estimateOf(fallsUntil(e.record, *reference.end), unitsOf(e.record));
+    };
+    c.changeAtItsEnd = changeOf(until(reference), until(other), same);
+  }
+  const auto a = valuesOf(reference, "falls"), b = valuesOf(other, "falls");
+  c.anova = anovaOfTwo(a, b);
+  c.welch = welchTest(a, b);
+  c.paired = testOfPairs(reference, other);
+  c.effect = effectSize(a, b);
+  if (reference.record.condition.stepTime > 0)
+    c.minutes = differenceOf(estimateOf(reference, "minutes"), estimateOf(other, "minutes"), same);
+  const double sd = std::sqrt((varianceOf(a) + varianceOf(b)) / 2);
+  if (c.anova && sd > 0) c.livesNeeded = livesNeeded(sd, c.difference.value);
+  constexpr std::size_t kFew = 5;  // of fewer the distances from the median are hardly free
+  const auto equal = std::min(a.size(), b.size()) < kFew ? std::nullopt : brownForsytheTest({a, b});
+  if (equal && equal->p < 0.01)
+    warnings.push_back(fmt::format("variances differ from the reference's (p {:.2g}); trust Welch's test", equal->p));
+  return c;
+}
+
+}  // namespace
+
+Result<Findings> findingsOf(const Store& store) {
+  auto plan = store.plan();
+  if (!plan) return plan.error();
+  const auto evidence = readEvidence(store);
+  if (!evidence) return evidence.error();
+  return findingsOf(std::move(*plan), *evidence);
+}
+
+Findings findingsOf(StoredPlan plan, const std::vector<Evidence>& measured) {
+  Findings findings{.plan = std::move(plan), .complete = true, .conditions = {}};
+  const auto& conditions = findings.plan.conditions;
+  for (const Evidence& e : measured) {
+    findings.conditions.push_back(describe(e));
+    warn(findings.conditions.back(), e);
+    findings.complete &= static_cast<int>(e.lives.size()) + e.record.diverged == e.record.condition.lives;
+  }
+
+  std::map<std::string, std::size_t> numbers;
+  for (std::size_t i = 0; i < conditions.size(); ++i) numbers[conditions[i].name] = i;
+  std::map<std::size_t, std::vector<std::size_t>> families;  // conditions by their reference
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    const auto found = numbers.find(conditions[i].reference);
+    if (found == numbers.end() || found->second == i) continue;
+    const std::size_t r = found->second;
+    if (measured[r].lives.empty() || measured[i].lives.empty()) continue;
+    Finding& f = findings.conditions[i];
+    f.comparison = compare(measured[r], measured[i], f.warnings);
+    families[r].push_back(i);
+  }
+  for (auto& [r, family] : families) {
+    std::erase_if(family, [&](std::size_t i) { return !findings.conditions[i].comparison->anova; });
+    std::vector<double> p;
+    for (const std::size_t i : family) p.push_back(findings.conditions[i].comparison->p());
+    const auto adjusted = holm(p);
+    for (std::size_t k = 0; k < family.size(); ++k) findings.conditions[family[k]].comparison->holm = adjusted[k];
+  }
+  return findings;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/findings/findings.h"
+#include "core/statistics/statistics_text.h"
+
+namespace surefoot {
+
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+OrderedJson asJson(const Interval& i) {
+  return {{"value", numberAsJson(i.value)}, {"low", numberAsJson(i.low)}, {"high", numberAsJson(i.high)}};
+}
+OrderedJson asJson(const TestResult& t) {
+  OrderedJson json = {{"statistic", numberAsJson(t.statistic)},
+                      {"degrees_of_freedom", numberAsJson(t.degrees1)},
+                      {"p", numberAsJson(t.p)}};
+  if (t.degrees2 > 0) json["degrees_of_freedom"] = {t.degrees1, t.degrees2};
+  return json;
+}
+template <class T>
+OrderedJson asJson(const std::optional<T>& value) {
+  if (!value) return nullptr;
+  if constexpr (std::is_arithmetic_v<T>)
+    return OrderedJson(*value);
+  else
+    return asJson(*value);
+}
+
+OrderedJson asJson(const Comparison& c) {
+  return {{"change_per_cent", asJson(c.change)},
+          {"difference", asJson(c.difference)},
+          {"anova", asJson(c.anova)},
+          {"significant", c.anova ? OrderedJson(c.significant()) : OrderedJson(nullptr)},
+          {"welch", asJson(c.welch)},
+          {"paired", asJson(c.paired)},
+          {"holm_p", numberAsJson(c.holm)},
+          {"effect_size", asJson(c.effect)},
+          {"lives_needed", asJson(c.livesNeeded)},
+          {"minutes_difference", asJson(c.minutes)},
+          {"change_per_cent_until_reference_ends", asJson(c.changeAtItsEnd)}};
+}
+
+/// "< 1e-10", "0.0031"; "–" of no test
+std::string pText(double p) {
+  if (std::isnan(p)) return "–";
+  if (p < 1e-10) return "< 1e-10";
+  return p < 0.001 ? fmt::format("{:.1e}", p) : fmt::format("{:.3f}", p);
+}
+
+/// Characters as a terminal shows them, so that columns line up under letters that take several bytes.
+std::size_t shownLength(const std::string& s) {
+  std::size_t shown = 0;
+  for (const char c : s) shown += (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+  return shown;
+}
+std::string padded(const std::string& s, std::size_t width) {
+  const std::size_t shown = shownLength(s);
+  return s + std::string(shown < width ? width - shown : 0, ' ');
+}
+
+bool isReference(const StoredPlan& plan, const std::string& name) {
+  return std::any_of(plan.conditions.begin(), plan.conditions.end(),
+                     [&](const StoredCondition& c) { return c.reference == name; });
+}
+
+}  // namespace
+
+std::string changeText(const Comparison& c, int decimals) {
+  const bool inPerCent = std::isfinite(c.change.value);
+  const Interval& i = inPerCent ? c.change : c.difference;
+  if (!std::isfinite(i.value)) return "–";
+  std::string text = signedText(i.value, decimals) + (inPerCent ? "" : " falls");
+  if (i.known()) text += fmt::format(" ({} … {})", signedText(i.low, decimals), signedText(i.high, decimals));
+  return text;
+}
+
+nlohmann::ordered_json findingsAsJson(const Findings& findings) {
+  OrderedJson list = OrderedJson::array();
+  for (const Finding& f : findings.conditions) {
+    OrderedJson condition = {{"name", f.name},
+                             {"reference", f.reference},
+                             {"lives", f.lives},
+                             {"diverged", f.diverged},
+                             {"end_of_learning", f.end ? OrderedJson(*f.end) : OrderedJson(nullptr)},
+                             {"largest_change_after", f.largestChangeAfter},
+                             {"falls", asJson(f.falls)},
+                             {"minutes", asJson(f.minutes)},
+                             {"all_falls", asJson(f.allFalls)},
+                             {"falls_per_episode_at_the_end", asJson(f.endPerformance)},
+                             {"average_reward", asJson(f.averageReward)},
+                             {"transitions",
+                              {{"success_during", asJson(f.successDuring)},
+                               {"success_after", asJson(f.successAfter)},
+                               {"failure_during", asJson(f.failureDuring)},
+                               {"failure_after", asJson(f.failureAfter)}}},
+                             {"rule_of_thumb", asJson(f.threshold)}};
+    if (f.qFunctions > 0) {
+      OrderedJson between = nullptr;
+      if (f.betweenQFunctions)
+        between = {{"variance_share", f.betweenQFunctions->share}, {"test", asJson(f.betweenQFunctions->test)}};
+      condition["pre_learning"] = {{"q_functions", f.qFunctions}, {"at_cap", f.atCap}, {"between", between}};
+    }
+    if (f.comparison) condition["against_reference"] = asJson(*f.comparison);
+    condition["warnings"] = f.warnings;
+    list.push_back(std::move(condition));
+  }
+  return {{"title", findings.plan.title},   {"version", findings.plan.version}, {"seed", findings.plan.seed},
+          {"paired", findings.plan.paired}, {"complete", findings.complete},    {"conditions", list}};
+}
+
+std::string findingsAsTable(const Findings& findings) {
+  std::vector<std::string> changes;
+  std::size_t width = 12, ofChanges = 24;
+  for (const Finding& f : findings.conditions) {
+    changes.push_back(f.comparison                            ? changeText(*f.comparison, 1)
+                      : isReference(findings.plan, f.name) ? "reference"
+                                                           : "");
+    width = std::max(width, shownLength(f.name));
+    ofChanges = std::max(ofChanges, shownLength(changes.back()));
+  }
+  std::string out = findings.plan.title.empty() ? "" : findings.plan.title + "\n";
+  out += fmt::format("{} {} {} {} {} {} {}\n", padded("", width), padded("lives", 6), padded("end", 6),
+                     padded("falls", 16), padded("minutes", 13), padded("change, % (95 %)", ofChanges), "p (ANOVA)");
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    const Finding& f = findings.conditions[i];
+    const auto& c = f.comparison;
+    out += fmt::format("{} {} {} {} {} {} {}{}\n", padded(f.name, width), padded(std::to_string(f.lives), 6),
+                       padded(f.end ? std::to_string(*f.end) : "–", 6), padded(plusMinusText(f.falls, 1), 16),
+                       padded(plusMinusText(f.minutes, 2), 13), padded(changes[i], ofChanges), c ? pText(c->p()) : "",
+                       c && c->significant() ? " X" : "");
+  }
+  for (const Finding& f : findings.conditions)
+    for (const std::string& warning : f.warnings) out += fmt::format("{}: {}.\n", f.name, warning);
+  if (!findings.complete) out += "Not all planned lives are there.\n";
+  return out;
+}
+
+}  // namespace surefoot

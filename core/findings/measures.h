@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the thesis measures, from the episodes of a store. Episodes count from 1; the average reward is the mean of the
+// last 80 episodes, or of those so far.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/statistics/mean_estimate.h"
+#include "core/store/store.h"
+
+namespace surefoot {
+
+/// All lives of a condition that did not diverge.
+struct ConditionRecord {
+  StoredCondition condition;
+  std::vector<StoredLife> lives;
+  std::vector<std::vector<StoredEpisode>> episodes;  ///< [life][episode]
+  std::vector<std::vector<StoredMeasure>> measures;  ///< [life]; of greedy tests, too
+  std::vector<StoredPreLearning> preLearned;
+  int diverged = 0;     ///< lives left out
+  bool paired = false;  ///< life i has the same seeds in every condition
+
+  /// Episodes of the shortest life.
+  std::size_t shortest() const;
+};
+
+/// All conditions of a store, in order.
+Result<std::vector<ConditionRecord>> readConditions(const Store& store);
+
+/// The average reward after every episode of a life.
+std::vector<double> averageRewards(const std::vector<StoredEpisode>& episodes);
+/// A(k): their mean over lives, up to the end of the shortest; [k − 1].
+std::vector<double> meanAverageRewards(const ConditionRecord& record);
+
+/// End of learning (thesis, section 4.2.1): the first episode k ≥ 330 with |A(k) − A(k − 250)| < 3 and (ours, because
+/// the flat start would count) A(k) > 0.75·goal. Empty: it never ended.
+std::optional<std::size_t> endOfLearning(const std::vector<double>& a, double goalReward);
+/// The largest |A(k) − A(k − 250)| behind episode `end`; 0 if there is nothing behind it.
+double largestChangeAfter(const std::vector<double>& a, std::size_t end);
+
+/// Mean transitions of episodes; NaN where there are none.
+struct Lengths {
+  double success = 0.0, failure = 0.0;
+};
+
+/// One life, measured up to the end of its condition's learning.
+struct LifeMeasures {
+  double falls = 0.0;                ///< during learning
+  double minutes = 0.0;              ///< simulated, of learning; NaN without a clock
+  double allFalls = 0.0;             ///< of the whole life
+  double endPerformance = 0.0;       ///< falls per episode over the last 500
+  double averageReward = 0.0;        ///< at the end of the life
+  double firstTransitions = 0.0;     ///< per episode, over the first 80
+  std::vector<StoredMeasure> own{};  ///< what its task measures (measuresOf)
+  Lengths during, after;
+};
+
+/// `end`: the last episode of learning; the whole life if it never ended.
+std::vector<LifeMeasures> measure(const ConditionRecord& record, std::optional<std::size_t> end);
+
+/// Falls of every life up to an episode.
+std::vector<double> fallsUntil(const ConditionRecord& record, std::size_t episode);
+
+/// What is independent of each other: lives; or, where lives share several Q-functions, these, in order.
+Units unitsOf(const ConditionRecord& record);
+/// The values of lives, those with one Q-function together, in the order of these; one group if there was none.
+Groups byQFunction(const ConditionRecord& record, Sample values);
+
+/// A curve over lives with its 95 % band; of one life without.
+struct Curve {
+  std::vector<double> x;
+  std::vector<Interval> y;
+};
+/// Average reward against simulated minutes, at so many moments up to the end of the shortest life, without those at
+/// which some life has not finished an episode yet; against episodes where the task has no clock.
+Curve learningCurve(const ConditionRecord& record, std::size_t points);
+/// Average reward after the f-th fall; a life with fewer falls keeps its last value.
+Curve rewardAgainstFalls(const ConditionRecord& record);
+/// Falls so far against simulated minutes.
+Curve cumulativeFalls(const ConditionRecord& record, std::size_t points);
+
+}  // namespace surefoot

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The course of a life in a bounded number of points, however long it lasts.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/life/episode_log.h"
+
+namespace surefoot {
+
+struct CurvePoint {
+  std::int64_t episode = 0;
+  std::int64_t lifeSteps = 0;
+  std::int64_t falls = 0;      ///< of the life so far
+  double averageReward = 0.0;  ///< over the last 80 episodes
+};
+
+/// Keeps the state after each of the first episodes, where most is learned. Behind them neighbours are merged into
+/// groups whose width, in episodes and in steps, is less than 1/resolution() of the life up to them; of each group the
+/// first, the lowest, the highest and the last state stay. So any span of the life, drawn so that a pixel is no less
+/// than 1/resolution() of the life up to it, has the minima, the maxima and the falls of the whole log, within a pixel:
+/// all of it on any screen, and parts of it magnified. When kMostPoints are reached, the resolution is halved: it is
+/// kFinest up to that many episodes and some 2,000 after 10^8. Used by one thread at a time; add() does not allocate.
+class LearningCurve {
+ public:
+  static constexpr std::size_t kMostPoints = 100'000;
+  static constexpr std::int64_t kFinest = 16'384;
+
+  LearningCurve() { points_.reserve(kMostPoints); }
+  void add(const EpisodeRow& row, std::int64_t falls) {
+    add(CurvePoint{row.episode, row.lifeSteps, falls, row.averageReward});
+  }
+  /// The life's state after its newest episode.
+  void add(const CurvePoint& point);
+  /// All points in the order of the life, the newest state at the end.
+  void copyTo(std::vector<CurvePoint>& points) const;
+  std::int64_t resolution() const { return resolution_; }
+
+ private:
+  /// Neighbouring states that are drawn as one.
+  struct Group {
+    CurvePoint first, least, greatest, last;
+    /// Gives those that differ to `put`, in their order: never more than went in.
+    template <class Put>
+    void each(const Put& put) const;
+  };
+  bool belongs(const CurvePoint& point) const;
+  /// The point joins the open group, or begins the next; then `put` gets the points of the one that closes.
+  template <class Put>
+  void take(const CurvePoint& point, const Put& put);
+  void merge();
+
+  std::int64_t resolution_ = kFinest;
+  Group open_;  // empty: its episode is 0
+  std::vector<CurvePoint> points_;
+};
+
+}  // namespace surefoot

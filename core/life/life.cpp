@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/life/life.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cassert>
+#include <limits>
+
+#include "core/life/rule_of_thumb.h"
+
+namespace surefoot {
+
+Life::Life(LifeParts parts, Random world, Random policy, LifeLimits limits, bool keepRows)
+    : environment_(std::move(parts.environment)),
+      policy_(std::move(parts.policy)),
+      agent_(std::move(parts.agent)),
+      parameters_(std::move(parts.parameters)),
+      policyName_(std::move(parts.policyName)),
+      preLearned_(parts.preLearned),
+      commands_(std::move(parts.commands)),
+      worldRandom_(world),
+      policyRandom_(policy),
+      limits_(limits),
+      log_(keepRows),
+      tester_(std::move(parts.tests), parts.testSeed) {
+  agent_->setPolicy(*policy_);
+  beginEpisode();
+}
+
+void Life::beginEpisode(const std::vector<double>& state) {
+  if (environmentChanged_) {
+    parameters_.applyTo(*environment_, "environment.");
+    environment_->parametersChanged();
+    tester_.follow(*environment_);
+    environmentChanged_ = false;
+  }
+  inputs_.clear();
+  inputs_.random = worldRandom_.state();
+  environment_->reset(worldRandom_);
+  inputs_.start = state;
+  if (!state.empty()) environment_->place(state);
+  tellTime();
+  action_ = agent_->start(environment_->state(), policyRandom_);
+  inEpisode_ = true;
+}
+
+void Life::tellTime(bool inTheMiddle) {
+  if (!inTheMiddle) {
+    const auto rule = ruleOfThumbOf(*this);
+    rule_ = rule ? std::optional(rule->threshold) : std::nullopt;
+  }
+  const LifeTime time{log_.totals().episodes, steps_, rule_};
+  policy_->advance(time);
+  agent_->advance(time);
+  everyStep_ = policy_->everyStep() || agent_->everyStep();
+}
+
+void Life::step() {
+  while (nextCommand_ < commands_.size() && commands_[nextCommand_].step <= steps_) obey(commands_[nextCommand_++]);
+  if (!inEpisode_) beginEpisode();
+  if (everyStep_) tellTime(true);
+  if (keepInputs_) inputs_.actions.push_back(static_cast<std::uint16_t>(action_));
+  const Outcome outcome = environment_->step(action_);
+  ++steps_;
+  log_.add(outcome);
+  switch (outcome.ending) {
+    case Ending::None:
+      action_ = agent_->step(outcome, environment_->state(), policyRandom_);
+      return;
+    case Ending::Terminal:
+      agent_->end(outcome);
+      break;
+    case Ending::Truncated:
+      agent_->truncate(outcome, environment_->state(), policyRandom_);
+      break;
+  }
+  log_.finish(outcome.ending, steps_, environment_->task().highestReturn, environment_->measures());
+  inEpisode_ = false;
+  if (const std::int64_t episodes = log_.totals().episodes; action_ != kHandMade && tester_.due(episodes))
+    tester_.test(agent_->values(), episodes, steps_);
+}
+
+Status Life::set(std::string_view key, double value) {
+  const Parameters::Entry* entry = parameters_.find(key);
+  const double before = entry ? entry->value : 0.0;
+  if (entry && entry->parameter.when == When::NewTable)
+    return Error{fmt::format("{}: a new table is needed for it, so it holds from the next life on.", key)};
+  if (const Status s = parameters_.set(key, value); !s) return s;
+  if (value == before) return Done{};
+
+  // What an environment says of its task may depend on any of its parameters; it says so anew at the next episode.
+  if (key.starts_with("environment.")) environmentChanged_ = true;
+  if (entry->parameter.when == When::Now) {
+    const auto applyTo = [&](Configurable& part, const char* prefix) {
+      Fields fields(prefix);
+      part.declare(fields);
+      for (const auto& field : fields.all())
+        if (field.parameter.key == key) field.set(value);
+    };
+    applyTo(*environment_, "environment.");
+    applyTo(*policy_, "policy.");
+    applyTo(*agent_, "agent.");
+    tellTime();
+  }
+  note(entry->parameter.key, formatValue(entry->parameter, before), formatValue(entry->parameter, value));
+  return Done{};
+}
+
+void Life::obey(TimedCommand& command) {
+  if (command.key == "policy")
+    setPolicy(command.policyName, std::move(command.policy));
+  else if (command.key == "push")
+    push(command.value);
+  else if (command.key == "place")
+    static_cast<void>(static_cast<bool>(place(command.state)));  // as below
+  else
+    static_cast<void>(static_cast<bool>(set(command.key, command.value)));  // checked when the life was made
+}
+
+bool Life::push(double impulse) {
+  if (!inEpisode_) return true;  // nothing stands there between two episodes
+  if (!environment_->push(impulse)) return false;
+  if (keepInputs_) {
+    inputs_.pushSteps.push_back(static_cast<std::uint64_t>(log_.current().steps));
+    inputs_.pushImpulses.push_back(impulse);
+  }
+  note("push", "", fmt::format("{}", impulse));
+  return true;
+}
+
+Status Life::place(const std::vector<double>& state) {
+  if (const Status s = checkState(environment_->task(), state); !s) return s;
+  if (!environment_->place(state)) return Error{"place: this environment begins only where it always does."};
+  if (inEpisode_) {
+    agent_->abandon();
+    log_.giveUp();
+  }
+  beginEpisode(state);
+  note("place", "", fmt::format("{}", fmt::join(state, " ")));
+  return Done{};
+}
+
+void Life::note(const std::string& key, const std::string& before, const std::string& after) {
+  if (!changes_.empty() && changes_.back().key == key && changes_.back().step == steps_ && key != "push")
+    changes_.back().after = after;
+  else if (changes_.size() < kMostChanges)
+    changes_.push_back({steps_, key, before, after});
+  else
+    changesLeftOut_ = true;
+}
+
+void Life::setPolicy(const std::string& name, std::unique_ptr<Policy> policy) {
+  if (name != policyName_) note("policy", policyName_, name);
+  policyName_ = name;
+  parameters_.applyTo(*policy, "policy.");
+  policy_ = std::move(policy);
+  agent_->setPolicy(*policy_);
+  tellTime();
+}
+
+std::string Life::divergence() const {
+  // The largest step size is the likeliest cause; accumulating traces make any of them larger.
+  const Parameters::Entry* largest = nullptr;
+  const bool shaped = parameters_.find("shaping.rewards") && parameters_.get("shaping.rewards") != 0.0;
+  for (const auto& entry : parameters_.all()) {
+    const std::string& key = entry.parameter.key;
+    if (!key.ends_with(".step_size") || (key.starts_with("shaping.") && !shaped)) continue;
+    if (!largest || entry.value > largest->value) largest = &entry;
+  }
+  std::string cause = "try smaller rewards";
+  if (largest)
+    cause = fmt::format("{} = {} is the likely cause; try a smaller one", largest->parameter.key, largest->value);
+  const Parameters::Entry* trace = parameters_.find("agent.trace");
+  if (largest && trace && trace->value != 0.0)
+    cause = fmt::format("agent.trace = accumulating with {} = {} is the likely cause; try replacing traces",
+                        largest->parameter.key, largest->value);
+  return fmt::format("The action values diverged at step {}, in episode {}: {}.", steps_, log_.totals().episodes + 1,
+                     cause);
+}
+
+double Life::simulatedSeconds() const {
+  const auto& stepTime = environment_->task().stepTime;
+  return stepTime ? static_cast<double>(steps_) * *stepTime : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::uint64_t Life::hash() const {
+  Hash64 hash = log_.hash();
+  for (const auto& table : agent_->values().tables())
+    for (const double w : table) hash.add(w);
+  return hash.value();
+}
+
+}  // namespace surefoot

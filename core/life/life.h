@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One agent in one environment from its first step on: "run" in Sutton & Barto, "life" in the thesis.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/agent.h"
+#include "core/basics/random.h"
+#include "core/basics/result.h"
+#include "core/environment.h"
+#include "core/life/episode_inputs.h"
+#include "core/life/episode_log.h"
+#include "core/life/greedy_trial.h"
+
+namespace surefoot {
+
+/// A life remembers so many changes: a slider dragged for an hour must not fill the memory.
+inline constexpr std::size_t kMostChanges = 10'000;
+
+/// Something was done to a life while it went on.
+struct Change {
+  std::int64_t step = 0;      ///< steps of the life before it
+  std::string key;            ///< of a parameter, or "policy", "push", "place"
+  std::string before, after;  ///< as a person writes them
+};
+
+/// Something to be done to a life when it has taken so many steps: a parameter to set, a policy to follow, a push [N
+/// s], a state to be placed in.
+struct TimedCommand {
+  std::int64_t step = 0;
+  std::string key;
+  double value = 0.0;
+  std::unique_ptr<Policy> policy;  ///< for the key "policy"
+  std::string policyName;
+  std::vector<double> state{};  ///< for the key "place"
+};
+
+struct LifeParts {
+  std::unique_ptr<Environment> environment;
+  std::unique_ptr<Policy> policy;
+  std::unique_ptr<Agent> agent;
+  Parameters parameters;  ///< complete; the parts were made from it
+  std::string policyName;
+  std::vector<TimedCommand> commands;    ///< in the order of their steps
+  bool preLearned = false;               ///< it begins with something learned before
+  std::vector<Change> changes{};         ///< what happened so far, to a life that goes on
+  std::unique_ptr<Environment> tests{};  ///< another environment, for tests of the greedy policy; null: none
+  std::uint64_t testSeed = 0;
+};
+
+/// Whichever comes first.
+struct LifeLimits {
+  std::int64_t episodes = std::numeric_limits<std::int64_t>::max();
+  std::int64_t steps = std::numeric_limits<std::int64_t>::max();
+  double averageReward = kInfinity;  ///< of 80 episodes, reached
+};
+
+/// Used by one thread at a time.
+class Life {
+ public:
+  Life(LifeParts parts, Random world, Random policy, LifeLimits limits, bool keepRows);
+  /// A life that was saved goes on: the parts are made from what the file says of itself (checkpoint.h), the rest is
+  /// read from the archive, whose status tells whether it could be.
+  Life(LifeParts parts, LifeLimits limits, bool keepRows, Archive& archive);
+
+  /// One decision: the environment answers the action, the agent learns and chooses the next. Hot.
+  void step();
+  /// A limit is reached, or the values diverged. step() must not be called any more.
+  bool finished() const {
+    return steps_ >= limits_.steps || log_.totals().episodes >= limits_.episodes || reachedAverage() || diverged();
+  }
+  bool diverged() const { return agent_->diverged(); }
+  /// One sentence naming the parameter that most likely made the values diverge.
+  std::string divergence() const;
+
+  /// Changes one parameter: at once, or at the next episode, as it declares. A parameter that needs a new table is
+  /// refused: make a new life for it.
+  Status set(std::string_view key, double value);
+  void setPolicy(const std::string& name, std::unique_ptr<Policy> policy);
+  /// Pushes the body by an impulse [N s]; false: there is none to push.
+  bool push(double impulse);
+  /// Gives the episode in hand up, which is not counted, and begins one in this state.
+  Status place(const std::vector<double>& state);
+
+  /// From now on remember what the environment was given in the episode in hand, so that the life can be saved in the
+  /// middle of one. Call it before the first step.
+  void keepInputs() { keepInputs_ = true; }
+  /// The whole state of the life, to a file; the inputs must have been kept. (The other direction is the
+  /// constructor's.)
+  void save(Archive& archive) const;
+  /// The environment's parameters as they hold in this episode; parameters() may be ahead of them.
+  std::vector<std::pair<std::string, double>> environmentInForce() const;
+
+  const Environment& environment() const { return *environment_; }
+  const Agent& agent() const { return *agent_; }
+  const Policy& policy() const { return *policy_; }
+  const std::string& policyName() const { return policyName_; }
+  const Parameters& parameters() const { return parameters_; }
+  const EpisodeLog& log() const { return log_; }
+  /// The rows kept so far; a checkpoint after this has only those that follow.
+  std::vector<EpisodeRow> takeRows() { return log_.takeRows(); }
+  const std::vector<Change>& changes() const { return changes_; }
+  const std::vector<GreedyTest>& greedyTests() const { return tester_.tests(); }
+  /// CPU time that they took [s], of those made by this process.
+  double testSeconds() const { return tester_.cpuSeconds(); }
+  /// More was changed than changes() holds.
+  bool changesLeftOut() const { return changesLeftOut_; }
+  const LifeLimits& limits() const { return limits_; }
+
+  bool preLearned() const { return preLearned_; }
+  std::int64_t steps() const { return steps_; }
+  /// [s]; NaN where the task has no clock.
+  double simulatedSeconds() const;
+  /// The action that the next step will carry out.
+  Action nextAction() const { return action_; }
+  bool inEpisode() const { return inEpisode_; }
+  /// Of the episode in hand, or of the last one when it is over; complete only if they are kept.
+  const EpisodeInputs& inputs() const { return inputs_; }
+  /// Every row of the log and every weight, in 64 bits.
+  std::uint64_t hash() const;
+
+ private:
+  /// In a state, or where the environment begins if that is empty.
+  void beginEpisode(const std::vector<double>& state = {});
+  /// Policy and agent may follow a schedule. `inTheMiddle`: nothing but a step since the last time.
+  void tellTime(bool inTheMiddle = false);
+  void note(const std::string& key, const std::string& before, const std::string& after);
+  bool reachedAverage() const {
+    return log_.averageReward() >= limits_.averageReward && log_.totals().episodes >= EpisodeLog::kAverageOver;
+  }
+  void obey(TimedCommand& command);
+  /// What save() and resuming share.
+  void transfer(Archive& archive);
+  /// Takes the environment to where it was, by giving it the same inputs again.
+  void repeatEpisode(Archive& archive);
+
+  std::unique_ptr<Environment> environment_;
+  std::unique_ptr<Policy> policy_;
+  std::unique_ptr<Agent> agent_;
+  Parameters parameters_;
+  std::string policyName_;
+  bool preLearned_;
+  std::vector<TimedCommand> commands_;
+  std::size_t nextCommand_ = 0;
+  Random worldRandom_, policyRandom_;
+  LifeLimits limits_;
+  EpisodeLog log_;
+  std::vector<Change> changes_;
+  bool changesLeftOut_ = false;
+  std::int64_t steps_ = 0;
+  Action action_ = 0;
+  bool inEpisode_ = false;
+  bool environmentChanged_ = false;
+  GreedyTester tester_;
+  std::optional<double> rule_;  // of thumb, as of the last episode
+  bool everyStep_ = false;      // a schedule changes with every step
+
+  // What the environment was given since the beginning of the episode: everything that a resumed life needs to bring it
+  // to the same state, whatever it is inside.
+  bool keepInputs_ = false;
+  EpisodeInputs inputs_;  // of the episode in hand, or the last one
+};
+
+}  // namespace surefoot

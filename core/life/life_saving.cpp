@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of Life that saves it and lets it go on. The environment is not saved but brought to the same state again: a
+// reset from the same random numbers, then the same actions and pushes.
+#include <algorithm>
+
+#include "core/life/life.h"
+#include "core/life/rule_of_thumb.h"
+
+namespace surefoot {
+
+namespace {
+constexpr std::size_t kMostInputs = 1'000'000'000;
+}
+
+Life::Life(LifeParts parts, LifeLimits limits, bool keepRows, Archive& archive)
+    : environment_(std::move(parts.environment)),
+      policy_(std::move(parts.policy)),
+      agent_(std::move(parts.agent)),
+      parameters_(std::move(parts.parameters)),
+      policyName_(std::move(parts.policyName)),
+      preLearned_(parts.preLearned),
+      commands_(std::move(parts.commands)),
+      worldRandom_(0),
+      policyRandom_(0),
+      limits_(limits),
+      log_(keepRows),
+      changes_(std::move(parts.changes)),
+      tester_(std::move(parts.tests), parts.testSeed),
+      keepInputs_(true) {
+  agent_->setPolicy(*policy_);
+  tester_.follow(*environment_);
+  transfer(archive);
+  if (archive.good()) repeatEpisode(archive);
+  while (nextCommand_ < commands_.size() && commands_[nextCommand_].step < steps_) ++nextCommand_;
+  if (const auto rule = ruleOfThumbOf(*this)) rule_ = rule->threshold;
+  tellTime();
+}
+
+namespace {
+
+/// Whether the environment can do it.
+bool isAction(const Task& task, Action a) {
+  return (a >= 0 && a < static_cast<Action>(task.actions.size())) || (task.handMade && a == kHandMade);
+}
+
+}  // namespace
+
+void Life::save(Archive& archive) const {
+  const_cast<Life*>(this)->transfer(archive);  // a writer changes nothing
+}
+
+void Life::transfer(Archive& archive) {
+  std::array<std::uint64_t, 4> policyRandom = policyRandom_.state();
+  archive.table("random.world", inputs_.random);
+  archive.table("random.policy", policyRandom);
+  policyRandom_ = Random(policyRandom);
+  archive.value("steps", steps_, 0, kMostLifeSteps);
+  const Task& task = environment_->task();
+  archive.value("action", action_, kHandMade, static_cast<int>(task.actions.size()) - 1);
+  if (archive.reading() && archive.good() && !isAction(task, action_)) archive.refuse("action", "is out of range");
+  archive.value("pre_learned", preLearned_, 0, 1);
+  archive.value("in_episode", inEpisode_, 0, 1);
+  archive.value("environment_changed", environmentChanged_, 0, 1);
+  archive.list("episode.actions", inputs_.actions, kMostInputs);
+  archive.list("episode.start", inputs_.start, task.state.size());
+  archive.list("episode.push_steps", inputs_.pushSteps, kMostInputs);
+  archive.list("episode.push_impulses", inputs_.pushImpulses, kMostInputs);
+  archive.under("log.", [&] { log_.transfer(archive); });
+  tester_.transfer(archive);
+  if (!archive.reading()) agent_->transferValues(archive);  // when reading, the agent was made from them
+  archive.under("learning.", [&] { agent_->transferLearning(archive); });
+}
+
+void Life::repeatEpisode(Archive& archive) {
+  const auto& [random, start, actions, pushSteps, pushImpulses] = inputs_;
+  const Task& task = environment_->task();
+  for (std::size_t i = 0; i < actions.size(); ++i)
+    if (!isAction(task, inputs_.actionAt(i)))
+      return archive.refuse("episode.actions", "names actions that there are not");
+  if (pushSteps.size() != pushImpulses.size())
+    return archive.refuse("episode.push_steps", "is not as long as the list of impulses");
+  if (!std::is_sorted(pushSteps.begin(), pushSteps.end()) || (!pushSteps.empty() && pushSteps.back() > actions.size()))
+    return archive.refuse("episode.push_steps", "is not in order, or goes beyond the episode");
+  if (!start.empty() && !checkState(task, start))
+    return archive.refuse("episode.start", "is no state of the environment");
+  if (inEpisode_ && static_cast<std::int64_t>(actions.size()) != log_.current().steps)
+    return archive.refuse("episode.actions", "is not as long as the episode");
+  worldRandom_ = Random(random);
+  environment_->reset(worldRandom_);
+  Ending ending = Ending::None;
+  const bool whole = repeat(inputs_, *environment_, ending, [](Action) {});
+  if (!whole || (ending != Ending::None) == inEpisode_)
+    archive.refuse("episode.actions", "does not lead to where the episode was");
+}
+
+std::vector<std::pair<std::string, double>> Life::environmentInForce() const {
+  Fields fields("environment.");
+  const_cast<Environment&>(*environment_).declare(fields);  // reads only
+  std::vector<std::pair<std::string, double>> values;
+  for (const auto& field : fields.all()) values.emplace_back(field.parameter.key, field.get());
+  return values;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A life on a thread of its own. Commands go in through a mailbox and are carried out between two steps; snapshots come
+// out through triple buffers, filled only when asked for. Looking changes nothing: the life takes the same course, bit
+// for bit, whoever asks and however often.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <variant>
+#include <vector>
+
+#include "core/life/fall.h"
+#include "core/life/hand.h"
+#include "core/live/snapshot.h"
+#include "core/live/triple_buffer.h"
+
+namespace surefoot {
+
+struct SetParameter {
+  std::string key;
+  double value;
+};
+struct SetPolicy {
+  std::string name;
+  std::unique_ptr<Policy> policy;
+};
+struct SetRunning {
+  bool running;
+};
+struct SetPace {
+  double pace;
+};  ///< times real time, while turbo is off
+struct SetTurbo {
+  bool turbo;
+};
+struct SetHand {
+  std::optional<double> target;
+};  ///< where the body's tip is held [m]; nothing lets go
+struct Place {
+  std::vector<double> state;
+};  ///< a new episode there
+struct Visit {
+  std::function<void(const Life&)> look;
+};                     ///< called on the learner's thread, between two steps
+struct SingleStep {};  ///< one step of a paused life
+/// A life that was taken out of the thread, with what the thread knows of it: it can go on there later, bit for bit.
+/// Filled and emptied on the learner's thread; others may only hold it and let it go.
+struct LifeAside {
+  std::unique_ptr<Life> life;  ///< null before the thread has come to it, and when the life runs again
+  LearningCurve curve;
+  std::string curvePolicy;
+  std::vector<double> fallenPose;
+  std::int64_t fallsByHand = 0;
+};
+struct ReplaceLife {
+  std::unique_ptr<Life> life{};         ///< a new one …
+  std::shared_ptr<LifeAside> back{};    ///< … or one that was put aside
+  std::shared_ptr<LifeAside> before{};  ///< where the life before goes; null: it ends
+};
+
+using Command = std::variant<SetParameter, SetPolicy, SetRunning, SetPace, SetTurbo, SetHand, Place, Visit, SingleStep,
+                             ReplaceLife>;
+
+/// send(), wantSnapshot(), takeSnapshot() … belong to one thread, the window's; the life to the thread in here.
+class LearnerThread {
+ public:
+  explicit LearnerThread(std::unique_ptr<Life> life);
+  ~LearnerThread();
+  LearnerThread(const LearnerThread&) = delete;
+
+  void send(Command command);
+
+  /// Asks for a fresh snapshot; take…() tells whether one has come, snapshot() is the newest taken.
+  void wantSnapshot() { want(snapshotWanted_); }
+  void wantValues() { want(valuesWanted_); }
+  bool takeSnapshot() { return snapshots_.take(); }
+  bool takeValues() { return values_.take(); }
+  const Snapshot& snapshot() const { return snapshots_.front(); }
+  const ValueSnapshot& values() const { return values_.front(); }
+
+  /// The falls since the last call, the newest last; at most kMostFalls, thinned out as thinOut() says.
+  std::vector<Fall> takeFalls();
+
+  /// Ends the thread and hands the life over, as it is.
+  std::unique_ptr<Life> stop();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void run();
+  void lifeOn();
+  void wait();
+  void obey();
+  void carryOut(Command& command);
+  void replace(ReplaceLife& command);
+  void stepFlatOut();
+  void stepInPace();
+  void step();
+  void noteFall();
+  bool canStep() const { return running_ && trouble_.empty() && !life_->finished(); }
+  void want(std::atomic<bool>& flag);
+  void answer();
+  void fill(Snapshot& snapshot) const;
+  void fill(ValueSnapshot& snapshot) const;
+  void fillTests(ValueSnapshot& snapshot) const;
+
+  // The thread's own.
+  std::unique_ptr<Life> life_;
+  std::uint64_t lifeNumber_ = 1;
+  LearningCurve curve_;
+  std::string curvePolicy_;
+  std::int64_t fallsByHand_ = 0;
+  std::vector<double> fallenPose_;
+  Hand hand_;
+  std::vector<double> stateBefore_;
+  Action actionBefore_ = kNoAction;
+  std::size_t changesSeen_ = 0;
+  int looksLeft_ = 0;
+  std::shared_ptr<const std::vector<std::pair<std::string, double>>>
+      environment_;  // parameters, as the last fall had them
+  bool running_ = false, turbo_ = false;
+  std::string trouble_;  // why it stands still: something was thrown
+  double pace_ = 1.0;
+  double stepTime_;  // [s]; tasks without a clock take 20 steps a second
+  Clock::time_point nextStep_{};
+
+  // Shared.
+  std::mutex mutex_;
+  std::condition_variable wake_;
+  std::vector<Command> mailbox_;  // guarded by mutex_
+  std::vector<Fall> falls_;       // guarded by mutex_
+  std::atomic<bool> mail_{false}, stop_{false};
+  std::atomic<bool> snapshotWanted_{true}, valuesWanted_{true};
+  TripleBuffer<Snapshot> snapshots_;
+  TripleBuffer<ValueSnapshot> values_;
+
+  std::thread thread_;
+};
+
+}  // namespace surefoot

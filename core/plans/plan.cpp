@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/plans/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "core/files/read_file.h"
+#include "core/plans/plan_condition.h"
+#include "core/text/text.h"
+
+namespace surefoot {
+
+namespace {
+
+constexpr int kMostLives = 1'000'000;
+
+/// Everything of a plan that stands above its conditions.
+Status readHead(const PlanFile& file, const std::string& path, Plan& plan, PlanHead& head) {
+  for (const PlanSetting& s : file.head) {
+    const std::string& value = s.values.front();
+    Status status = Done{};
+    if (s.values.size() > 1)
+      status = Error{fmt::format("{}: one value is expected.", s.key)};
+    else if (s.key == "title")
+      plan.title = value;
+    else if (s.key == "reference")
+      head.reference = value;
+    else if (s.key == "lives")
+      status = readCount(s.key, value, kMostLives, head.lives);
+    else if (s.key == "seed")
+      status = readSeed(value, head.seed);
+    else if (s.key == "paired")
+      status = readFlag(s.key, value, head.paired);
+    else
+      status =
+          unknownKey(s.key, {"title", "reference", "lives", "seed", "paired", "base", "pre-learning", "condition"});
+    if (!status) return planError(path, s.line, status.error().message);
+  }
+  return Done{};
+}
+
+/// No two conditions are the same, and every reference is one of them.
+Status checkConditions(const std::vector<Condition>& conditions) {
+  std::set<std::string> names;
+  std::map<std::string, std::string> texts;
+  for (const Condition& c : conditions) {
+    if (!names.insert(c.name).second)
+      return Error{fmt::format(
+          "two conditions are called \"{}\"; write what differs into the name, e.g. {{policy.threshold}}.", c.name)};
+    const auto [other, fresh] = texts.emplace(c.text, c.name);
+    if (!fresh) return Error{fmt::format("the conditions \"{}\" and \"{}\" are the same.", other->second, c.name)};
+  }
+  for (const Condition& c : conditions)
+    if (!c.reference.empty() && !names.contains(c.reference))
+      return Error{fmt::format("reference: no condition is called \"{}\".", shortened(c.reference))};
+  return Done{};
+}
+
+}  // namespace
+
+std::string describe(const Registry& registry, const Configuration& c) {
+  const Names& n = c.names;
+  std::string text = fmt::format("environment={}", n.environment);
+  if (!n.preset.empty()) text += " preset=" + n.preset;
+  if (!n.scenario.empty()) text += " scenario=" + n.scenario;
+  text += fmt::format(" agent={} features={} policy={}", n.agent, n.features, n.policy);
+  const auto usual = configure(registry, n, {});
+  const auto keys = policyKeys(**findEntry(registry.policies, "policy", n.policy));
+  for (const auto& entry : c.parameters.all()) {
+    const std::string& key = entry.parameter.key;
+    if (entry.value == usual->parameters.get(key)) continue;
+    if (key.starts_with("policy.") && std::find(keys.begin(), keys.end(), key) == keys.end()) continue;
+    text += fmt::format(" {}={}", key, formatValue(entry.parameter, entry.value));
+  }
+  return text;
+}
+
+Result<Plan> parsePlan(const Registry& registry, const std::string& text, const std::string& path,
+                       const PlanChanges& changes) {
+  const auto file = parsePlanFile(text, path);
+  if (!file) return file.error();
+  Plan plan;
+  PlanHead head;
+  if (const Status s = readHead(*file, path, plan, head); !s) return s.error();
+  plan.lives = head.lives = changes.lives.value_or(head.lives);
+  plan.seed = head.seed = changes.seed.value_or(head.seed);
+  plan.paired = head.paired;
+  head.assignments = changes.assignments;
+  head.preset = changes.preset;
+  std::vector<std::vector<Combination>> grids;  // counted before the first is made
+  std::size_t count = 0;
+  for (const PlanBlock& block : file->blocks) {
+    count += grids.emplace_back(combine(block)).size();
+    if (count > kMostConditions)
+      return planError(path, block.line, fmt::format("there are more than {} conditions.", kMostConditions));
+  }
+  for (std::size_t i = 0; i < grids.size(); ++i)
+    for (const Combination& combination : grids[i]) {
+      const PlanBlock& block = file->blocks[i];
+      if (changes.interrupted && *changes.interrupted)
+        return Error{path + ": interrupted before its conditions were read.", ErrorKind::Interrupted};
+      auto condition = makeCondition(registry, path, head, combination, block.line);
+      if (!condition) return condition.error();
+      plan.conditions.push_back(std::move(*condition));
+    }
+  if (const Status s = checkConditions(plan.conditions); !s) return planError(path, 0, s.error().message);
+  return plan;
+}
+
+Result<Plan> readPlan(const Registry& registry, const std::string& path, const PlanChanges& changes) {
+  const auto text = readText(path);
+  if (!text) return text.error();
+  return parsePlan(registry, *text, path, changes);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/plans/plan_condition.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/saved/q_file.h"
+
+namespace surefoot {
+
+namespace {
+
+constexpr int kMostPool = 1'000'000;
+constexpr std::int64_t kMostEpisodes = 1'000'000'000;
+
+std::uint64_t hashText(std::string_view text, std::uint64_t seed) {
+  Hash64 hash;
+  hash.add(seed);
+  hash.add(text);
+  return hash.value();
+}
+
+/// "TRL {policy.threshold}" with the values in place of the keys; what a list varies and the name does not tell is
+/// added.
+std::string nameOf(const Combination& c, std::string name, bool whole) {
+  for (const Assignment& a : c.all) {
+    const std::string key = a.key.starts_with("set.") ? a.key.substr(4) : a.key, mark = "{" + key + "}";
+    const auto place = name.find(mark);
+    const bool varied = std::any_of(c.varied.begin(), c.varied.end(), [&](const auto& v) { return v.key == a.key; });
+    if (place != std::string::npos)
+      name.replace(place, mark.size(), a.value);
+    else if (varied && whole)
+      name += fmt::format("{}{} {}", name.empty() ? "" : ", ", key, a.value);
+  }
+  return name;
+}
+
+/// "{policy.epsilon}", where a name still has one.
+std::string placeholderIn(const std::string& name) {
+  const auto begin = name.find('{'), end = name.find('}', begin);
+  if (begin == std::string::npos || end == std::string::npos) return "";
+  const std::string inside = name.substr(begin + 1, end - begin - 1);
+  const bool key = inside.find('.') != std::string::npos && inside.find(' ') == std::string::npos;
+  return key ? name.substr(begin, end - begin + 1) : "";
+}
+
+/// Makes one condition; everything that it needs to know of the plan is in `head`.
+class ConditionMaker {
+ public:
+  ConditionMaker(const Registry& registry, const std::string& path, const PlanHead& head)
+      : registry_(registry),
+        path_(path),
+        head_(head) {}
+
+  Result<Condition> make(const Combination& c, int line) {
+    const auto refuse = [&](const std::string& sentence) { return planError(path_, line, sentence); };
+    Draft draft;
+    if (const Status s = read(c, draft); !s) return s.error();
+    auto configuration = configure(registry_, draft.names, draft.assignments);
+    if (!configuration) return refuse(configuration.error().message);
+    if (const Status s = checkPolicy(draft); !s) return refuse(s.error().message);
+
+    Condition condition;
+    Configuration& now = condition.configuration = std::move(*configuration);
+    now.lives = head_.lives;
+    now.minutes = draft.minutes;
+    now.episodes = draft.episodes;
+    if (!now.minutes && !now.episodes)
+      return refuse("minutes or episodes: how long a life is must be given, e.g. minutes = 9.");
+    condition.varied = c.varied;
+    condition.text = describe(registry_, now);
+    if (const Status s = addPreLearning(c, draft, condition, line); !s) return s.error();
+    if (!draft.file.empty())
+      if (const Status s = readStart(draft.file, condition); !s) return refuse(s.error().message);
+    now.seed = head_.paired ? head_.seed : hashText(condition.text, head_.seed);
+    if (now.minutes) condition.text += fmt::format(" minutes={}", *now.minutes);
+    if (now.episodes) condition.text += fmt::format(" episodes={}", *now.episodes);
+    condition.name = nameOf(c, draft.name, true);
+    if (condition.name.empty()) condition.name = draft.names.policy;
+    if (const std::string unknown = placeholderIn(condition.name); !unknown.empty())
+      return planError(path_, c.where.at("name")->line,
+                       fmt::format("name: {} is none of the condition's own settings.", unknown));
+    condition.reference = nameOf(c, draft.reference, false);
+    if (const Status s = tryOut(condition); !s) return refuse(s.error().message);
+    return condition;
+  }
+
+ private:
+  /// What a condition, or its pre-learning, is to be configured with.
+  struct Draft {
+    Names names;
+    std::vector<Assignment> assignments;
+    std::string name, reference, file;
+    std::optional<double> minutes, until, preMinutes;
+    std::optional<std::int64_t> episodes, cap;
+    int pool = 5;
+  };
+
+  Status read(const Combination& c, Draft& draft) const {
+    draft.reference = head_.reference;
+    for (const auto& [key, value] : c.all) {
+      Status status = Done{};
+      if (key == "name")
+        draft.name = value;
+      else if (key == "reference")
+        draft.reference = value;
+      else if (key.starts_with("set."))
+        draft.assignments.push_back({key.substr(4), value});
+      else if (key == "minutes")
+        status = readNumber(key, value, 1e-6, 1e6, draft.minutes);
+      else if (key == "episodes")
+        status = readCount(key, value, kMostEpisodes, draft.episodes);
+      else if (key == "pre-learning.file")
+        draft.file = value;
+      else if (std::string* part = nameField(draft.names, key))
+        *part = value;
+      else if (key == "base")
+        status = Error{fmt::format("base = {}: in a condition it is false: nothing of [base] holds there.", value)};
+      else if (key == "set")
+        status = Error{"set: it goes with the key of a parameter, e.g. set.features.scale = 1."};
+      else if (key == "pre-learning" && value != "false")
+        status = Error{fmt::format(
+            "pre-learning = {}: it is false, or goes with a key, e.g. pre-learning.scenario = \"2\".", value)};
+      else if (!key.starts_with("pre-learning"))
+        status = unknownKey(key, {"name", "reference", "environment", "preset", "scenario", "agent", "features",
+                                  "policy", "set", "minutes", "episodes", "pre-learning", "base"});
+      if (!status) return planError(path_, c.where.at(key)->line, status.error().message);
+    }
+    draft.assignments.insert(draft.assignments.end(), head_.assignments.begin(), head_.assignments.end());
+    if (head_.preset) draft.names.preset = *head_.preset;
+    return Done{};
+  }
+
+  /// The settings under pre-learning; false: there are none.
+  Result<bool> readPreLearning(const Combination& c, Draft& draft) const {
+    const std::string prefix = "pre-learning.";
+    bool wanted = false;
+    for (const auto& [fullKey, value] : c.all) {
+      if (fullKey == "pre-learning" && value == "false") return false;
+      if (!fullKey.starts_with("pre-learning") || fullKey == "pre-learning.file") continue;
+      wanted = true;
+      const std::string key = fullKey.substr(std::min(fullKey.size(), prefix.size()));
+      Status status = Done{};
+      if (key == "scenario")
+        draft.names.scenario = value;
+      else if (key == "preset")
+        draft.names.preset = value;
+      else if (key == "policy")
+        draft.names.policy = value;
+      else if (key.starts_with("set."))
+        draft.assignments.push_back({key.substr(4), value});
+      else if (key == "until")
+        status = readNumber(key, value, -1e6, 1e6, draft.until);
+      else if (key == "cap")
+        status = readCount(key, value, kMostEpisodes, draft.cap);
+      else if (key == "minutes")
+        status = readNumber(key, value, 1e-6, 1e9, draft.preMinutes);
+      else if (key == "pool" && value == "each")
+        draft.pool = 0;
+      else if (key == "pool")
+        status = readCount(key, value, kMostPool, draft.pool);
+      else
+        status = unknownKey(key, {"scenario", "preset", "policy", "set", "until", "minutes", "cap", "pool", "file"});
+      if (!status) return planError(path_, c.where.at(fullKey)->line, "pre-learning: " + status.error().message);
+    }
+    if (head_.preset) draft.names.preset = *head_.preset;
+    return wanted;
+  }
+
+  /// Everything of the condition but policy and step sizes, on its own scenario, until the reward is reached.
+  Status addPreLearning(const Combination& c, Draft draft, Condition& condition, int line) const {
+    constexpr std::int64_t kCap = 20'000;
+    const auto refuse = [&](const std::string& sentence) {
+      return planError(path_, line, "pre-learning: " + sentence);
+    };
+    draft.names.policy = "epsilon-greedy";
+    std::erase_if(draft.assignments,
+                  [](const Assignment& a) { return a.key.starts_with("policy.") || a.key.ends_with("step_size"); });
+    const auto wanted = readPreLearning(c, draft);
+    if (!wanted) return wanted.error();
+    if (!*wanted) return Done{};
+    if (!draft.file.empty()) return refuse("with a file nothing is learned before; take the other keys away.");
+    if (!draft.until && !draft.preMinutes)
+      return refuse(
+          "until is missing: the average reward at which it ends, e.g. until = 198; or minutes, how long it takes.");
+    auto configuration = configure(registry_, draft.names, draft.assignments);
+    if (!configuration) return refuse(configuration.error().message);
+    if (const Status s = checkPolicy(draft); !s) return refuse(s.error().message);
+
+    PreLearning pre{.configuration = std::move(*configuration), .pool = draft.pool, .text = {}};
+    pre.configuration.until = draft.until;
+    pre.configuration.minutes = draft.preMinutes;
+    pre.text = describe(registry_, pre.configuration);
+    if (draft.until) pre.text += fmt::format(" until={}", *draft.until);
+    if (draft.preMinutes) pre.text += fmt::format(" minutes={}", *draft.preMinutes);
+    if (draft.until || draft.cap) {
+      const std::int64_t cap = draft.cap.value_or(kCap);
+      pre.configuration.episodes = cap;
+      pre.text += fmt::format(" cap={}", cap);
+    }
+    pre.configuration.seed = hashText(pre.text, head_.seed);
+    condition.text += fmt::format(" pre-learning=({}) pool={}", pre.text,
+                                  pre.pool == 0 ? std::string("each") : std::to_string(pre.pool));
+    condition.preLearning = std::move(pre);
+    return Done{};
+  }
+
+  /// All that a life is made from, without the numbers of its policy, which are in their ranges.
+  static std::string partsOf(const Condition& condition) {
+    const auto add = [](std::string& text, const Configuration& c) {
+      const Names& n = c.names;
+      for (const std::string* name : {&n.environment, &n.preset, &n.scenario, &n.agent, &n.features, &n.policy})
+        text += *name + '\n';
+      for (const auto& entry : c.parameters.all())
+        if (!entry.parameter.key.starts_with("policy.")) text += fmt::format("{} ", entry.value);
+      if (c.beganWith.is_object()) text += c.beganWith.value("content", "");
+    };
+    std::string text;
+    add(text, condition.configuration);
+    if (condition.preLearning) add(text, condition.preLearning->configuration);
+    return text;
+  }
+
+  /// What no single check can see: a life of it, with what is learned before. One for all that are made alike.
+  Status tryOut(const Condition& condition) const {
+    if (!head_.tried->insert(partsOf(condition)).second) return Done{};
+    Configuration now = condition.configuration;
+    if (condition.preLearning) {
+      const Configuration& before = condition.preLearning->configuration;
+      const auto lesson = makeLife(registry_, before, 0, false);
+      if (!lesson) return lesson.error();
+      auto file = std::make_shared<TensorFile>(qFileOf(**lesson, before));
+      file->name = "pre-learning";
+      now.start = std::move(file);
+    }
+    if (const auto life = makeLife(registry_, now, 0, false); !life) return life.error();
+    return Done{};
+  }
+
+  Status readStart(const std::string& file, Condition& condition) {
+    const std::filesystem::path path(file);
+    auto read = readQFile(path.is_absolute() ? file : (std::filesystem::path(path_).parent_path() / path).string());
+    if (!read) return read.error();
+    beginWith(condition.configuration, std::move(*read));
+    condition.text += " began-with=" + condition.configuration.beganWith["content"].get<std::string>();
+    return Done{};
+  }
+
+  /// A parameter of a policy that is not chosen would have no effect.
+  Status checkPolicy(const Draft& draft) const {
+    const auto keys = policyKeys(**findEntry(registry_.policies, "policy", draft.names.policy));
+    for (const Assignment& a : draft.assignments)
+      if (a.key.starts_with("policy.") && std::find(keys.begin(), keys.end(), a.key) == keys.end())
+        return Error{fmt::format("{}: it has no effect under the policy {}.", a.key, draft.names.policy)};
+    return Done{};
+  }
+
+  static std::string* nameField(Names& names, const std::string& key) {
+    if (key == "environment") return &names.environment;
+    if (key == "preset") return &names.preset;
+    if (key == "scenario") return &names.scenario;
+    if (key == "agent") return &names.agent;
+    if (key == "features") return &names.features;
+    return key == "policy" ? &names.policy : nullptr;
+  }
+
+  const Registry& registry_;
+  const std::string& path_;
+  const PlanHead& head_;
+};
+
+}  // namespace
+
+std::vector<Combination> combine(const PlanBlock& block) {
+  std::vector<Combination> grid(1);
+  for (const PlanSetting& setting : block.settings) {
+    std::vector<Combination> longer;
+    for (const Combination& sofar : grid)
+      for (const std::string& value : setting.values) {
+        longer.push_back(sofar);
+        longer.back().where[setting.key] = &setting;
+        longer.back().all.push_back({setting.key, value});
+        if (setting.values.size() > 1) longer.back().varied.push_back({setting.key, value});
+        if (longer.size() > kMostConditions) return longer;
+      }
+    grid = std::move(longer);
+  }
+  return grid;
+}
+
+Result<Condition> makeCondition(const Registry& registry, const std::string& path, const PlanHead& head,
+                                const Combination& combination, int line) {
+  return ConditionMaker(registry, path, head).make(combination, line);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// About how long a plan takes, told before it runs.
+#pragma once
+
+#include <string>
+
+#include "core/plans/plan_file.h"
+#include "core/registry.h"
+
+namespace surefoot {
+
+/// Minutes on so many threads, from the lengths of lives and the measured speed of the environments (README, "Speed"),
+/// without trying the plan out: right within a factor of about two. What was measured of a recipe on two cores
+/// (minutes_on_two_cores) is believed first, and scaled to another number of lives (from its minutes_for_lives).
+double minutesFor(const Registry& registry, const PlanFile& plan, int threads);
+
+/// "2 s", "4 min", "1 h 10 min"
+std::string roundedTime(double minutes);
+
+}  // namespace surefoot

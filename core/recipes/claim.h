@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A claim of the thesis, and whether our lives bear it out. Kinds, and when each agrees:
+//
+//   value         the 95 % interval of a mean overlaps the thesis's number ± tolerance (a share of it, 10 %) or ±
+//                 within; undecided where the interval is wider than ± 2.5 times that
+//   reduction     of the mean against the reference, in per cent: the thesis's sign, p < .01 by the analysis of
+//                 variance, and an interval that overlaps the number ± 10 points (or ours is at least `at_least`)
+//   significant   the sign and p < .01, for every condition
+//   no-difference p ≥ .01 for every condition; undecided where the interval leaves ± `widest` (25 % of the reference)
+//   order         the means rise in the order of `conditions` in at least 95 % of the means drawn; differs below 5 %
+//   lowest        the first of `conditions` has the lowest mean of all, likewise
+//   spread        the means of `conditions` lie closer together than those of `others`, likewise
+//   pairs         the mean of every first is below that of its second: `pairs` = [[first, second], …]
+//   within-lives  of two measures of one life, `measure` is on the mean below `other`, for every condition
+//   not-longer    the interval of the difference from the reference is not wholly above 0; undecided if it reaches 25 %
+//   not-worse     no condition is significantly below the first (p < .01); undecided if one may be by `widest`
+//   ratio         mean(first)/mean(second) lies in low … high, its interval is no wider; differs if that lies outside
+//   extreme       the largest reduction of all conditions in per cent, likewise
+//   below         the interval of the mean lies below `high`, for every condition
+//   trend         values of lives against what `along` varied: the rank correlation has the sign of `sign`, p < .01
+//   settled       the largest 250-episode change behind the end of learning lies between low and high
+//   pool          lives of one Q-function are no more alike than all (F test, p ≥ .01); undecided where more than half
+//                 of the variance may yet lie between Q-functions
+//   compromise    no condition is significantly below the first in both `measure` and `other`; undecided if one may be
+//   effect-order  `conditions` in pairs: the first of a pair gains less on its reference than the second on its own, in
+//                 standard deviations
+//   best          of each of `groups` (lists of conditions) the one with the lowest mean: its value of the parameter
+//                 `along` is the same in all (the intervals overlap, none of them takes in all values), or that of the
+//                 first is `relation` = lower or not-lower than those of the others
+//   bands-overlap the 95 % bands of the learning curve and of the reference's overlap at 95 % of all moments; undecided
+//                 where they are wider than half of what the curve reaches
+//   dips          the average reward falls below that of the `first` episodes (10)
+//
+// Lives that cannot carry a judgement leave it undecided: one life always; a reduction or significance with p ≥ .01
+// whose interval leaves it open (beyond `widest`, or on the thesis's side up to its number or `at_least`, or 10 %); and
+// one with p < .01 whose interval leaves 0 in: the analysis of variance takes lives of one Q-function for independent,
+// the interval does not. Lives that are 0 throughout are judged by the difference, whose interval is known.
+//
+// Exact, from the configurations of conditions and not from their lives; `rows`, all of which must hold:
+//
+//   same-values   taught by one stream of `steps` transitions (10⁵), two conditions' values differ by less than
+//                 `within` (1e-9); it has no rows
+//   rule          the rule of thumb (eq. 4.3): {discount, transitions, goal, time, expected, digits}
+//   parameters    key·times/over, the last of condition `of`: {condition, key, times, over, of, expected, digits}
+//   drawn         a point of the figure `draws` (a kind of live figure, with its `q` or `state`): {condition, x,
+//                 expected, within} or {condition, x, low, high}
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "core/findings/evidence.h"
+#include "core/registry.h"
+
+namespace surefoot {
+
+/// As a recipe states it.
+struct Claim {
+  std::string id, kind, says;
+  nlohmann::json arguments;  ///< thesis, conditions, measure, …
+  bool calibrated = false;   ///< the default preset was fitted to it: judged on the lab preset, too
+};
+
+enum class Verdict { Agrees, Differs, Undecided };
+const char* nameOf(Verdict verdict);
+
+struct Judgement {
+  std::string id, says, note;
+  nlohmann::json thesis;                     ///< a number, a text or null
+  std::optional<double> ours, low, high, p;  ///< the worst p of several
+  Verdict verdict = Verdict::Undecided;
+};
+
+/// `conditions` may hold patterns, "TRL *". An error names the claim and what is wrong with it.
+Result<Judgement> judge(const Registry& registry, const Claim& claim, const std::vector<Evidence>& evidence,
+                        std::uint64_t seed);
+
+nlohmann::ordered_json judgementAsJson(const Judgement& judgement);
+
+/// Whether there is such a kind of claims.
+Status checkKind(const Claim& claim);
+
+/// Whether a name fits a pattern, in which * stands for anything.
+bool fits(std::string_view name, std::string_view pattern);
+/// Whether a condition fits one of the claim's `conditions`.
+bool isAbout(const Claim& claim, std::string_view condition);
+
+}  // namespace surefoot

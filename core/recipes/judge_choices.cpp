@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Kinds of claims about the best choice among several, and about the course of learning.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/basics/typed_json.h"
+#include "core/recipes/judge.h"
+#include "core/statistics/statistics_text.h"
+
+namespace surefoot {
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// The position of the lowest of `count` means from `first` on.
+std::size_t lowestOf(const std::vector<double>& means, std::size_t first, std::size_t count) {
+  const auto begin = means.begin() + static_cast<std::ptrdiff_t>(first);
+  return static_cast<std::size_t>(std::min_element(begin, begin + static_cast<std::ptrdiff_t>(count)) - begin);
+}
+
+/// Bands that are wider, on average, than half of the curve's largest value overlap whatever is the case.
+bool narrow(const Curve& curve) {
+  double largest = 0, width = 0;
+  for (const Interval& i : curve.y) {
+    largest = std::max(largest, std::abs(i.value));
+    width += i.high - i.low;
+  }
+  return width <= largest / 2 * static_cast<double>(curve.y.size());  // not if it is NaN
+}
+
+}  // namespace
+
+double Judge::parameterOf(const Evidence& e, const std::string& key) {
+  const double value = numberIn(partOf(e.configuration, "parameters"), key);
+  if (std::isfinite(value)) return value;
+  complain("along", fmt::format("\"{}\" is no number of {}", key, e.name()));
+  return std::nan("");
+}
+
+// In every resample each group has a best value of the parameter; these are held against each other.
+Verdict Judge::best() {
+  const std::string along = text("along", ""), relation = text("relation", "same");
+  std::vector<std::vector<double>> values;  // of the parameter: [group][condition]
+  std::vector<std::size_t> firsts;
+  Group everything;
+  for (const Json& list : partOf(arguments_, "groups")) {
+    firsts.push_back(everything.size());
+    auto& own = values.emplace_back();
+    for (const Json& pattern : list)
+      for (const Evidence* e : pattern.is_string() ? fitting(pattern) : Group{})
+        everything.push_back(e), own.push_back(parameterOf(*e, along));
+    if (own.size() < 2) complain("groups", fmt::format("{} names fewer than two conditions", jsonText(list)));
+  }
+  if (values.size() < 2) complain("groups", "two or more are expected");
+  if (relation != "same" && relation != "lower" && relation != "not-lower")
+    complain("relation", "it takes same, lower or not-lower");
+  if (!problem_.empty()) return Verdict::Undecided;
+
+  const auto bestOf = [&](const std::vector<double>& means, std::size_t group) {
+    return values[group][lowestOf(means, firsts[group], values[group].size())];
+  };
+  std::vector<double> ours;
+  for (const Evidence* e : everything) ours.push_back(mean(*e));
+  std::vector<Interval> intervals;
+  bool open = false;
+  for (std::size_t g = 0; g < values.size(); ++g) {
+    std::vector<double> bests = drawn(everything, [&](const auto& means) { return bestOf(means, g); });
+    if (bests.empty()) return tooFew();
+    std::sort(bests.begin(), bests.end());
+    intervals.push_back({bestOf(ours, g), quantileOfSorted(bests, 0.025), quantileOfSorted(bests, 0.975)});
+    const auto [least, most] = std::minmax_element(values[g].begin(), values[g].end());
+    open = open || (intervals[g].low <= *least && intervals[g].high >= *most && *least < *most);
+    note(fmt::format("best {:g} ({:g} … {:g})", intervals[g].value, intervals[g].low, intervals[g].high));
+  }
+  report(intervals[0]);
+  if (relation == "same") {
+    const bool same = std::all_of(intervals.begin(), intervals.end(), [&](const Interval& i) {
+      return overlaps(i, intervals[0].low, intervals[0].high);
+    });
+    return same && open ? tooFew() : agreesIf(same);  // every value may be the best of one group
+  }
+  return ofShare(share(everything, [&](const auto& means) {
+    for (std::size_t g = 1; g < values.size(); ++g) {
+      const double first = bestOf(means, 0), other = bestOf(means, g);
+      if (relation == "lower" ? first >= other : first < other) return false;
+    }
+    return true;
+  }));
+}
+
+Verdict Judge::compromise() {
+  const std::string other = text("other", ""), measure = measure_;
+  const Evidence& first = *conditions_[0];
+  if (valuesOf(first, other).empty()) complain("other", "a second measure is expected");
+  enum class Is { Better, Open, NotBetter };
+  const auto against = [&](const Evidence& e, const std::string& by) {
+    measure_ = by;
+    const double pValue = p(first, e);
+    if (pValue < kSignificant) {
+      if (mean(e) >= mean(first)) return Is::NotBetter;
+      return leavesZeroIn(first, e) ? Is::Open : Is::Better;
+    }
+    return std::isnan(pValue) || mayExceed(judged(change(first, e), first, e), true, false) ? Is::Open : Is::NotBetter;
+  };
+  bool beaten = false, open = false;
+  for (const Evidence* e : conditions_) {
+    if (e == &first) continue;
+    const Is one = against(*e, measure), two = against(*e, other);
+    if (one == Is::NotBetter || two == Is::NotBetter) continue;
+    const bool both = one == Is::Better && two == Is::Better;
+    if (both) note(e->name() + " is better in both");
+    beaten = beaten || both;
+    open = open || !both;
+  }
+  for (const std::string& m : {measure, other}) measure_ = m, noteMeans();
+  measure_ = measure;
+  report(interval(first));
+  return open && !beaten ? tooFew() : agreesIf(!beaten);
+}
+
+// Cohen's d of each against its reference, with the spread of the lives that are there.
+Verdict Judge::effectOrder() {
+  if (conditions_.size() % 2 != 0) complain("conditions", "pairs are expected");
+  std::vector<Verdict> verdicts;
+  for (std::size_t i = 0; problem_.empty() && i + 1 < conditions_.size(); i += 2) {
+    const Evidence &smaller = *conditions_[i], &larger = *conditions_[i + 1];
+    const Group four = {&smaller, referenceOf(smaller), &larger, referenceOf(larger)};
+    const auto spread = [&](const Evidence& a, const Evidence& b) {
+      const double va = varianceOf(values(a)), vb = varianceOf(values(b));
+      return std::sqrt((va + vb) / 2);
+    };
+    const double s1 = spread(*four[0], *four[1]), s2 = spread(*four[2], *four[3]);
+    if (!(s1 > 0) || !(s2 > 0)) {
+      verdicts.push_back(tooFew(smaller.name()));
+      continue;
+    }
+    const auto gain = [&](const std::vector<double>& m, std::size_t at, double s) { return (m[at + 1] - m[at]) / s; };
+    const double held = share(four, [&](const auto& m) { return gain(m, 0, s1) < gain(m, 2, s2); });
+    std::vector<double> means;
+    for (const Evidence* e : four) means.push_back(mean(*e));
+    note(fmt::format("{} {:.2f}, {} {:.2f}", smaller.name(), gain(means, 0, s1), larger.name(), gain(means, 2, s2)));
+    if (std::isfinite(held)) j_.ours = std::min(held, j_.ours.value_or(1));
+    verdicts.push_back(ofShare(held));
+  }
+  return all(verdicts);
+}
+
+Verdict Judge::bandsOverlap() {
+  constexpr std::size_t kPoints = 361;
+  std::vector<Verdict> verdicts;
+  for (const Evidence* e : conditions_) {
+    const Evidence& reference = *referenceOf(*e);
+    if (e == &reference) continue;
+    const Curve a = learningCurve(reference.record, kPoints), b = learningCurve(e->record, kPoints);
+    const std::size_t points = std::min(a.y.size(), b.y.size());
+    if (points == 0 || !narrow(a) || !narrow(b)) {
+      verdicts.push_back(tooFew(e->name()));
+      continue;
+    }
+    std::size_t together = 0;
+    for (std::size_t i = 0; i < points; ++i) together += overlaps(a.y[i], b.y[i].low, b.y[i].high);
+    const double part = static_cast<double>(together) / static_cast<double>(points);
+    j_.ours = std::min(part, j_.ours.value_or(1));
+    note(fmt::format("{}: at {:.0f} % of the moments", e->name(), 100 * part));
+    verdicts.push_back(agreesIf(part >= 0.95));
+  }
+  return all(verdicts);
+}
+
+// The lowest point of the mean average reward, life by life against the average of the first episodes.
+Verdict Judge::dips() {
+  const auto first = static_cast<std::size_t>(std::max(1.0, number("first", 10)));
+  std::vector<Verdict> verdicts;
+  for (const Evidence* e : conditions_) {
+    if (e->averages.size() <= first) {
+      complain("first", fmt::format("{} has {} episodes only", e->name(), e->averages.size()));
+      return Verdict::Undecided;
+    }
+    const auto begin = e->averages.begin() + static_cast<std::ptrdiff_t>(first);
+    const auto lowest = static_cast<std::size_t>(std::min_element(begin, e->averages.end()) - e->averages.begin());
+    std::vector<double> changes;
+    for (const auto& episodes : e->record.episodes) {
+      const auto averages = averageRewards(episodes);
+      changes.push_back(averages[lowest] - averages[first - 1]);
+    }
+    const Interval i = intervalOf(estimateOf(changes, unitsOf(e->record)));
+    if (!i.known()) {
+      report(i);
+      verdicts.push_back(tooFew(e->name()));
+      continue;
+    }
+    note(fmt::format("{}: {} ({} … {}) at episode {}", e->name(), signedText(i.value, 0), signedText(i.low, 0),
+                     signedText(i.high, 0), lowest + 1));
+    if (!j_.high || i.high > *j_.high) report(i);
+    verdicts.push_back(i.high < 0 ? Verdict::Agrees : i.low >= 0 ? Verdict::Differs : Verdict::Undecided);
+  }
+  return all(verdicts);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a store is made and opened: to write by one process, to read by any number, wherever it lies.
+#include <fmt/format.h>
+#include <sqlite3.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+
+#include "core/files/read_file.h"
+#include "core/store/store_database.h"
+
+namespace surefoot {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// As SQLite's URIs write a path.
+std::string uriOf(const std::string& path, const char* query) {
+  std::error_code failed;
+  std::string uri = "file://";
+  for (const char c : fs::absolute(path, failed).lexically_normal().string()) {
+    if (c == '?' || c == '#' || c == '%')
+      uri += fmt::format("%{:02x}", static_cast<unsigned char>(c));
+    else
+      uri += c;
+  }
+  return uri + query;
+}
+
+bool isThere(const std::string& path) {
+  std::error_code failed;
+  const auto size = fs::file_size(path, failed);
+  return !failed && size > 0;
+}
+
+/// Whether the file's header says that there is a log.
+bool wantsLog(const std::string& path) {
+  constexpr std::size_t kReadVersion = 19;
+  const auto head = readHead(path, kReadVersion + 1);
+  return head && head->size() > kReadVersion && (*head)[kReadVersion] == 2;
+}
+
+/// Store and log, or the journal of a change that was cut off, in a folder where SQLite can put them together.
+Result<std::pair<TemporaryFolder, std::string>> copyOf(const std::string& path) {
+  std::error_code failed;
+  std::string folder = (fs::temp_directory_path(failed) / "surefoot-XXXXXX").string();
+  if (failed || !mkdtemp(folder.data()))
+    return fileError(path, "it was left in the middle of writing, and there is no folder to put it right in.");
+  TemporaryFolder temporary{fs::path(folder)};
+  const std::string copy = folder + "/store.sqlite";
+  for (const char* part : {"", "-wal", "-journal"}) {
+    if (!isThere(path + part)) continue;
+    if (!fs::copy_file(path + part, copy + part, failed)) return fileError(path, "it cannot be copied to be read.");
+    fs::permissions(copy + part, fs::perms::owner_all, failed);
+  }
+  if (isThere(copy + "-journal"))  // undone by whoever opens it to write
+    static_cast<void>(guarded<Done>(path, [&]() -> Status {
+      SQLite::Database(copy, SQLite::OPEN_READWRITE).execAndGet("SELECT count(*) FROM sqlite_master");
+      return Done{};
+    }));
+  return std::pair(std::move(temporary), copy);
+}
+
+/// What to tell of a store that was copied without its log.
+constexpr const char* kAlone =
+    "it was copied while it was written, or after the program was killed, and without its log ({}-wal): the lives that "
+    "were written last may be missing.";
+
+/// And of one that cannot tell whether it is whole.
+constexpr const char* kUnchecked =
+    "an earlier version wrote it, without checksums: whether its numbers are those that were written cannot be seen. "
+    "Going on with --resume notes them.";
+
+}  // namespace
+
+bool Store::missing(const std::string& path) {
+  std::error_code error;
+  const auto status = fs::symlink_status(path, error);
+  if (!fs::exists(status)) return true;
+  return fs::is_regular_file(path, error) && fs::file_size(path, error) == 0;
+}
+
+namespace {
+
+/// Gives a finished file its name, which nobody has; 0 or why not.
+int giveName(const std::string& from, const std::string& to) {
+  if (link(from.c_str(), to.c_str()) == 0) return 0;
+  if (errno == EEXIST) return errno;
+  // A file system without second names; the lock keeps others away.
+  return Store::missing(to) && rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
+}
+
+}  // namespace
+
+namespace {
+
+/// What a start left that was killed while it made a store; whoever holds the lock may take it away.
+void clearLitter(const std::string& path) {
+  std::error_code failed;
+  const fs::path folder = fs::path(path).parent_path();
+  const std::string prefix = fs::path(path).filename().string() + ".new-";
+  std::vector<fs::path> litter;
+  for (const auto& entry : fs::directory_iterator(folder.empty() ? fs::path(".") : folder, failed))
+    if (entry.path().filename().string().starts_with(prefix)) litter.push_back(entry.path());
+  for (const fs::path& file : litter) fs::remove(file, failed);
+}
+
+}  // namespace
+
+// Made under another name and then given its own, so that whoever finds it finds all of it.
+Result<Store> Store::create(const std::string& path, const StoredPlan& plan) {
+  const auto exists = fileError(path, "it exists already; name another file, or go on with --resume.");
+  if (!missing(path)) return exists;
+  auto lock = StoreLock::take(path);
+  if (!lock) return lock.error();
+  if (!missing(path)) return exists;
+  clearLitter(path);
+  const std::string meanwhile = fmt::format("{}.new-{}", path, getpid());
+  const auto made = guarded<Done>(path, [&]() -> Status {
+    SQLite::Database db(meanwhile, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    fillStore(db, plan);
+    return Done{};
+  });
+  if (!made) {
+    unlink(meanwhile.c_str());
+    return made.error();
+  }
+  unlink(path.c_str());  // an empty file, if any
+  // What a store left that was killed and then removed would be replayed into this one.
+  for (const char* rest : {"-wal", "-shm", "-journal"}) unlink((path + rest).c_str());
+  const int why = giveName(meanwhile, path);
+  unlink(meanwhile.c_str());
+  if (why != 0)
+    return why == EEXIST ? exists : fileError(path, fmt::format("it cannot be made: {}.", std::strerror(why)));
+  return openLocked(path, std::move(*lock), nullptr);
+}
+
+namespace {
+
+/// It is there, and is a file.
+Status checkFile(const std::string& path) {
+  std::error_code failed;
+  if (Store::missing(path)) return fileError(path, "there is no such store.");
+  if (!fs::is_regular_file(path, failed)) return fileError(path, "it is not a regular file.");
+  return Done{};
+}
+
+/// A store that somebody was writing when it was copied without its log.
+Status checkAlone(SQLite::Database& db, const std::string& path, std::string& note) {
+  const bool writing =
+      db.execAndGet("SELECT ifnull((SELECT value FROM experiment WHERE key = 'writing'), '0')").getString() == "1";
+  const bool earlier = db.execAndGet("PRAGMA user_version").getInt() == kOldestFormat && wantsLog(path);
+  if (!writing && !earlier) return Done{};
+  note = fileError(path, fmt::format(kAlone, fs::path(path).filename().string())).message;
+  if (db.execAndGet("PRAGMA quick_check(1)").getString() != "ok")
+    return fileError(path, "it was copied while it was written, and without its log: the file is damaged.");
+  return Done{};
+}
+
+}  // namespace
+
+Result<Store> Store::openToWrite(const std::string& path, const std::atomic<bool>* interrupted) {
+  if (const Status s = checkFile(path); !s) return s.error();
+  auto lock = StoreLock::take(path);
+  if (!lock) return lock.error();
+  return openLocked(path, std::move(*lock), interrupted);
+}
+
+Result<Store> Store::openLocked(const std::string& path, StoreLock lock,
+                                const std::atomic<bool>* interrupted) {
+  return guarded<Store>(path, [&]() -> Result<Store> {
+    const bool alone = !isThere(path + "-wal");
+    auto data = std::make_unique<Database>(path, std::move(lock));
+    obey(data->db, interrupted);
+    if (const Status s = checkTables(data->db, path); !s) return s.error();
+    if (alone)
+      if (const Status s = checkAlone(data->db, path, data->note); !s) return s.error();
+    data->beginWriting();
+    obey(data->db, nullptr);  // a life is written whole
+    return Store(path, std::move(data));
+  });
+}
+
+Result<Store> Store::open(const std::string& path, const std::atomic<bool>* interrupted) {
+  if (const Status s = checkFile(path); !s) return s.error();
+  const bool log = isThere(path + "-wal"), journal = isThere(path + "-journal");
+  const auto read = [&](const std::string& uri, TemporaryFolder folder) {
+    return guarded<Store>(path, [&]() -> Result<Store> {
+      auto data = std::make_unique<Database>(uri, std::move(folder));
+      obey(data->db, interrupted);
+      if (const Status s = checkTables(data->db, path); !s) return s.error();
+      if (!log && !StoreLock::isHeld(path))
+        if (const Status s = checkAlone(data->db, path, data->note); !s) return s.error();
+      if (data->format() < kFormat && data->note.empty()) data->note = fileError(path, kUnchecked).message;
+      return Store(path, std::move(data));
+    });
+  };
+  // With a log that is not there SQLite would make one, which is no reader's business and fails where nothing can be
+  // written.
+  if (!log && !journal && wantsLog(path) && !StoreLock::isHeld(path)) return read(uriOf(path, "?immutable=1"), {});
+  auto store = read(uriOf(path, ""), {});
+  if (store || (!log && !journal) || StoreLock::isHeld(path)) return store;
+  auto copy = copyOf(path);
+  if (!copy) return store;
+  return read(uriOf(copy->second, ""), std::move(copy->first));
+}
+
+}  // namespace surefoot

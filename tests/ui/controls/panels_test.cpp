@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The toolbar and the heads of panels where there is little room, panels that float, what a replay is steered by.
+#include "ui/controls/panel.h"
+
+#include <QAbstractButton>
+#include <QComboBox>
+#include <QImage>
+#include <QMenu>
+#include <QToolButton>
+
+#include "tests/ui/window_setup.h"
+#include "ui/live/live_page.h"
+#include "ui/live/maps/map_bar.h"
+#include "ui/live/run_bar.h"
+#include "ui/live/world/scrubber.h"
+#include "ui/live/world/world_view.h"
+#include "ui/style/theme.h"
+
+namespace surefoot {
+
+namespace {
+
+int pixelsOf(const QImage& image, const QColor& colour) {
+  int count = 0;
+  for (int y = 0; y < image.height(); ++y)
+    for (int x = 0; x < image.width(); ++x) count += image.pixelColor(x, y) == colour;
+  return count;
+}
+
+}  // namespace
+
+TEST(MapBar, FoldsIntoOneMenuWithTheSameChoices) {
+  Window w;
+  MapBar bar;
+  MapChoice choice;
+  choice.fit(w.session->task());
+  const std::vector<double> live(3, 0.0);
+  bar.show(choice, w.session->task(), live);
+  const auto visible = [&] {
+    QList<QToolButton*> list;
+    for (QToolButton* b : bar.findChildren<QToolButton*>(QString(), Qt::FindDirectChildrenOnly))
+      if (!b->isHidden()) list << b;
+    return list;
+  };
+  bar.fold(600);
+  EXPECT_EQ(visible().size(), 4);
+  bar.fold(120);
+  ASSERT_EQ(visible().size(), 1);
+  QMenu* menu = visible().front()->menu();
+  Q_EMIT menu->aboutToShow();
+  ASSERT_EQ(menu->actions().size(), 4);
+  for (QAction* part : menu->actions()) {
+    ASSERT_TRUE(part->menu()) << part->text().toStdString();
+    EXPECT_GE(part->menu()->actions().size(), 2) << part->text().toStdString();
+  }
+}
+
+TEST(RunBar, TheNumberOfFallsIsThereHoweverNarrow) {
+  Window w;
+  auto* bar = w.window->findChild<RunBar*>();
+  const auto falls = [&](int width) {
+    bar->resize(width, bar->height());
+    const QImage image = bar->grab().toImage();
+    return pixelsOf(image, lightTheme().fallText);
+  };
+  const int whole = falls(1280);
+  EXPECT_GT(whole, 10);
+  for (const int width : {1120, 1024, 900, 760, 640, 560}) {
+    EXPECT_EQ(falls(width), whole) << width;
+    const auto* policy = w.named<QComboBox>("Policy");
+    EXPECT_LT(policy->geometry().right(), width) << width;
+    EXPECT_GE(policy->width(), 48);
+  }
+}
+
+TEST(RunBar, TasksAndScenariosStandUnderHeads) {
+  Window w;
+  auto* task = w.named<QComboBox>("Task");
+  QStringList heads;
+  for (int i = 0; i < task->count(); ++i)
+    if (!(task->model()->flags(task->model()->index(i, 0)) & Qt::ItemIsEnabled)) heads << task->itemText(i);
+  EXPECT_EQ(heads, (QStringList{"Scenario of the model", "Task"}));
+  EXPECT_LT(task->findText("Scenario of the model"), task->findData("actual"));
+  EXPECT_LT(task->findText("Task"), task->findData("leo"));
+}
+
+TEST(LivePage, ATaskWithoutFallsShowsNone) {
+  Elsewhere w("mountain-car");
+  for (Panel* panel : w.window->livePage().panels())
+    if (panel->objectName() == "falls" || panel->objectName() == "list") {
+      EXPECT_FALSE(panel->isVisible());
+      EXPECT_FALSE(panel->toggleViewAction()->isEnabled());
+    }
+  const QImage bar = w.window->findChild<RunBar*>()->grab().toImage();
+  EXPECT_EQ(pixelsOf(bar, lightTheme().fallText), 0);
+  ASSERT_TRUE(w.session->beginEnvironment("cliff"));
+  EXPECT_TRUE(w.waitFor([&] {
+    for (Panel* panel : w.window->livePage().panels())
+      if (panel->objectName() == "falls") return panel->isVisible();
+    return false;
+  }));
+}
+
+TEST(Scrubber, PlaysAndStopsAndTakesNoRoomOfTheWorld) {
+  Window w("epsilon-greedy");
+  w.session->setTurbo(true);
+  w.session->setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return !w.session->falls().empty(); }, 30'000));
+  w.session->setRunning(false);
+  const QSize size = w.window->livePage().world().size();
+  w.session->replayFall(0);
+  ASSERT_TRUE(w.session->playback());
+  auto* scrubber = w.window->findChild<Scrubber*>();
+  QTest::qWait(50);
+  EXPECT_EQ(w.window->livePage().world().size(), size);
+  EXPECT_GT(scrubber->width(), 100);
+  auto* play = scrubber->findChildren<QToolButton*>().front();
+  QTest::mouseClick(play, Qt::LeftButton);
+  EXPECT_EQ(w.session->playback()->rate, 0);
+  EXPECT_EQ(play->text(), "Play");
+  QTest::mouseClick(play, Qt::LeftButton);
+  EXPECT_GT(w.session->playback()->rate, 0);
+  w.session->backToLive();
+  EXPECT_EQ(scrubber->width(), 0);
+}
+
+TEST(Panel, OneThatFloatsCanBeClosed) {
+  Window w;
+  Panel* panel = w.window->livePage().panels().back();
+  panel->show();
+  panel->setFloating(true);
+  auto* close = panel->header().findChildren<QAbstractButton*>().front();
+  EXPECT_TRUE(close->isVisible());
+  QTest::mouseClick(close, Qt::LeftButton);
+  EXPECT_FALSE(panel->isVisible());
+  panel->setFloating(false);
+  EXPECT_TRUE(close->isHidden());
+}
+
+}  // namespace surefoot

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/controls/panel.h"
+
+#include <QAbstractButton>
+#include <QPainter>
+#include <cmath>
+
+#include "ui/style/icons.h"
+#include "ui/style/symbol_text.h"
+#include "ui/style/theme.h"
+#include "ui/support/plain_text.h"
+
+namespace surefoot {
+
+namespace {
+
+constexpr int kPadding = 12, kHeight = 32, kBaseline = 21, kButton = 24;  // [px], with texts of the usual size
+
+class HeaderButton final : public Painted<QAbstractButton> {
+ public:
+  HeaderButton(Icon icon, Icon checked, QWidget* parent) : Painted(parent), icon_(icon), checked_(checked) {
+    setCheckable(icon != checked);
+    setFocusPolicy(Qt::TabFocus);
+    setCursor(Qt::PointingHandCursor);
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    const Theme& t = themeOf(*this);
+    ScaledPainter p(this);
+    p.setRenderHint(QPainter::Antialiasing);
+    if (underMouse()) {
+      p.setPen(Qt::NoPen);
+      p.setBrush(t.fill);
+      p.drawRoundedRect(rect(), 4, 4);
+    }
+    if (hasFocus()) {
+      p.setPen(QPen(t.accent, 2));
+      p.setBrush(Qt::NoBrush);
+      p.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
+    }
+    drawIcon(p, isChecked() ? checked_ : icon_, rect(), underMouse() ? t.ink : t.quiet);
+  }
+
+ private:
+  Icon icon_, checked_;
+};
+
+}  // namespace
+
+PanelHeader::PanelHeader(const QString& title, bool canFill, QWidget* parent)
+    : Painted(parent),
+      title_(title),
+      close_(new HeaderButton(Icon::Close, Icon::Close, this)) {
+  close_->setToolTip(tipText(tr("Close %1; the View menu brings it back").arg(title_)));
+  close_->setAccessibleName(close_->toolTip());
+  close_->hide();
+  connect(close_, &QAbstractButton::clicked, this, &PanelHeader::closeAsked);
+  if (!canFill) return;
+  button_ = new HeaderButton(Icon::FullSize, Icon::NormalSize, this);
+  setFull(false);
+  connect(button_, &QAbstractButton::clicked, this, &PanelHeader::fullSizeAsked);
+}
+
+namespace {
+
+/// As much of a note as has room: all of it, or its first parts, but never half a word.
+QString wholeParts(const QString& note, const QFont& font, double room) {
+  QString part = note;
+  while (!part.isEmpty() && symbolWidth(font, part) > room) {
+    const auto end = std::max({part.lastIndexOf(';'), part.lastIndexOf(':'), part.lastIndexOf(',')});
+    part = part.left(std::max<qsizetype>(end, 0));
+  }
+  return part;
+}
+
+}  // namespace
+
+int PanelHeader::usualHeight() {
+  return kHeight;
+}
+
+double PanelHeader::titleEnd() const {
+  return kPadding + QFontMetricsF(textFont(13, 500)).horizontalAdvance(title_);
+}
+
+void PanelHeader::setTitle(const QString& title) {
+  if (title == title_) return;
+  title_ = title;
+  update();
+}
+
+void PanelHeader::setNote(const QString& note) {
+  if (note == note_) return;
+  note_ = note;
+  update();
+}
+
+void PanelHeader::setFull(bool full) {
+  if (!button_) return;
+  button_->setChecked(full);
+  button_->setToolTip(tipText(full ? tr("Back to all panels") : tr("Give %1 the whole window").arg(title_)));
+  button_->setAccessibleName(button_->toolTip());
+}
+
+void PanelHeader::setFloating(bool floating) {
+  floating_ = floating;
+  close_->setVisible(floating);
+  if (button_) button_->setVisible(!floating);
+  resizeEvent(nullptr);
+  update();
+}
+
+void PanelHeader::addWidget(QWidget* widget) {
+  extra_ = widget;
+  widget->setParent(this);
+  resizeEvent(nullptr);
+}
+
+void PanelHeader::resizeEvent(QResizeEvent*) {
+  int right = width() - 6;
+  for (QAbstractButton* button : {close_, button_})
+    if (button && !button->isHidden()) {
+      place(*button, {right - kButton, (height() - kButton) / 2, kButton, kButton});
+      right -= kButton + 4;
+    }
+  if (!extra_) return;
+  const int room = right - static_cast<int>(titleEnd()) - 8;
+  if (auto* folding = dynamic_cast<Folding*>(extra_)) folding->fold(scaled(room));
+  extra_->adjustSize();
+  extra_->move(scaled(right) - extra_->width(), (QWidget::height() - extra_->height()) / 2);
+  extra_->setVisible(extra_->width() <= scaled(room));  // a panel that is too narrow shows its title
+}
+
+void PanelHeader::paintEvent(QPaintEvent*) {
+  const Theme& t = themeOf(*this);
+  ScaledPainter p(this);
+  p.fillRect(rect(), floating_ ? t.fill : paper_ ? t.paper : t.panel);
+  p.setPen(t.ink);
+  p.setFont(textFont(13, 500));
+  const double baseline = kBaseline;
+  p.drawText(QPointF(kPadding, baseline), title_);
+  const double x = titleEnd() + 8;
+  const double right = extra_ && !extra_->isHidden() ? placeOf(*extra_).x() - 8
+                       : button_ && !button_->isHidden() ? placeOf(*button_).x() - 4
+                       : floating_ ? placeOf(*close_).x() - 4
+                                   : width() - kPadding;
+  p.setFont(textFont(11));
+  p.setPen(t.quiet);
+  drawSymbol(p, x, baseline, wholeParts(note_, p.font(), right - x));
+}
+
+Panel::Panel(const QString& title, const QString& name, QWidget* content, bool canFill, QWidget* parent)
+    : QDockWidget(title, parent),
+      header_(new PanelHeader(title, canFill, this)) {
+  setObjectName(name);
+  setTitleBarWidget(header_);
+  setAttribute(Qt::WA_StyledBackground);  // with a frame while it floats
+  setWidget(content);
+  content->setAccessibleName(title);
+  connect(header_, &PanelHeader::closeAsked, this, &QWidget::close);
+  connect(this, &QDockWidget::topLevelChanged, header_, &PanelHeader::setFloating);
+}
+
+}  // namespace surefoot

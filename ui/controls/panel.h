@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A dock with a header of our own: title, a quiet note, and a button that gives it the whole window and back.
+#pragma once
+
+#include <QDockWidget>
+
+#include "ui/style/painted.h"
+
+class QAbstractButton;
+
+namespace surefoot {
+
+/// A widget in a header that can make itself smaller.
+class Folding {
+ public:
+  virtual ~Folding() = default;
+  /// At most so wide [px], if it can.
+  virtual void fold(int room) = 0;
+};
+
+/// The 32 px above a panel's content. Drawn, so that every panel's baseline is the same.
+class PanelHeader final : public Painted<> {
+  Q_OBJECT
+
+ public:
+  PanelHeader(const QString& title, bool canFill, QWidget* parent = nullptr);
+  void setTitle(const QString& title);
+  void setNote(const QString& note);
+  const QString& note() const { return note_; }
+  void setFull(bool full);
+  /// A panel that floats is a window of its own: its header is the title bar, with a button to close it.
+  void setFloating(bool floating);
+  /// The world lies on paper, all else on the panel's colour.
+  void setOnPaper(bool paper) { paper_ = paper; }
+  /// Puts a small widget at the right end, before the button.
+  void addWidget(QWidget* widget);
+  /// Places that widget again, when its width has changed.
+  void layOutExtra() { resizeEvent(nullptr); }
+  QSize sizeHint() const override { return scaled({100, usualHeight()}); }
+  QSize minimumSizeHint() const override { return scaled({60, usualHeight()}); }
+
+ Q_SIGNALS:
+  void fullSizeAsked();
+  void closeAsked();
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+  void resizeEvent(QResizeEvent*) override;
+
+ private:
+  static int usualHeight();
+  double titleEnd() const;
+
+  QString title_, note_;
+  QAbstractButton *button_ = nullptr, *close_ = nullptr;
+  QWidget* extra_ = nullptr;
+  bool paper_ = false, floating_ = false;
+};
+
+class Panel final : public QDockWidget {
+  Q_OBJECT
+
+ public:
+  Panel(const QString& title, const QString& name, QWidget* content, bool canFill, QWidget* parent);
+  PanelHeader& header() { return *header_; }
+
+ private:
+  PanelHeader* header_;
+};
+
+}  // namespace surefoot

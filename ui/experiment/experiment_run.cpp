@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of Experiment that runs a plan, pauses it and goes on.
+#include <QDateTime>
+#include <QDir>
+#include <QFile>
+#include <QThread>
+#include <algorithm>
+#include <thread>
+#include <tuple>
+
+#include "ui/experiment/experiment.h"
+#include "ui/style/symbol_text.h"
+
+namespace surefoot {
+
+namespace {
+constexpr int kTick = 200;  // [ms]
+}  // namespace
+
+Experiment::~Experiment() {
+  if (thread_) thread_->stop();  // all at once, and then wait
+}
+
+Status Experiment::run(bool otherVersion) {
+  needsConsent_ = false;
+  if (state_ == State::Running || state_ == State::Complete) return Done{};
+  if (!plan_) return whyNot_.empty() ? Status(Done{}) : Error{whyNot_, ErrorKind::File};
+  if (thread_)
+    thread_->setPaused(false);
+  else if (const Status s = openToRun(otherVersion); !s)
+    return s;
+  running_.start();
+  shareAtStart_ = share_;
+  setState(State::Running);
+  timer_.start(kTick);
+  return Done{};
+}
+
+Status Experiment::openToRun(bool otherVersion) {
+  if (std::any_of(leaving_.begin(), leaving_.end(), [&](const Leaving& l) { return l.store == storePath_; }))
+    return Error{tr("What these results had in hand is still being kept; run them again in a moment.").toStdString()};
+  if (storePath_.empty()) {
+    if (!QDir().mkpath(folder_))
+      return Error{tr("The results have no place: %1 cannot be made.").arg(folder_).toStdString()};
+    storePath_ = placeForResults();
+  }
+  auto store = Store::missing(storePath_) ? Store::create(storePath_, stored_) : Store::openToWrite(storePath_);
+  if (!store) return store.error();
+  const auto there = store->plan();
+  if (!there) return there.error();
+  if (const Status s = checkSamePlan(*there, stored_, storePath_); !s) return s;
+  const auto lives = store->lives();
+  if (!lives) return lives.error();
+  if (const Status s = checkLivesVersion(*lives, storePath_); !s && !otherVersion) {
+    needsConsent_ = true;
+    return s;
+  }
+  const LabOptions options{.jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency())),
+                           .shard = stored_.shard,
+                           .shards = stored_.shards};
+  thread_ = std::make_unique<LaboratoryThread>(registry_, *plan_, std::move(*store), options);
+  shareBefore_ = share_;
+  return Done{};
+}
+
+/// A new empty file, named by the time; another window may have taken the name in the same millisecond.
+std::string Experiment::placeForResults() const {
+  for (;;) {
+    const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd-HHmmss-zzz"));
+    QFile file(QDir(folder_).filePath(QStringLiteral("results-%1.sqlite").arg(stamp)));
+    // What cannot be made at all is told by the store.
+    if (file.open(QIODevice::WriteOnly | QIODevice::NewOnly) || !file.exists()) return file.fileName().toStdString();
+    QThread::msleep(1);
+  }
+}
+
+void Experiment::pause() {
+  if (state_ != State::Running) return;
+  before_ = elapsed();
+  thread_->setPaused(true);
+  setState(State::Paused);
+}
+
+// What runs is told to stop and looked after until it has: keeping the lives in hand may take seconds.
+void Experiment::leave() {
+  if (!thread_) return;
+  thread_->stop();
+  leaving_.push_back({storePath_, std::move(thread_)});
+  timer_.start(kTick);
+}
+
+void Experiment::reset() {
+  if (thread_ || (livesDone_ > 0 && !text_.empty())) Q_EMIT leftBehind(toText(storePath_));
+  leave();
+  view_.reset();
+  results_.begin(results_.claims(), stored_);
+  storePath_.clear();
+  before_ = share_ = shareBefore_ = 0;
+  livesDone_ = 0;
+  falls_ = 0;
+  setState(State::Ready);
+}
+
+void Experiment::take() {
+  const LabProgress p = thread_->progress();
+  const auto before = std::tuple(livesDone_, share_, falls_);
+  livesDone_ = std::max(livesDone_, p.livesThere + p.work.livesDone);
+  share_ = std::max(share_, shareBefore_ + (1.0 - shareBefore_) * p.work.share);
+  falls_ = std::max(falls_, p.falls);
+  if (state_ == State::Running || before != std::tuple(livesDone_, share_, falls_)) Q_EMIT progressed();
+  if (auto view = thread_->view(); view && view != view_) {
+    view_ = std::move(view);
+    results_.show(view_);
+  }
+}
+
+void Experiment::tick() {
+  std::erase_if(leaving_, [&](const Leaving& l) {
+    if (!l.thread->over()) return false;
+    if (const std::string trouble = l.thread->trouble(); !trouble.empty()) Q_EMIT failed(toText(trouble));
+    return true;
+  });
+  if (!thread_) {
+    if (leaving_.empty()) timer_.stop();
+    return;
+  }
+  const bool over = thread_->over();
+  take();
+  if (!over || results_.view() != view_) return;  // until the last results are shown, too
+  before_ = elapsed();
+  const std::string trouble = thread_->trouble();
+  const bool complete = thread_->complete();
+  thread_.reset();
+  if (complete) share_ = 1, livesDone_ = livesPlanned();
+  setState(complete ? State::Complete : State::Paused);
+  Q_EMIT progressed();
+  if (!trouble.empty()) Q_EMIT failed(toText(trouble));
+}
+
+double Experiment::elapsed() const {
+  return before_ + (state_ == State::Running ? static_cast<double>(running_.elapsed()) * 1e-3 : 0.0);
+}
+
+std::optional<double> Experiment::left() const {
+  const double done = share_ - shareAtStart_;
+  if (state_ != State::Running || done < 0.01) return std::nullopt;
+  return static_cast<double>(running_.elapsed()) * 1e-3 * (1.0 - share_) / done;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/experiment/suggested_command.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/text/shell_text.h"
+
+namespace surefoot {
+
+namespace {
+
+/// How long a new life may be.
+std::string usualLength(const Session& session) {
+  return session.task().stepTime ? "--minutes 9" : "--episodes 900";
+}
+
+/// Some more than the life has lived: the limits of --resume count from its beginning.
+std::string somewhatLonger(const Session& session) {
+  const Snapshot& now = session.snapshot();
+  const auto& stepTime = session.task().stepTime;
+  std::string length;
+  if (stepTime)
+    length = fmt::format("--minutes {:.0f}", std::ceil(static_cast<double>(now.steps) * *stepTime / 60) + 10);
+  if (!stepTime || session.configuration().episodes)
+    length += fmt::format("{}--episodes {}", stepTime ? " " : "", now.totals.episodes + 1000);
+  return length;
+}
+
+}  // namespace
+
+QString suggestedCommand(SavedAs what, const QString& path, const Session& session) {
+  const std::string file = shellQuoted(path.toStdString());
+  const std::string command = what == SavedAs::Journal ? "surefoot replay " + file
+                              : what == SavedAs::QFunction
+                                  ? fmt::format("surefoot train --load {} {}", file, usualLength(session))
+                                  : fmt::format("surefoot train --resume {} {}", file, somewhatLonger(session));
+  return QString::fromStdString(command);
+}
+
+}  // namespace surefoot

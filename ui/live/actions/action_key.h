@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the colours of "What the robot would do now" mean, in the head of that panel: Q⁻, Q⁺ and Q where the agent keeps
+// two parts; the policies, where an action is a combination (else their names head columns).
+#pragma once
+
+#include <vector>
+
+#include "ui/controls/panel.h"
+#include "ui/style/painted.h"
+#include "ui/style/theme.h"
+
+namespace surefoot {
+
+class Session;
+
+class ActionKey final : public Painted<>, public Folding {
+  Q_OBJECT
+
+ public:
+  explicit ActionKey(Session& session, QWidget* parent = nullptr);
+  QSize sizeHint() const override;
+  void fold(int room) override;
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+
+ private:
+  static constexpr double kUsualGap = 14, kLeastGap = 6;
+  struct Item {
+    QString text;
+    std::string policy;  // empty: a part of Q
+    bool strong = false;
+    bool operator==(const Item&) const = default;
+  };
+  void refresh();
+  double widthOf(const Item& item) const;
+  int widthWith(double gap) const;
+  void drawSample(QPainter& painter, QPointF at, const Item& item, const Theme& theme) const;
+
+  Session& session_;
+  std::vector<Item> items_;
+  double gap_ = kUsualGap;  // between two items [px]
+};
+
+}  // namespace surefoot

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/live/actions/action_rows.h"
+
+#include <fmt/format.h>
+
+#include <QMouseEvent>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/text/text.h"
+#include "ui/live/maps/map_choice.h"
+#include "ui/session/session.h"
+#include "ui/style/symbol_text.h"
+#include "ui/style/theme.h"
+
+namespace surefoot {
+
+namespace {
+constexpr int kUpdateEvery = 200;  // [ms]: numbers that change faster cannot be read; bars are of the same moment
+constexpr const char* kShown[] = {"epsilon-greedy", "trl", "softmax"};
+}  // namespace
+
+ActionRows::ActionRows(Session& session, QWidget* parent) : Painted(parent), session_(session) {
+  setMouseTracking(true);
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  rebuild();
+  sinceUpdate_.start();
+  connect(&session_, &Session::frame, this, &ActionRows::nextFrame);
+  connect(&session_, &Session::valuesArrived, this, qOverload<>(&ActionRows::update));  // the threshold, as the maps
+  connect(&session_, &Session::configurationChanged, this, &ActionRows::rebuild);
+  connect(&session_, &Session::lifeReplaced, this, [this] {
+    share_ = 0;
+    dragging_ = false;
+    rebuild();
+  });
+  connect(&session_, &Session::examinedChanged, this, [this] {
+    sinceUpdate_.invalidate();
+    nextFrame();
+  });
+}
+
+void ActionRows::rebuild() {
+  columns_.clear();
+  std::vector<std::string> names(std::begin(kShown), std::end(kShown));
+  if (const std::string& now = session_.configuration().names.policy;
+      std::find(names.begin(), names.end(), now) == names.end())
+    names.insert(names.begin(), now);
+  for (const std::string& name : names) {
+    auto policy = makePolicy(session_.registry(), name, session_.configuration().parameters);
+    if (!policy) continue;
+    const auto entry = findEntry(session_.registry().policies, "policy", name);
+    columns_.push_back({name, toText((*entry)->title), std::move(*policy), {}});
+  }
+  q_.clear();
+  positive_.clear();
+  negative_.clear();
+  fitScale();
+  numberWidth_ = 0;
+  nextFrame();
+}
+
+bool ActionRows::inForce(std::size_t column) const {
+  return columns_[column].name == session_.configuration().names.policy;
+}
+
+void ActionRows::nextFrame() {
+  const Playback* playback = session_.playback();
+  const int rest = (playback ? playback->rate > 0 : session_.running()) ? kUpdateEvery : kUpdateEvery / 4;
+  if (!isVisible() || (sinceUpdate_.isValid() && sinceUpdate_.elapsed() < rest && !q_.empty())) return;
+  sinceUpdate_.start();
+  if (session_.shown().q.empty()) return;
+  takeValues();
+  fitScale();
+  const LifeTime time = session_.lifeTime();
+  for (Column& column : columns_) {
+    column.policy->advance(time);
+    column.pi.resize(q_.size());
+    column.policy->probabilities(q_, column.pi);
+  }
+  sumLevels();
+  const QFont font = textFont(13, 500);
+  for (const double q : q_) numberWidth_ = std::max(numberWidth_, symbolWidth(font, valueText(q)) / textScale());
+  update();
+}
+
+QString ActionRows::valueText(double q) {
+  return toText(fixedText(q, std::abs(q) < 99.95 ? 1 : 0));
+}
+
+/// Of the live state, or of that which is looked at on the map.
+void ActionRows::takeValues() {
+  const Shown& shown = session_.shown();
+  const std::vector<double>& state = session_.examined();
+  const ValueSnapshot* v = session_.values();
+  chosen_ = kNoAction;
+  if (state.size() != session_.task().state.size() || !v) {
+    q_ = shown.q;
+    positive_ = shown.qPositive;
+    negative_ = shown.qNegative;
+    chosen_ = shown.action;
+    return;
+  }
+  const auto n = static_cast<std::size_t>(v->values->actions());
+  q_.resize(n);
+  session_.valuesShown()->evaluate(state, Layer::Sum, q_);
+  for (auto* part : {&positive_, &negative_}) part->resize(session_.valuesShown()->split() ? n : 0);
+  if (!session_.valuesShown()->split()) return;
+  session_.valuesShown()->evaluate(state, Layer::Positive, positive_);
+  session_.valuesShown()->evaluate(state, Layer::Negative, negative_);
+}
+
+/// As much of the task's returns, from 0 to both sides, as the values have needed since the life began. It does not
+/// shrink, nor move under a threshold that is being dragged.
+void ActionRows::fitScale() {
+  const double lowest = std::min(session_.task().lowestReturn, 0.0);
+  const double highest = std::max(session_.task().highestReturn, lowest == 0 ? 1.0 : 0.0);
+  const auto shareOf = [&](double v) { return v == 0 ? 0.0 : v > 0 ? v / highest : v / lowest; };
+  double needed = share_;
+  for (const auto* values : {&q_, &positive_, &negative_})
+    for (const double v : *values) needed = std::max(needed, shareOf(v));
+  if (const double t = session_.threshold();
+      session_.configuration().names.policy == "trl" && t >= lowest && t <= highest)
+    needed = std::max(needed, shareOf(t));
+  if (!dragging_) {
+    share_ = 1;
+    for (const double less : {0.5, 0.2, 0.1, 0.05})
+      if (needed <= less) share_ = less;
+  }
+  low_ = share_ * lowest, high_ = share_ * highest;
+}
+
+std::string ActionRows::asCsv() const {
+  const auto& variables = session_.task().actionVariables;
+  std::string csv = "action";
+  for (const ActionVariable& v : variables) csv += "," + v.key;
+  csv += positive_.empty() ? ",q" : ",q,q_positive,q_negative";
+  for (const Column& column : columns_) csv += "," + column.name;
+  csv += '\n';
+  for (std::size_t a = 0; a < q_.size(); ++a) {
+    csv += fmt::format("{}", session_.task().actions[a]);
+    for (std::size_t j = 0; j < variables.size(); ++j)
+      csv += fmt::format(",{:.9g}", variables[j].levels[levelOf(session_.task(), a, j)]);
+    csv += fmt::format(",{:.9g}", q_[a]);
+    if (!positive_.empty()) csv += fmt::format(",{:.9g},{:.9g}", positive_[a], negative_[a]);
+    for (const Column& column : columns_) csv += fmt::format(",{:.9g}", column.pi[a]);
+    csv += '\n';
+  }
+  return q_.empty() ? "" : csv;
+}
+
+bool ActionRows::onThreshold(const QPointF& at) const {
+  const Geometry g = geometry();
+  return session_.configuration().names.policy == "trl" && levels_.empty() &&
+         std::abs(at.x() - xOf(session_.threshold(), g)) < 6 && at.y() > 6 && at.y() < g.bottom;
+}
+
+void ActionRows::mousePressEvent(QMouseEvent* event) {
+  dragging_ = event->button() == Qt::LeftButton && onThreshold(mouseAt(*event));
+}
+
+void ActionRows::mouseMoveEvent(QMouseEvent* event) {
+  setCursor(dragging_ || onThreshold(mouseAt(*event)) ? Qt::SplitHCursor : Qt::ArrowCursor);
+  if (!dragging_) return;
+  const Geometry g = geometry();
+  const double share = (mouseAt(*event).x() - g.qLeft) / (g.qRight - g.qLeft);
+  const double value = std::round(std::clamp(low_ + share * (high_ - low_), low_ / share_, high_ / share_));
+  if (value != session_.threshold())
+    static_cast<void>(static_cast<bool>(session_.setParameter("policy.threshold", value)));
+}
+
+void ActionRows::mouseReleaseEvent(QMouseEvent*) {
+  if (!std::exchange(dragging_, false)) return;
+  fitScale();
+  update();
+}
+
+}  // namespace surefoot

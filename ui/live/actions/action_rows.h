@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the robot would do now: a row an action, with its value and its probability under the three policies side by
+// side (the thesis's Figure 4.1, live). The threshold of TRL is a line to drag. Where an action is a combination, a
+// column a variable of it, with a row a level.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QWidget>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "core/policy.h"
+#include "ui/style/painted.h"
+#include "ui/support/exporting.h"
+
+class QPainter;
+
+namespace surefoot {
+
+class Session;
+struct Theme;
+
+class ActionRows final : public Painted<>, public CsvSource {
+  Q_OBJECT
+
+ public:
+  explicit ActionRows(Session& session, QWidget* parent = nullptr);
+  QSize sizeHint() const override { return scaled({576, 240}); }
+  QSize minimumSizeHint() const override { return scaled({400, 190}); }
+  /// A row an action: its value, the parts of it, its probability under each policy.
+  std::string asCsv() const override;
+  /// Least and greatest value on the scale of Q.
+  std::pair<double, double> scaleOfQ() const { return {low_, high_}; }
+  /// Right end of the scale of Q, and left end of its numbers: nothing of the one reaches the other [px].
+  std::pair<double, double> scaleAndNumbers() const;
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+
+ private:
+  struct Column {
+    std::string name;
+    QString title;
+    std::unique_ptr<Policy> policy;
+    std::vector<double> pi;
+  };
+  /// A level of an action variable.
+  struct Level {
+    std::vector<double> chance;  // under each policy
+    double best = 0.0;           // the highest value of an action that has it
+  };
+  /// Where things stand; depends on the size, on the texts and on how wide they are.
+  struct Geometry {
+    double top, row, bottom;           // first row, height of a row, below the last
+    double label;                      // right end of the actions' values
+    double qLeft, qRight, qNumber;     // scale of Q, right end of its number
+    double first, pitch, bar, number;  // columns of the policies: left ends, bar length, right end of the number
+    std::vector<std::size_t> columns;  // those that there is room for
+    bool below;                        // "in force" stands below the policy's name
+  };
+  struct LevelPlace {
+    double left, bar, percent, best, middle, row;
+  };
+
+  void rebuild();
+  void nextFrame();
+  void takeValues();
+  void fitScale();
+  void sumLevels();
+  bool inForce(std::size_t column) const;
+  static QString valueText(double q);
+  QFont rowFont(double row, int weight) const;
+  void drawLevels(QPainter& p, const Theme& t) const;
+  void drawLevelsOf(QPainter& p, const Theme& t, std::size_t variable, double left, double pitch) const;
+  void drawLevelScale(QPainter& p, const Theme& t, const LevelPlace& at, double bottom) const;
+  void drawLevelBars(QPainter& p, const Theme& t, const Level& level, const LevelPlace& at) const;
+  void drawLevelNumbers(QPainter& p, const Theme& t, const Level& level, bool chosen, const LevelPlace& at) const;
+  Geometry geometry() const;
+  double xOf(double value, const Geometry& g) const;
+  bool onScale(double value) const { return value >= low_ && value <= high_; }
+  void drawHead(QPainter& p, const Theme& t, const Geometry& g) const;
+  void drawBars(QPainter& p, const Theme& t, const Geometry& g, std::size_t action) const;
+  void drawNumbers(QPainter& p, const Theme& t, const Geometry& g, std::size_t action) const;
+  void drawScales(QPainter& p, const Theme& t, const Geometry& g) const;
+  void drawThreshold(QPainter& p, const Theme& t, const Geometry& g) const;
+  bool onThreshold(const QPointF& at) const;
+
+  Session& session_;
+  std::vector<Column> columns_;
+  std::vector<double> q_, positive_, negative_;  // the parts are empty where the agent keeps one estimate
+  std::vector<std::vector<Level>> levels_;       // [action variable][level]; empty: an action is one number
+  Action chosen_ = kNoAction;
+  double numberWidth_ = 0;          // the widest number of Q so far, in the usual size of text [px]
+  double low_ = -100, high_ = 200;  // scale of Q
+  double share_ = 0;                // of the task's returns that it shows
+  bool dragging_ = false;
+  QElapsedTimer sinceUpdate_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The course of the life: average reward and cumulative falls on one time axis, with earlier lives as faint curves.
+#pragma once
+
+#include <QChartView>
+#include <QPointer>
+#include <optional>
+#include <vector>
+
+#include "core/life/fall.h"
+#include "ui/live/charts/chart_span.h"
+#include "ui/session/run_curves.h"
+#include "ui/style/painted.h"
+#include "ui/support/exporting.h"
+
+class QLineSeries;
+class QMenu;
+
+namespace surefoot {
+
+struct Theme;
+
+/// One chart. Qt Charts draws the curves; grid, axes, marks and the list at the right are drawn here, because the
+/// chart's own axes have a hyphen for the minus sign and do not line up from chart to chart. Wheel, a drag, + and −
+/// magnify the time axis, Home or a double click shows all of it; the cursor, the mouse's or, by the arrows, the
+/// keyboard's, reads the curve that is nearest.
+class LearningChart final : public Painted<QChartView>, public CsvSource {
+  Q_OBJECT
+
+ public:
+  enum class Shows { AverageReward, Falls };
+  LearningChart(Session& session, ChartSpan& span, Shows shows, QWidget* parent = nullptr);
+  QSize sizeHint() const override { return scaled({440, shows_ == Shows::Falls ? 152 : 168}); }
+  QSize minimumSizeHint() const override { return scaled({240, 100}); }
+  /// The chart that may stand below this one and bears the numbers of the time axis for both while it does.
+  void setBelow(const QWidget* below) { below_ = below; }
+  /// A second learner's curve beside this one's (nullptr: none), while it lives.
+  void setSecond(Session* second);
+  void prepareExport(bool exporting) override;
+  /// A row a point of what is kept: life (0 the one that runs, 1 the one before …), policy, x, value.
+  std::string asCsv() const override;
+  void fillMenu(QMenu& menu) override;
+
+  /// A run as the charts show it: the one that runs, the second learner's, or one of those before.
+  struct Run {
+    const RunCurve* curve;
+    enum class Kind { Live, Second, Earlier } kind;
+  };
+  std::vector<Run> runs() const;
+  /// A line of the list at the right: a run, and its value at the end of what is shown.
+  struct Item {
+    Run run;
+    double value;
+    QString text;
+  };
+  std::vector<Item> items() const;
+  /// What the cursor reads: "3.25 min: 187.3, TRL, live"; empty: nothing.
+  QString reading() const;
+  /// Where marks of falls are drawn [px], and whether a click there replays one.
+  struct FallMark {
+    double x;
+    bool answers, byHand;
+  };
+  std::vector<FallMark> fallMarks() const;
+  const QRectF& plot() const { return plot_; }
+
+ protected:
+  void drawBackground(QPainter* painter, const QRectF& rect) override;
+  void drawForeground(QPainter* painter, const QRectF& rect) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  bool event(QEvent* event) override;
+  bool viewportEvent(QEvent* event) override;
+
+ private:
+  void refresh();
+  void place();
+  void chooseRanges();
+  void chooseRewards();
+  void roundRange(double least, double most);
+  void drawPiece(std::size_t index, const std::vector<CurvePoint>& piece, const QPen& pen, bool fromZero);
+  double xOf(const CurvePoint& point) const;
+  double yOf(const CurvePoint& point) const;
+  QPointF toPixel(double x, double y) const;
+  double timeAt(double pixel) const;
+  QString nameOf(const Run& run) const;
+  double listWidth() const;
+  bool hasTests() const;
+  QString testsName() const;
+  QString valueText(double value) const;
+  QString timeText(double time) const;
+  /// The last state up to a time; nullptr: the curve begins behind it.
+  const CurvePoint* stateAt(const RunCurve& curve, double time) const;
+
+  void drawAxes(QPainter& p, const Theme& t) const;
+  void drawTimeAxis(QPainter& p, const Theme& t) const;
+  /// A dashed vertical with its text: a change of a parameter, the end of learning.
+  struct Mark {
+    double x;
+    QString text;
+  };
+  std::vector<Mark> marks() const;
+  double timeOfStep(std::int64_t step) const;
+  void drawMarks(QPainter& p, const Theme& t) const;
+  QString textOf(const Change& change) const;
+  const RunCurve* secondCurve() const;
+  void drawFallMarks(QPainter& p, const Theme& t) const;
+  /// A dot a greedy test, which the average does not hold.
+  void drawTests(QPainter& p, const Theme& t) const;
+  void drawList(QPainter& p, const Theme& t) const;
+  void drawCursor(QPainter& p, const Theme& t) const;
+
+  /// What the cursor is at.
+  struct Read {
+    Run run;
+    CurvePoint point;
+    std::size_t index;  // of runs()
+  };
+  std::optional<Read> read() const;
+  void moveCursor(int steps);
+  void readNext(int step);
+  void replayNear(double pixel);
+  bool usesKey(int key) const;
+
+  bool hasTimeAxis() const;
+
+  static constexpr double kLeft = 48, kTop = 12, kTopWithTitle = 34, kBottom = 12,
+                          kBottomWithAxis = 40;  // gutters [px]
+
+  Session& session_;
+  ChartSpan& span_;
+  Shows shows_;
+  QPointer<Session> second_;
+  const QWidget* below_ = nullptr;
+  bool exporting_ = false, ring_ = false;
+  std::vector<QLineSeries*> series_;  // one a piece, earlier lives first; those not needed are empty
+  QRectF plot_;
+  double yLeast_ = 0, yMost_ = 1, yStep_ = 1;
+  std::optional<double> mouseY_;             // of the cursor, where the mouse moves it [px]
+  std::optional<std::size_t> readRun_;       // of runs(), where the keyboard chose one
+  std::optional<double> pressed_, dragged_;  // a part is being selected [px]
+};
+
+}  // namespace surefoot

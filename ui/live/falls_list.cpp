@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/live/falls_list.h"
+
+#include <fmt/format.h>
+
+#include <QAbstractTableModel>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QPainter>
+
+#include "core/text/text.h"
+#include "ui/session/session.h"
+#include "ui/style/symbol_text.h"
+#include "ui/style/theme.h"
+#include "ui/support/keyboard.h"
+
+namespace surefoot {
+
+namespace {
+
+/// Numbers are read from the right, names from the left; the heads stand over them.
+Qt::Alignment alignmentOf(int column) {
+  return Qt::AlignVCenter | (column == 4 ? Qt::AlignLeft : Qt::AlignRight);
+}
+
+/// What a person did in the episode, so that the fall is not the policy's alone.
+QString handOf(const Fall& fall) {
+  return fall.inputs.start.empty() ? QObject::tr("pushed") : QObject::tr("placed");
+}
+
+class FallsModel final : public QAbstractTableModel {
+ public:
+  FallsModel(Session& session, QWidget* parent) : QAbstractTableModel(parent), session_(session) {
+    connect(&session_, &Session::fallsArrived, this, [this, parent] {
+      if (parent->isVisible() || session_.falls().empty()) refresh();
+    });
+  }
+  void refresh() {
+    beginResetModel();
+    endResetModel();
+  }
+  int rowCount(const QModelIndex&) const override { return static_cast<int>(session_.falls().size()); }
+  int columnCount(const QModelIndex&) const override { return 5; }
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override {
+    static const char* const kHeads[] = {QT_TR_NOOP("Fall"), QT_TR_NOOP("Episode"), QT_TR_NOOP("Time min"),
+                                         QT_TR_NOOP("Steps"), QT_TR_NOOP("Policy")};
+    if (orientation != Qt::Horizontal) return {};
+    if (role == Qt::TextAlignmentRole) return QVariant::fromValue(alignmentOf(section));
+    return role == Qt::DisplayRole ? QObject::tr(kHeads[section]) : QVariant();
+  }
+  QVariant data(const QModelIndex& index, int role) const override {
+    if (role == Qt::TextAlignmentRole) return QVariant::fromValue(alignmentOf(index.column()));
+    if (role == Qt::ToolTipRole) return QObject::tr("Click to see the last seconds of this fall again");
+    if (role != Qt::DisplayRole) return {};
+    const Fall& fall = session_.falls()[session_.falls().size() - 1 - static_cast<std::size_t>(index.row())];
+    const double perStep = session_.task().stepTime.value_or(0.0) / 60.0;
+    switch (index.column()) {
+      case 0:
+        return toText(countText(static_cast<double>(fall.number)));
+      case 1:
+        return toText(countText(static_cast<double>(fall.episode)));
+      case 2:
+        return perStep > 0 ? toText(fixedText(static_cast<double>(fall.lifeSteps) * perStep, 2)) : QStringLiteral("–");
+      case 3:
+        return toText(countText(static_cast<double>(fall.inputs.actions.size())));
+      default: {
+        const auto entry = findEntry(session_.registry().policies, "policy", fall.policy);
+        const QString policy = toText(entry ? (*entry)->title : fall.policy);
+        return fall.byHand() ? QObject::tr("%1, %2 by hand").arg(policy, handOf(fall)) : policy;
+      }
+    }
+  }
+
+ private:
+  Session& session_;
+};
+
+}  // namespace
+
+FallsList::FallsList(Session& session, QWidget* parent) : QTableView(parent), session_(session) {
+  setModel(new FallsModel(session, this));
+  verticalHeader()->hide();
+  whenScaled(this, [this] {
+    verticalHeader()->setDefaultSectionSize(scaled(24));
+    horizontalHeader()->setFont(scaledFont(11, 500));
+  });
+  horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  horizontalHeader()->setHighlightSections(false);
+  setSelectionBehavior(SelectRows);
+  setSelectionMode(SingleSelection);
+  setShowGrid(false);
+  setFrameShape(QFrame::NoFrame);
+  setTabKeyNavigation(false);
+  setProperty(kRowsOnly, true);  // ← → belong to the replay
+  connect(this, &QTableView::clicked, this, &FallsList::replay);
+  connect(this, &QTableView::activated, this, &FallsList::replay);
+}
+
+void FallsList::showEvent(QShowEvent* event) {
+  static_cast<FallsModel*>(model())->refresh();
+  QTableView::showEvent(event);
+}
+
+std::string FallsList::asCsv() const {
+  if (session_.falls().empty()) return "";
+  std::string csv = "fall,episode,minutes,steps,policy,by_hand\n";
+  const double perStep = session_.task().stepTime.value_or(0.0) / 60.0;
+  for (const Fall& fall : session_.falls())
+    csv += fmt::format("{},{},{},{},{},{}\n", fall.number, fall.episode,
+                       perStep > 0 ? fmt::format("{:.9g}", static_cast<double>(fall.lifeSteps) * perStep) : "",
+                       fall.inputs.actions.size(), fall.policy,
+                       fall.byHand() ? fall.inputs.start.empty() ? "pushed" : "placed" : "");
+  return csv;
+}
+
+void FallsList::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right)
+    return session_.lookBack(event->key() == Qt::Key_Left ? -1 : 1);
+  QTableView::keyPressEvent(event);
+}
+
+void FallsList::replay(const QModelIndex& index) {
+  session_.replayFall(session_.falls().size() - 1 - static_cast<std::size_t>(index.row()));
+}
+
+void FallsList::paintEvent(QPaintEvent* event) {
+  QTableView::paintEvent(event);
+  if (!session_.falls().empty()) return;
+  const Theme& t = themeOf(*this);
+  QPainter p(viewport());
+  p.setFont(scaledFont(11));
+  p.setPen(t.quiet);
+  p.drawText(viewport()->rect(), Qt::AlignCenter,
+             session_.snapshot().totals.falls > 0
+                 ? tr("The next falls appear here.\nThose before were not recorded in this window.")
+                 : tr("Falls appear here. None so far."));
+}
+
+}  // namespace surefoot

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where simulation and reality differ: a row a parameter, with its value in each. Rows that are alike are not shown;
+// one that is to differ is looked for by name and added.
+#pragma once
+
+#include <QWidget>
+#include <string>
+#include <vector>
+
+#include "core/parameters.h"
+#include "ui/session/session.h"
+
+class QComboBox;
+class QGridLayout;
+class QLabel;
+class QLineEdit;
+
+namespace surefoot {
+
+class ModelRows final : public QWidget {
+  Q_OBJECT
+
+ public:
+  enum class Side { Simulation, Reality };
+  explicit ModelRows(const Session& session, QWidget* parent = nullptr);
+  /// Whether this environment's model has anything to be wrong about.
+  bool empty() const { return rows_.empty(); }
+  /// A scenario's values as the simulation's; the rest is as in reality.
+  void simulate(const std::vector<std::pair<std::string, double>>& values);
+  /// The session's configuration with the values of one side; the error names the value that cannot be.
+  Result<Configuration> model(Side side) const;
+
+ Q_SIGNALS:
+  /// A value of the simulation was typed: it is no scenario any more.
+  void simulationTyped();
+
+ private:
+  struct Row {
+    Parameter parameter;
+    double simulation, reality;  ///< exact, while what is shown is rounded
+    QLabel* name = nullptr;      ///< made when the row is first shown
+    QLineEdit *first = nullptr, *second = nullptr;
+  };
+  QLineEdit* makeField(const Row& row, double value, const QString& where);
+  void show(Row& row);
+  void addChosen();
+  void fillChoices();
+
+  const Session& session_;
+  QGridLayout* grid_;
+  QLabel* alike_;
+  QComboBox* add_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/live/form/parameter_form.h"
+
+#include <QPainter>
+
+#include <set>
+
+#include "ui/live/form/parameter_row.h"
+#include "ui/session/session.h"
+#include "ui/style/icons.h"
+#include "ui/style/symbol_text.h"
+#include "ui/style/theme.h"
+
+namespace surefoot {
+
+namespace {
+
+constexpr int kRoomForMore = 860;  // [px] from this height on the second rank of parameters is shown as well
+
+/// "POLICY", and when a change of what stands below takes effect, if not at once.
+class SectionHead final : public Painted<> {
+ public:
+  SectionHead(const QString& title, const QString& tag, bool caution, bool first, QWidget* parent)
+      : Painted(parent),
+        title_(title),
+        tag_(tag),
+        caution_(caution),
+        first_(first) {
+    whenScaled(this, [this] { setFixedHeight(scaled(first_ ? 26 : 42)); });
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    const Theme& t = themeOf(*this);
+    ScaledPainter p(this);
+    if (!first_) p.fillRect(QRect(0, 7, width(), 1), t.hairline);
+    QFont font = textFont(11, 500);
+    font.setLetterSpacing(QFont::AbsoluteSpacing, 0.6);
+    p.setFont(font);
+    p.setPen(t.quiet);
+    p.drawText(QPointF(0, height() - 9), title_.toUpper());
+    p.setFont(textFont(11));
+    p.setPen(caution_ ? t.caution : t.quiet);
+    p.drawText(QRectF(0, height() - 22, width(), 18), Qt::AlignRight | Qt::AlignVCenter, tag_);
+    if (tag_.isEmpty()) return;
+    const double k = textScale(), size = 14 * k, left = width() - symbolWidth(p.font(), tag_) - size - 4 * k;
+    p.save();
+    p.translate(left + size / 2, height() - 13);
+    p.scale(0.75 * k, 0.75 * k);
+    drawIcon(p, caution_ ? Icon::Restart : Icon::Step, QRectF(-8, -8, 16, 16), p.pen().color());
+    p.restore();
+  }
+
+ private:
+  QString title_, tag_;
+  bool caution_, first_;
+};
+
+QString titleOf(Group group) {
+  switch (group) {
+    case Group::Policy:
+      return QObject::tr("Policy");
+    case Group::Learning:
+      return QObject::tr("Learning");
+    case Group::Rewards:
+      return QObject::tr("Rewards");
+    case Group::Representation:
+      return QObject::tr("Representation");
+    case Group::Model:
+      break;
+  }
+  return QObject::tr("Model");
+}
+
+/// The policy that alone uses a key, or "": ε belongs to ε-greedy first, whoever else uses it.
+std::string ownerOf(const Registry& registry, const std::string& key) {
+  std::vector<std::string> owners;
+  for (const PolicyEntry& entry : registry.policies)
+    for (const std::string& used : policyKeys(entry))
+      if (used == key) owners.push_back(entry.name);
+  if (owners.empty()) return "";
+  return key == "policy.below" ? "" : owners.front();
+}
+
+}  // namespace
+
+ParameterForm::ParameterForm(Session& session, QWidget* parent) : QScrollArea(parent), session_(session) {
+  setWidgetResizable(true);
+  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  setFrameShape(QFrame::NoFrame);
+  setFocusPolicy(Qt::NoFocus);
+  whenScaled(this, [this] { setMinimumWidth(scaled(264)); });
+  build();
+  connect(&session_, &Session::parametersReplaced, this, &ParameterForm::build);
+  connect(&session_, &Session::configurationChanged, this, &ParameterForm::refresh);
+  connect(&session_, &Session::valuesArrived, this, &ParameterForm::refresh);
+}
+
+void ParameterForm::build() {
+  sections_.clear();  // setWidget() below deletes the old page
+  auto* page = new QWidget;
+  auto* column = new QVBoxLayout(page);
+  whenScaled(page, [column] { column->setContentsMargins(scaled({12, 0, 8, 12})); });
+  column->setSpacing(0);
+  for (const Group group : {Group::Policy, Group::Learning, Group::Rewards, Group::Representation, Group::Model}) {
+    const bool newTable = group == Group::Representation, nextEpisode = group == Group::Model;
+    const QString tag = newTable ? tr("new table") : nextEpisode ? tr("next episode") : QString();
+    Section section{new SectionHead(titleOf(group), tag, newTable, sections_.empty(), page), {}};
+    column->addWidget(section.head);
+    for (const auto& entry : session_.configuration().parameters.all()) {
+      const Parameter& p = entry.parameter;
+      if (p.group != group) continue;
+      auto* place = new QVBoxLayout;
+      column->addLayout(place);
+      section.rows.push_back({p, place});
+    }
+    sections_.push_back(std::move(section));
+  }
+  column->addStretch(1);
+  setWidget(page);
+  refresh();
+}
+
+void ParameterForm::setShowAll(bool all) {
+  all_ = all;
+  refresh();
+}
+
+void ParameterForm::make(Row& row) {
+  row.row = new ParameterRow(row.parameter, ownerOf(session_.registry(), row.parameter.key), widget());
+  connect(row.row, &ParameterRow::edited, this, &ParameterForm::edit);
+  connect(row.row, &ParameterRow::refused, this, &ParameterForm::refused);
+  row.place->addWidget(row.row);
+}
+
+/// Tab goes down the form, whenever its rows were made.
+void ParameterForm::orderTabs() {
+  QWidget* last = nullptr;
+  for (const Section& section : sections_)
+    for (const Row& row : section.rows)
+      for (QWidget* control : row.row ? row.row->findChildren<QWidget*>() : QList<QWidget*>()) {
+        if (!(control->focusPolicy() & Qt::TabFocus)) continue;
+        if (last) setTabOrder(last, control);
+        last = control;
+      }
+}
+
+void ParameterForm::chooseRows() {
+  const int most = all_ ? 3 : height() >= scaled(kRoomForMore) ? 2 : 1;
+  const Parameters& parameters = session_.configuration().parameters;
+  const auto hasEffect = [&](const Parameter& p) { return p.needs.empty() || parameters.get(p.needs) != 0.0; };
+  bool made = false;
+  for (Section& section : sections_) {
+    bool any = false;
+    for (Row& row : section.rows) {
+      const bool shown = row.parameter.order <= most && hasEffect(row.parameter);
+      if (shown && !row.row) made = true, make(row);
+      if (row.row) row.row->setVisible(shown);
+      any |= shown;
+    }
+    section.head->setVisible(any);
+  }
+  if (made) orderTabs();
+}
+
+void ParameterForm::resizeEvent(QResizeEvent* event) {
+  QScrollArea::resizeEvent(event);
+  refresh();
+}
+
+void ParameterForm::refresh() {
+  chooseRows();
+  const Configuration& c = session_.configuration();
+  const auto policy = findEntry(session_.registry().policies, "policy", c.names.policy);
+  const std::vector<std::string> keys = policyKeys(**policy);
+  const std::set<std::string> inForce(keys.begin(), keys.end());
+  for (const Section& section : sections_)
+    for (const auto& [parameter, place, row] : section.rows) {
+      if (!row || !c.parameters.find(row->key())) continue;  // its rows are those of the task before
+      row->show(c.parameters.get(row->key()), session_.base(row->key()), session_.changedAt(row->key()));
+      row->setInForce(inForce.contains(row->key()) ? c.names.policy : "");
+    }
+}
+
+void ParameterForm::edit(const QString& key, double value) {
+  if (const Status s = session_.setParameter(key.toStdString(), value); !s) {
+    const QString sentence = toText(s.error().message);
+    for (const Section& section : sections_)
+      for (const Row& row : section.rows)
+        if (row.row && toText(row.row->key()) == key) row.row->tellRefused(tr("not with the others"), sentence);
+    Q_EMIT refused(sentence);
+  }
+  refresh();
+}
+
+void ParameterForm::resetAll() {
+  const Parameters before = session_.configuration().parameters;
+  session_.beginMacro(tr("all parameters"));
+  for (const auto& entry : before.all())
+    if (entry.parameter.when != When::NewTable) edit(toText(entry.parameter.key), session_.base(entry.parameter.key));
+  session_.endMacro();
+}
+
+}  // namespace surefoot

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The form of all parameters, made from their declarations.
+#pragma once
+
+#include <QScrollArea>
+#include <QVBoxLayout>
+#include <vector>
+
+#include "core/parameters.h"
+#include "ui/style/scale.h"
+
+namespace surefoot {
+
+class ParameterRow;
+class Session;
+
+class ParameterForm final : public QScrollArea {
+  Q_OBJECT
+
+ public:
+  explicit ParameterForm(Session& session, QWidget* parent = nullptr);
+  /// All parameters, or only those that fit the usual window.
+  void setShowAll(bool all);
+  bool showsAll() const { return all_; }
+  QSize sizeHint() const override { return scaled({264, 640}); }
+
+ public Q_SLOTS:
+  void resetAll();
+
+ Q_SIGNALS:
+  void refused(const QString& sentence);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
+ private:
+  struct Row {
+    Parameter parameter;
+    QVBoxLayout* place;
+    ParameterRow* row = nullptr;  // made when it is first shown: a robot has a hundred that few people ask for
+  };
+  struct Section {
+    QWidget* head;
+    std::vector<Row> rows;
+  };
+  void build();
+  void refresh();
+  void chooseRows();
+  void make(Row& row);
+  void orderTabs();
+  void edit(const QString& key, double value);
+
+  Session& session_;
+  bool all_ = false;
+  std::vector<Section> sections_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// "Pre-learn, then transfer": where the model differs between simulation and reality, a pool of Q-functions learned on
+// the first, and the life on the second that begins with one of them. It fits every screen: what is too long scrolls.
+#pragma once
+
+#include <QDialog>
+#include <string>
+
+#include "ui/session/q_pool.h"
+
+class QGridLayout;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QSpinBox;
+class QTableWidget;
+class QVBoxLayout;
+
+namespace surefoot {
+
+class Combo;
+class ModelRows;
+class Session;
+
+class PreLearningDialog final : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit PreLearningDialog(Session& session, QWidget* parent);
+
+ Q_SIGNALS:
+  /// A life has begun with a Q-function of the pool.
+  void transferred(const QString& sentence);
+
+ private:
+  void makeModel(QGridLayout* grid);
+  void makeLearning(QGridLayout* grid);
+  void makePool(QGridLayout* grid);
+  void makeFoot(QVBoxLayout* column);
+  void fitToScreen();
+  void useScenario(const std::string& name);
+  void startOrStop();
+  void transfer();
+  void refresh();
+  void refreshRow(int row);
+
+  Session& session_;
+  QPool pool_;
+  ModelRows* model_;
+  Combo* scenario_ = nullptr;
+  QLineEdit* until_ = nullptr;
+  QSpinBox* size_ = nullptr;
+  QTableWidget* table_ = nullptr;
+  QPushButton *start_ = nullptr, *transfer_ = nullptr;
+  QLabel* words_ = nullptr;
+};
+
+}  // namespace surefoot

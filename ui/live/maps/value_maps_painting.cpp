@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the panel of value maps is drawn.
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "core/text/text.h"
+#include "ui/live/maps/value_maps.h"
+#include "ui/session/session.h"
+#include "ui/style/round_numbers.h"
+#include "ui/style/symbol_text.h"
+
+namespace surefoot {
+
+namespace {
+
+/// Numbers at an axis, as many as can be read: from the first, so far apart.
+struct Ticks {
+  double first, step;
+  int decimals;
+};
+
+Ticks ticksOf(const StateVariable& v, double length, double room) {
+  const double range = v.viewHigh - v.viewLow;
+  double step = niceAbove(range * std::min(1.0, room / std::max(length, 1.0)));
+  if (v.whole) step = std::max(1.0, step);
+  return {std::ceil(v.viewLow / step) * step, step, step < 0.1 ? 2 : step < 1 ? 1 : 0};
+}
+
+/// The same text, shorter by whole parts, so that it fits.
+QString fitted(const QFont& font, const StateVariable& v, double room) {
+  for (const QString& text : {axisTitleOf(v), toText(v.title), symbolOf(v)})
+    if (symbolWidth(font, text) <= room) return text;
+  return {};
+}
+
+}  // namespace
+
+QString ValueMaps::title() const {
+  switch (choice_.quantity) {
+    case MapQuantity::GreedyAction:
+      return tr("Greedy action");
+    case MapQuantity::Visits:
+      return tr("Visits");
+    case MapQuantity::Eligibility:
+      return tr("Eligibility");
+    default:
+      return QStringLiteral("Q");
+  }
+}
+
+MapMarks ValueMaps::marks(double ring) const {
+  return {.live = session_.shown().state, .cursor = session_.examined(), .ring = ring};
+}
+
+void ValueMaps::paintEvent(QPaintEvent*) {
+  const Theme& t = themeOf(*this);
+  ScaledPainter p(this);
+  p.fillRect(rect(), t.panel);
+  if (session_.task().state.empty()) return;
+  const Geometry g = geometry();
+  const double k = textScale();
+  if (hasFocus()) {
+    p.setPen(QPen(t.accent, 2));
+    p.drawRect(g.big.adjusted(-2, -2, 2, 2));
+  }
+  if (!any_) {
+    p.setFont(textFont(11));
+    p.setPen(t.quiet);
+    p.drawText(g.square, Qt::AlignCenter | Qt::TextWordWrap, tr("The map appears with the first steps."));
+    return;
+  }
+  const double cell = session_.task().state[static_cast<std::size_t>(choice_.x)].whole
+                          ? 0.36 * g.big.width() / std::max(1, big_.columns())
+                          : 100.0;
+  MapMarks m = marks(std::clamp(cell, 3.0, 6 * k));
+  if (valued() && session_.configuration().names.policy == "trl") m.contour = session_.threshold();
+  drawTitles(p, g, t);
+  const auto ways = directions();
+  big_.draw(p, g.big, t, session_.task(), m);
+  if (!ways.empty() && (valued() || choice_.quantity == MapQuantity::GreedyAction))
+    big_.drawArrows(p, g.big, t, greedy_, ways);
+  drawBigBar(p, g, t);
+  drawSmallMaps(p, g, t);
+  drawFootprints(p, g, t);
+  drawAxes(p, g, t);
+  drawKey(p, g, t);
+  drawReading(p, g, t);
+}
+
+/// A value never visited counts as below.
+bool ValueMaps::thresholdCuts() const {
+  const auto range = big_.range();
+  return range && session_.threshold() < range->second &&
+         (session_.threshold() >= range->first || big_.anyNeverVisited());
+}
+
+/// What the contour is, or that there is none; as long as there is room for.
+void ValueMaps::drawThresholdNote(QPainter& p, const Geometry& g, const Theme& t) const {
+  if (!valued() || session_.configuration().names.policy != "trl" || !big_.range()) return;
+  p.setFont(textFont(11));
+  p.setPen(t.quiet);
+  const double from = g.square.left() + symbolWidth(textFont(13, 500), title()) + 8;
+  const bool below = session_.threshold() >= big_.range()->second;
+  const QStringList texts = thresholdCuts() ? QStringList{tr("contour: threshold %1"), tr("threshold %1"), "%1"}
+                            : below ? QStringList{tr("all values below threshold %1"), tr("all below %1"), "< %1"}
+                                    : QStringList{tr("all values above threshold %1"), tr("all above %1"), "> %1"};
+  for (const QString& text : texts) {
+    const QString words = text.arg(toText(countText(session_.threshold())));
+    const double x = g.square.right() - symbolWidth(p.font(), words);
+    if (x < from) continue;
+    return drawSymbol(p, x, g.square.top() - 8 * textScale(), words);
+  }
+}
+
+/// What each map shows.
+void ValueMaps::drawTitles(QPainter& p, const Geometry& g, const Theme& t) const {
+  const bool parts = split() && valued();
+  const auto write = [&](double x, double y, const QString& name, const QString& note, double right) {
+    p.setFont(textFont(13, 500));
+    p.setPen(t.ink);
+    drawSymbol(p, x, y, name);
+    const double end = x + symbolWidth(p.font(), name) + 6;
+    p.setFont(textFont(11));
+    p.setPen(t.quiet);
+    if (end + symbolWidth(p.font(), note) <= right) drawSymbol(p, end, y, note);
+  };
+  const double up = 8 * textScale();
+  write(g.square.left(), g.square.top() - up, title(), {}, 0);
+  drawThresholdNote(p, g, t);
+  const bool goal = session_.task().goalReward.has_value();
+  const auto& terms = session_.task().rewardTerms;
+  const bool falls = std::find(terms.begin(), terms.end(), "fall") != terms.end();
+  const bool fall = goal && falls && session_.task().timeReward == 0.0;
+  write(g.upper.left(), g.upper.top() - up, parts ? QStringLiteral("Q⁺") : tr("Visits"),
+        parts ? goal ? tr("goal") : tr("gains") : QString(), g.upperTitleEnd);
+  write(g.lower.left(), g.lower.top() - up, parts ? QStringLiteral("Q⁻") : tr("Eligibility"),
+        parts ? fall ? tr("fall") : tr("losses") : QString(), g.lowerTitleEnd);
+}
+
+void ValueMaps::drawBigBar(QPainter& p, const Geometry& g, const Theme& t) const {
+  const Task& task = session_.task();
+  std::vector<double> numbers;
+  std::vector<QString> names;
+  if (bigScale_.kind == MapScale::Kind::Steps) {
+    for (std::size_t a = 0; a < greedyValues(choice_, task); ++a) {
+      numbers.push_back(static_cast<double>(a));
+      names.push_back(greedyNameOf(choice_, task, a));
+    }
+  } else if (bigScale_.kind == MapScale::Kind::Viridis) {
+    numbers = {1, std::pow(10.0, std::floor(std::log10(bigScale_.high) / 2)), bigScale_.high};
+  } else if (bigScale_.kind == MapScale::Kind::Positive) {
+    numbers = {0, 0.5, 1};
+  } else {
+    const double low = bigScale_.low, high = bigScale_.high, step = niceAbove((high - low) / 4.0001);
+    numbers = {low, 0};
+    for (double v = step * std::ceil(low / step); v < high; v += step)
+      if (v > low && std::abs(v) > step / 2) numbers.push_back(v);
+    numbers.push_back(high);
+  }
+  ValueMap::drawBar(p, g.bigBar, bigScale_, t, numbers, names, g.bigBarRoom);
+  if (!valued() || session_.configuration().names.policy != "trl") return;
+  const double share = bigScale_.position(session_.threshold());
+  if (share < 0 || share > 1) return;  // the note at the title says where it is
+  const double y = g.bigBar.bottom() - share * g.bigBar.height();
+  p.setPen(QPen(t.ink, 2));
+  p.drawLine(QPointF(g.bigBar.left() - 1, y), QPointF(g.bigBar.right() + 1, y));
+}
+
+void ValueMaps::drawSmallMaps(QPainter& p, const Geometry& g, const Theme& t) const {
+  const double ring = std::clamp(0.5 * g.upper.width() / std::max(1, upper_.columns()), 2.5, 4 * textScale());
+  const double radius = session_.task().state[static_cast<std::size_t>(choice_.x)].whole ? ring : 4 * textScale();
+  upper_.draw(p, g.upper, t, session_.task(), marks(radius));
+  lower_.draw(p, g.lower, t, session_.task(), marks(radius));
+  if (split() && valued()) return;
+  const double middle = std::pow(10.0, std::floor(std::log10(visitScale_.high) / 2));
+  const double visitNumbers[] = {1, middle, visitScale_.high};
+  ValueMap::drawBar(p, g.upperBar, visitScale_, t, visitNumbers);
+  const double eligibilityNumbers[] = {0, 0.5, 1};
+  ValueMap::drawBar(p, g.lowerBar, eligibilityScale_, t, eligibilityNumbers);
+}
+
+void ValueMaps::drawKey(QPainter& p, const Geometry& g, const Theme& t) const {
+  const double k = textScale();
+  const QRectF key(g.key, QSizeF(16 * k, 10 * k));
+  ValueMap::drawHatching(p, key, t);
+  p.setPen(QPen(t.outline, 1));
+  p.drawRect(key);
+  p.setFont(textFont(11));
+  p.setPen(t.quiet);
+  drawSymbol(p, QRectF(key.right() + 6 * k, key.top() - 5 * k, 200, 20 * k), Qt::AlignLeft, tr("never visited"));
+}
+
+void ValueMaps::drawNumbers(QPainter& p, const QRectF& m, const Theme& t, bool horizontal) const {
+  const StateVariable& v = session_.task().state[static_cast<std::size_t>(horizontal ? choice_.x : choice_.y)];
+  p.setFont(textFont(11));
+  const double k = textScale(), height = QFontMetricsF(p.font()).height();
+  const double length = horizontal ? m.width() : m.height();
+  const double least = horizontal ? symbolWidth(p.font(), QStringLiteral("−0.0")) + 10 * k : 1.5 * height;
+  const Ticks ticks = ticksOf(v, length, v.whole && horizontal ? 1.6 * height : least);
+  for (double value = ticks.first; value <= v.viewHigh + 1e-9; value += ticks.step) {
+    const double share = (value - v.viewLow) / (v.viewHigh - v.viewLow);
+    const QString text = toText(fixedText(value, ticks.decimals));
+    p.setPen(QPen(t.outline, 1));
+    if (horizontal) {
+      const double at = m.left() + share * m.width();
+      p.drawLine(QPointF(at, m.bottom()), QPointF(at, m.bottom() + 4));
+      p.setPen(t.quiet);
+      drawSymbol(p, QRectF(at - 30, m.bottom() + 4, 60, 16 * k), Qt::AlignHCenter, text);
+    } else {
+      const double at = m.bottom() - share * m.height();
+      p.drawLine(QPointF(m.left() - 4, at), QPointF(m.left(), at));
+      p.setPen(t.quiet);
+      drawSymbol(p, QRectF(m.left() - 7 - 60, at - height / 2, 60, height), Qt::AlignRight, text);
+    }
+  }
+}
+
+void ValueMaps::drawAxes(QPainter& p, const Geometry& g, const Theme& t) const {
+  const Task& task = session_.task();
+  const double k = textScale();
+  const auto& state = task.state;
+  const StateVariable &x = state[static_cast<std::size_t>(choice_.x)], &y = state[static_cast<std::size_t>(choice_.y)];
+  drawNumbers(p, g.big, t, true);
+  p.setPen(t.quiet);
+  drawSymbol(p, QRectF(g.big.left(), g.big.bottom() + 22 * k, g.big.width(), 16 * k), Qt::AlignHCenter,
+             fitted(p.font(), x, g.xTitle.second - g.xTitle.first));
+  if (slice_.strip()) return;
+  drawNumbers(p, g.big, t, false);
+  p.save();
+  p.translate(g.big.left() - 40 * k, g.big.center().y());
+  p.rotate(-90);
+  p.setPen(t.quiet);
+  drawSymbol(p, QRectF(-150, -8, 300, 16), Qt::AlignHCenter, fitted(p.font(), y, g.square.height() + 20));
+  p.restore();
+}
+
+}  // namespace surefoot

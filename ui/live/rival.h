@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A second learner beside the first: another policy, learning rule, start or parameters in a world of its own, with the
+// same seed. It runs, rests and starts again with the first, and begins as the first did unless it is told otherwise; a
+// parameter that is changed there is changed here as well, as long as it is the same in both.
+#pragma once
+
+#include <QPointer>
+#include <QWidget>
+#include <functional>
+#include <map>
+
+#include "ui/session/background.h"
+#include "ui/session/session.h"
+
+class QDialog;
+
+namespace surefoot {
+
+class CompareStrip;
+class WorldView;
+
+class Rival final : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// What the second learner begins with.
+  enum class Start { Same, Empty, File };
+
+  explicit Rival(Session& first, QWidget* parent = nullptr);
+  ~Rival() override;
+  Session& session() { return *session_; }
+  Session& first() { return first_; }
+  WorldView& world() { return *world_; }
+  /// What stands above both worlds all the time: how both learn and began, and their falls.
+  CompareStrip& strip();
+
+  const std::string& policy() const { return policy_; }
+  const std::string& agent() const { return agent_; }
+  Start start() const { return begin_.start; }
+  // Another learning rule or start begins a new life; one that has learned anything is asked for first.
+  void choose(const std::string& agent, const std::string& policy);
+  void setStart(Start start);
+  /// … a Q-function in a file.
+  void startWith(const QString& path);
+  /// Parameters that are other ones than the first's: "Threshold 66". Empty: none.
+  QString ownParameters() const;
+  void showParameters();
+  /// Out of sight it rests; its life goes on when it is shown again.
+  void setResting(bool resting);
+
+ Q_SIGNALS:
+  void refused(const QString& sentence);
+  void told(const QString& sentence);
+  void newTableAsked(const QString& sentence, const std::function<void()>& goOn);
+  void changed();  ///< policy, learning rule, start or parameters
+
+ private:
+  Configuration configurationLikeFirst();
+  bool fits(const Configuration& own) const;
+  void firstReplaced();
+  void secondReplaced();
+  void startAgain();
+  void askToStartAgain(const QString& why, std::function<void()> choose);
+  void follow();
+  void followParameters();
+  void askForNewTable(const QString& key, double value);
+
+  Session& first_;
+  struct Beginning {
+    Start start = Start::Same;
+    std::shared_ptr<const TensorFile> file{};
+  };
+  std::string policy_, agent_;
+  Beginning begin_, began_;  // what is chosen; what the life began with
+  std::map<std::string, double> firstHad_, own_;
+  std::unique_ptr<Session> session_;
+  /// The lives that the second had beside lives of the first, by their lineage.
+  std::map<std::uint64_t, std::shared_ptr<KeptLife>> beside_;
+  std::uint64_t lineage_;                  // of the first's life
+  std::uint64_t ranBeside_, keptBeside_;  // the first's life beside the second's; beside that of the second before
+  bool resting_ = false, startsLate_ = false;
+  WorldView* world_ = nullptr;
+  QPointer<CompareStrip> strip_;
+  QPointer<QDialog> parameters_;
+  Background reading_;
+};
+
+}  // namespace surefoot

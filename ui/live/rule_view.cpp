@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/live/rule_view.h"
+
+#include <QAbstractTextDocumentLayout>
+#include <QPainter>
+#include <QPushButton>
+#include <QRegularExpression>
+#include <QTextDocument>
+#include <cmath>
+
+#include "core/text/text.h"
+#include "ui/session/session.h"
+#include "ui/style/symbol_text.h"
+#include "ui/style/theme.h"
+
+namespace surefoot {
+
+namespace {
+constexpr int kPadding = 12, kGap = 5;  // [px]
+constexpr int kNumber = 24, kText = 11;  // sizes of text [px]
+
+QString oneDecimal(double value) {
+  return toText(fixedText(value, 1));
+}
+
+/// "γ^n*" and "R_t" with what stands high and low, not to be broken there.
+QString richText(const QString& text) {
+  static const QRegularExpression high("\\^([^ )]+)"), low("([A-Za-z])_([a-z])");
+  return text.toHtmlEscaped().replace("(1 − ", "(1\u00A0−\u00A0").replace(high, "<sup>\\1</sup>").replace(low, "\\1<sub>\\2</sub>");
+}
+}  // namespace
+
+RuleView::RuleView(Session& session, QWidget* parent)
+    : Painted(parent),
+      session_(session),
+      use_(new QPushButton(this)) {
+  use_->setToolTip(tr("Sets TRL's threshold to the rule's number, rounded; Edit › Undo takes it back"));
+  connect(use_, &QPushButton::clicked, this, &RuleView::use);
+  for (const auto changed : {&Session::valuesArrived, &Session::configurationChanged, &Session::lifeReplaced})
+    connect(&session_, changed, this, &RuleView::refresh);
+  refresh();
+}
+
+const RuleOfThumb* RuleView::rule() const {
+  const ValueSnapshot* v = session_.values();
+  return v && v->rule ? &*v->rule : nullptr;
+}
+
+void RuleView::use() {
+  if (!rule()) return;
+  static_cast<void>(static_cast<bool>(session_.setParameter("policy.threshold", std::round(rule()->threshold))));
+}
+
+void RuleView::refresh() {
+  const RuleOfThumb* r = rule();
+  use_->setVisible(r != nullptr);
+  if (r) {
+    const double rounded = std::round(r->threshold);
+    const QString text = tr("Set the threshold to %1").arg(toText(countText(rounded)));
+    if (text != use_->text()) {
+      use_->setText(text);
+      use_->setAccessibleName(text);
+      resizeEvent(nullptr);
+    }
+    use_->setEnabled(session_.configuration().parameters.get("policy.threshold") != rounded);
+  }
+  setAccessibleDescription(lines().join(' '));
+  update();
+}
+
+QString RuleView::inForce() const {
+  const std::string& policy = session_.configuration().names.policy;
+  const QString threshold = toText(countText(session_.threshold()));
+  if (policy == "trl") return tr("TRL's threshold in force: %1.").arg(threshold);
+  const auto entry = findEntry(session_.registry().policies, "policy", policy);
+  return tr("TRL's threshold is %1; it is not in force while the policy is %2.")
+      .arg(threshold, toText(entry ? (*entry)->title : policy));
+}
+
+QStringList RuleView::lines() const {
+  const RuleOfThumb* r = rule();
+  if (!r) return {toText(whyNoRule(session_.task(), session_.configuration().parameters))};
+  const RuleText text = textOf(*r);
+  const bool timed = r->timeReward != 0;
+  QStringList list = {toText(text.threshold)};
+  list << tr("%1 = %2 = %3").arg(toText(text.symbols), toText(text.formula), toText(text.threshold));
+  if (r->goal)
+    list << tr("R: reward of the goal; n*: mean transitions of the successful episodes while it learned%1 (thesis, "
+               "eq. %2).")
+                .arg(timed ? tr("; R_t: reward of every step") : QString(), timed ? "4.3" : "4.1");
+  else
+    list << tr("There is no goal. R: the highest reward of a step so far; n*: transitions of a footstep%1. The thesis "
+               "expects this to serve and did not test it (section 4.5).")
+                .arg(timed ? tr("; R_t: reward of every step") : QString());
+  if (r->preLearned)
+    list << tr("It began with something learned: there are no limits to tell.");
+  else if (r->goal)
+    list << tr("Lower limit %1, upper limit %2.")
+                .arg(r->lower ? oneDecimal(*r->lower) : tr("not yet"),
+                     r->upper ? oneDecimal(*r->upper) : tr("not yet"));
+  return list << inForce();
+}
+
+void RuleView::resizeEvent(QResizeEvent*) {
+  const QSize size = use_->sizeHint();
+  const int padding = scaled(kPadding);
+  use_->setGeometry(std::max(padding, QWidget::width() - padding - size.width()), scaled(4), size.width(), size.height());
+}
+
+void RuleView::paintEvent(QPaintEvent*) {
+  const Theme& t = themeOf(*this);
+  ScaledPainter p(this);
+  p.fillRect(rect(), t.panel);
+  const QStringList list = lines();
+  const QFont text = textFont(kText);
+  p.setFont(text);
+  p.setPen(t.quiet);
+  if (list.size() == 1) {
+    p.drawText(rect().adjusted(kPadding, 0, -kPadding, 0), Qt::AlignCenter | Qt::TextWordWrap, list[0]);
+    return;
+  }
+  const QFont large = textFont(kNumber, 500);
+  const double head = std::max<double>(QFontMetricsF(large).height(), placeOf(*use_).height()) + 4;
+  p.setFont(large);
+  p.setPen(t.trl);
+  p.drawText(QRectF(kPadding, 4, width() - 2 * kPadding, head - 4), Qt::AlignVCenter, list[0]);
+  double y = head + kGap;
+  for (qsizetype i = 1; i < list.size(); ++i) {
+    QTextDocument words;
+    words.setDocumentMargin(0);
+    words.setDefaultFont(i == 1 ? textFont(kText, 500) : text);
+    words.setTextWidth(width() - 2 * kPadding);
+    words.setHtml(richText(list[i]));
+    QAbstractTextDocumentLayout::PaintContext context;
+    context.palette.setColor(QPalette::Text, i == 1 ? t.ink : t.quiet);
+    p.save();
+    p.translate(kPadding, y);
+    words.documentLayout()->draw(&p, context);
+    p.restore();
+    y += words.size().height() + kGap;
+  }
+}
+
+}  // namespace surefoot

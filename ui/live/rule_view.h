@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The rule of thumb for TRL's threshold (thesis, section 4.3): its number, the formula that gives this number, its
+// limits, and a button that sets the threshold to it.
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+
+#include "ui/style/painted.h"
+
+class QPushButton;
+
+namespace surefoot {
+
+class Session;
+struct RuleOfThumb;
+
+class RuleView final : public Painted<> {
+  Q_OBJECT
+
+ public:
+  explicit RuleView(Session& session, QWidget* parent = nullptr);
+  QSize sizeHint() const override { return scaled({300, 200}); }
+  QSize minimumSizeHint() const override { return scaled({240, 150}); }
+  /// What it says: the number first; one sentence where there is no rule.
+  QStringList lines() const;
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+  void resizeEvent(QResizeEvent*) override;
+
+ private:
+  const RuleOfThumb* rule() const;
+  QString inForce() const;
+  void refresh();
+  void use();
+
+  Session& session_;
+  QPushButton* use_;
+};
+
+}  // namespace surefoot

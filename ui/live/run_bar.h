@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The toolbar: run, step, restart; pace and turbo; task, learning rule and policy; falls and episodes. Where it is
+// narrow the boxes become shorter, then the pace, the episodes and the factor go; the number of falls stays.
+#pragma once
+
+#include <QAction>
+#include <QWidget>
+#include <vector>
+
+#include "ui/style/painted.h"
+
+class QToolButton;
+
+namespace surefoot {
+
+class Combo;
+class Session;
+class Slider;
+struct Theme;
+
+/// The actions that toolbar, menu and shortcuts share.
+struct RunActions {
+  QAction *run, *step, *restart, *turbo, *faster, *slower, *back, *live;
+};
+
+class RunBar final : public Painted<> {
+  Q_OBJECT
+
+ public:
+  RunBar(Session& session, const RunActions& actions, QWidget* parent = nullptr);
+  QSize sizeHint() const override { return scaled({1280, 48}); }
+  /// One notch up or down the slider.
+  void changePace(int notches);
+  /// What the counters say: falls, episodes, and how much faster than real time it runs (empty: not known).
+  struct Texts {
+    QString falls, episodes, factor;
+  };
+  const Texts& texts() const { return texts_; }
+
+ Q_SIGNALS:
+  /// Another learning rule was chosen; it needs a new table.
+  void agentAsked(const QString& name, const QString& title);
+  /// Another environment was chosen.
+  void environmentAsked(const std::string& name);
+  /// What something that can be chosen means.
+  void meaningAsked(const std::string& name);
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+  void resizeEvent(QResizeEvent*) override { layOut(); }
+
+  /// Of the counter at the right, from the right: what is written and how large.
+  struct Word {
+    QString text;
+    int pixels, weight;
+    bool falls;
+    double gap;  // to the left of it [px]
+  };
+
+ private:
+  /// What there is no room for, the first of them first.
+  enum Fold { kNothing, kPaceWord, kFactor, kEpisodes, kPace, kBoxes, kShortBoxes, kFolds };
+  void layOut();
+  int place(int fold, int spare);
+  std::vector<Word> counter(int fold) const;
+  int counterWidth(int fold) const;
+  void refresh();
+  void readNumbers();
+  void fillTasks();
+  void fillAgents();
+  void makeMeaning();
+
+  Session& session_;
+  RunActions actions_;
+  std::vector<QWidget*> buttons_;
+  Slider* pace_;
+  Combo *task_, *agent_, *policy_;
+  QToolButton* meaning_;
+  Texts texts_;
+  double paceLabel_ = 0, factorLabel_ = 0;  // left ends [px]; 0: not shown
+  int fold_ = kNothing, counterWidth_ = 0;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/live/world/scrubber.h"
+
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <algorithm>
+
+#include "ui/controls/link_button.h"
+#include "ui/controls/slider.h"
+#include "ui/session/session.h"
+#include "ui/style/scale.h"
+#include "ui/style/symbol_text.h"
+
+namespace surefoot {
+
+Scrubber::Scrubber(Session& session, QWidget* parent)
+    : QWidget(parent),
+      session_(session),
+      play_(new LinkButton(tr("Play"), this)),
+      live_(new LinkButton(tr("Back to live"), this)),
+      slider_(new Slider(this)) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(0, 0, 0, 0);
+  slider_->setAccessibleName(tr("Moment"));
+  whenScaled(this, [this, row] {
+    row->setSpacing(scaled(4));
+    slider_->setMinimumWidth(scaled(24));
+  });
+  row->addWidget(play_);
+  row->addWidget(slider_, 1);
+  row->addWidget(live_);
+  connect(play_, &QToolButton::clicked, this, [this] {
+    if (const Playback* p = session_.playback()) session_.play(p->rate == 0);
+  });
+  connect(live_, &QToolButton::clicked, &session_, &Session::backToLive);
+  connect(slider_, &QSlider::valueChanged, this, [this](int value) {
+    const Playback* p = session_.playback();
+    if (p) session_.seek(value * (static_cast<double>(p->frames.size()) - 1.0) / Slider::kSteps);
+  });
+  connect(&session_, &Session::playbackChanged, this, &Scrubber::place);
+  connect(&session_, &Session::frame, this, [this] {
+    if (session_.playback()) refresh();
+  });
+  place();
+}
+
+void Scrubber::fold(int room) {
+  const int usual = scaled(290);
+  setFixedWidth(session_.playback() ? std::clamp(usual, 0, std::max(0, room)) : 0);
+}
+
+void Scrubber::place() {
+  for (QWidget* part : std::initializer_list<QWidget*>{play_, slider_, live_}) part->setVisible(session_.playback());
+  if (auto* header = qobject_cast<PanelHeader*>(parentWidget())) header->layOutExtra(), header->update();
+  refresh();
+}
+
+void Scrubber::refresh() {
+  const Playback* p = session_.playback();
+  if (!p || p->frames.size() < 2) return;
+  const QString does = p->rate > 0 ? tr("Stop") : tr("Play");
+  if (play_->text() != does) play_->setText(does), play_->setAccessibleName(does);
+  const QSignalBlocker blocker(slider_);
+  slider_->setValue(static_cast<int>(Slider::kSteps * p->position / (static_cast<double>(p->frames.size()) - 1.0)));
+}
+
+}  // namespace surefoot

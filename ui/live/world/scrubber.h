@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Something that was seen before, in the head of the world: play or stop, the moment, back to live. Takes no room while
+// the world is live.
+#pragma once
+
+#include <QWidget>
+
+#include "ui/controls/panel.h"
+
+namespace surefoot {
+
+class LinkButton;
+class Session;
+class Slider;
+
+class Scrubber final : public QWidget, public Folding {
+  Q_OBJECT
+
+ public:
+  explicit Scrubber(Session& session, QWidget* parent = nullptr);
+  void fold(int room) override;
+
+ private:
+  void refresh();
+  void place();
+
+  Session& session_;
+  LinkButton *play_, *live_;
+  Slider* slider_;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The animated world: draws an environment's Scene, with floor and metre scale, a camera that follows, the trail of the
+// tip, and the read-outs below.
+#pragma once
+
+#include <QPointer>
+#include <QWidget>
+#include <deque>
+#include <optional>
+
+#include "core/environment.h"
+#include "core/scene.h"
+#include "ui/style/painted.h"
+
+class QPainter;
+
+namespace surefoot {
+
+class Session;
+struct Theme;
+
+class WorldView final : public Painted<> {
+  Q_OBJECT
+
+ public:
+  explicit WorldView(Session& session, QWidget* parent = nullptr);
+  QSize sizeHint() const override { return scaled({576, 400}); }
+  QSize minimumSizeHint() const override { return scaled(beside_ ? QSize(216, 246) : QSize(240, 220)); }
+  /// Somebody holds the body with the mouse.
+  bool held() const { return hand_.has_value(); }
+  void fit();  ///< the zoom that shows everything
+  /// Another world that is shown beside this one, in the same size (nullptr: none); "First" or "Second": which of the
+  /// two this one is, told above it with what acts here.
+  void setBeside(WorldView* other, const QString& which);
+  double pixelsPerMetre() const;  ///< of what is drawn
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+
+ private:
+  void nextFrame();
+  QPointF toPixel(Point p) const;
+  void measure();
+  double floorLevel() const;
+  double strokes() const;
+  double captionHeight() const;
+
+  Point toMetres(QPointF at) const;
+  bool overBody(QPointF at) const;
+  void drawGhost(QPainter& painter, const Theme& theme) const;
+  void drawSpring(QPainter& painter, const Theme& theme) const;
+  void drawFloor(QPainter& painter, const Theme& theme) const;
+  void drawTrail(QPainter& painter, const Theme& theme) const;
+  void drawPicture(QPainter& painter, const Theme& theme) const;
+  void drawReadOuts(QPainter& painter, const Theme& theme) const;
+  void drawCaption(QPainter& painter, const Theme& theme) const;
+
+  Session& session_;
+  QPointer<WorldView> beside_;
+  QString which_;
+  Scene scene_;
+  std::vector<ReadOut> readOuts_;
+  int ownColumns_ = 1, columns_ = 1;  // of the read-outs: that there is room for, that there are
+  double readOutsHeight_ = 0;    // [px]
+  double band_ = 0;              // height of all below the floor, where nobody has moved the picture [px]
+  double fit_ = 0;               // [px/m]
+  bool ring_ = false;
+  double camera_ = 0;  // what stands in the middle [m]
+  std::deque<Point> trail_;
+  double zoom_ = 1.0;
+  QPointF pan_;                  // [px]
+  std::optional<QPointF> hand_;  // where the body is held [px]
+  std::optional<QPointF> panning_;
+};
+
+}  // namespace surefoot

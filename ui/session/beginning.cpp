@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/beginning.h"
+
+#include <filesystem>
+
+#include "core/basics/typed_json.h"
+
+namespace surefoot {
+
+std::string beginningOf(const Configuration& began) {
+  if (!began.start && began.beganWith.is_null()) return "";
+  const Json& with = began.beganWith;
+  if (with.is_object() && with.contains("learned") && with["learned"].is_object() &&
+      with["learned"].value("carried_over", Json(false)) == true)
+    return "carried over";
+  const std::string file = began.start ? began.start->name : textIn(with, "file");
+  if (const std::string name = std::filesystem::path(file).filename().string(); !name.empty()) return "with " + name;
+  std::string scenario;
+  if (began.start && began.start->about.contains("configuration"))
+    scenario = textIn(began.start->about["configuration"], "scenario");
+  return scenario.empty() ? "pre-learned" : "pre-learned (scenario " + scenario + ")";
+}
+
+}  // namespace surefoot

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The name of the session beside the page tabs: that of its file, with a * while something that was learned is not
+// saved.
+#pragma once
+
+#include "ui/style/painted.h"
+
+namespace surefoot {
+
+class SessionName final : public Painted<> {
+  Q_OBJECT
+
+ public:
+  explicit SessionName(QWidget* parent);
+  void say(const QString& name, bool unsaved, const QString& tip);
+  /// What it says: "walks*".
+  QString text() const;
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return sizeHint(); }
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+
+ private:
+  QString name_;
+  bool unsaved_ = false;
+};
+
+}  // namespace surefoot

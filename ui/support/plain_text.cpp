@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/support/plain_text.h"
+
+#include <QTextDocument>
+
+#include "core/formulas.h"
+#include "core/text/number_text.h"
+#include "ui/style/symbol_text.h"
+
+namespace surefoot {
+
+QString tipText(const QString& text) {
+  constexpr int kLine = 60;  // [characters]; Qt wraps what it takes for HTML, and nothing else
+  const bool longLine = text.contains('\n') || text.size() > kLine;
+  return longLine || Qt::mightBeRichText(text) ? Qt::convertFromPlainText(text, Qt::WhiteSpaceNormal) : text;
+}
+
+QString menuText(QString text) {
+  return text.replace('&', QStringLiteral("&&"));
+}
+
+QStringList linesOf(const Parameter& p) {
+  QString head = toText(p.title);
+  if (!p.symbol.empty()) head += QStringLiteral(" ") + toText(p.symbol);
+  if (!p.unit.empty()) head += QStringLiteral(" [%1]").arg(toText(p.unit));
+  const QString fallback = p.kind == Kind::Choice ? toText(formatValue(p, p.fallback)) : toText(boundText(p.fallback));
+  return {head, toText(p.help), toText(formulaOf(p)),
+          QObject::tr("It takes %1. Default: %2 (%3).").arg(toText(allowedValues(p)), fallback, toText(p.origin))};
+}
+
+QStringList linesOf(const Word& word) {
+  QStringList lines = {toText(word.title), toText(word.text)};
+  if (!word.formula.empty()) lines << toText(word.formula);
+  if (!word.source.empty()) lines << QObject::tr("Source: %1.").arg(toText(word.source));
+  return lines;
+}
+
+QString tipOf(const std::string& name, const std::string& help) {
+  const Word* word = wordOf(name);
+  return tipText(word ? linesOf(*word).join('\n') : toText(help));
+}
+
+}  // namespace surefoot

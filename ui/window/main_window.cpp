@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/main_window.h"
+
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QLabel>
+#include <QScrollArea>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QStandardPaths>
+#include <QVBoxLayout>
+
+#include "ui/controls/message_bar.h"
+#include "ui/controls/panel.h"
+#include "ui/controls/preferences.h"
+#include "ui/experiment/experiment_page.h"
+#include "ui/live/live_page.h"
+#include "ui/live/world/world_view.h"
+#include "ui/session/session.h"
+#include "ui/style/scale.h"
+#include "ui/style/symbol_text.h"
+#include "ui/style/theme.h"
+#include "ui/support/focus_home.h"
+#include "ui/support/keyboard.h"
+#include "ui/window/autosave.h"
+#include "ui/window/status_line.h"
+
+namespace surefoot {
+
+MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent)
+    : QMainWindow(parent),
+      session_(session),
+      appearance_(readPreferences().appearance),
+      asksOnQuit_(setup.asksOnQuit) {
+  applyTextSize(readPreferences().textSize);
+  setWindowTitle(tr("Surefoot"));
+  auto* frame = new QWidget;
+  auto* column = new QVBoxLayout(frame);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  new Keyboard(this);
+  new FocusHome(
+      this, [this] { focusHome(); },
+      [this] { return messages_->cancel(); },
+      [this](const QWidget& field) { return live_->isAncestorOf(&field) || qobject_cast<const QAbstractSpinBox*>(&field); });
+  makeActions();
+  bar_ = new RunBar(session_, run_);
+  messages_ = new MessageBar(frame);
+  pages_ = new QStackedWidget;
+  live_ = new LivePage(session_);
+  auto* scroll = new QScrollArea;  // on the smallest screens
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidget(live_);
+  auto* live = new QWidget;
+  auto* liveColumn = new QVBoxLayout(live);
+  liveColumn->setContentsMargins(0, 0, 0, 0);
+  liveColumn->setSpacing(0);
+  liveColumn->addWidget(bar_);
+  liveColumn->addWidget(scroll, 1);
+  pages_->addWidget(live);
+  if (setup.folder.isEmpty()) setup.folder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
+  experiment_ = new ExperimentPage(session_, std::move(setup.plans), setup.folder);
+  pages_->addWidget(experiment_);
+  pages_->addWidget(makePlaceholder(
+      tr("Lessons"), tr("Lessons that lead through exploring, thresholds and temperature will stand on this page in "
+                        "a later version. The Live page is a good place to begin.")));
+  column->addWidget(pages_, 1);
+  status_ = new StatusLine(session_);
+  column->addWidget(status_);
+  setCentralWidget(frame);
+  makeMenus();
+
+  connect(live_, &LivePage::refused, messages_, &MessageBar::say);
+  connect(experiment_, &ExperimentPage::refused, messages_, &MessageBar::say);
+  connect(experiment_, &ExperimentPage::told, messages_, &MessageBar::tell);
+  connect(experiment_, &ExperimentPage::otherVersionFound, this, [this](const QString& why) {
+    messages_->ask(why, {{tr("Go on all the same"), [this] {
+                            if (const Status s = experiment_->experiment().run(true); !s)
+                              messages_->say(toText(s.error().message));
+                          }}});
+  });
+  connect(experiment_, &ExperimentPage::statusChanged, this, [this](const QString& left, const QString& right) {
+    experimentLeft_ = left;
+    experimentRight_ = right;
+    refreshStatus();
+  });
+  connect(&session_, &Session::stateChanged, this, &MainWindow::refresh);
+  connect(&session_, &Session::stateChanged, messages_, &MessageBar::dismissRemark);
+  connect(&session_, &Session::configurationChanged, messages_, &MessageBar::dismiss);
+  connect(&session_, &Session::lifeReplaced, messages_, &MessageBar::dismiss);
+  connect(&session_, &Session::frame, this, [this] {
+    const QString trouble = toText(session_.snapshot().trouble);
+    if (trouble != troubleShown_ && !trouble.isEmpty()) messages_->say(trouble);
+    troubleShown_ = trouble;
+    session_.setLookedAt(isVisible() && !isMinimized());
+  });
+  connect(bar_, &RunBar::meaningAsked, this, &MainWindow::showWords);
+  askQuestions();
+  placeMessages();
+  refresh();
+  live_->world().setFocus();
+  restoreSettings();
+  setAcceptDrops(true);
+  autosave_ = new Autosave(session_, setup.folder, this);
+  usePreferences(readPreferences());
+  offerToRestore();
+}
+
+QWidget* MainWindow::makePlaceholder(const QString& title, const QString& words) {
+  auto* label = new QLabel(words);
+  label->setAccessibleName(title);
+  label->setAlignment(Qt::AlignCenter);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  label->setForegroundRole(QPalette::PlaceholderText);
+  label->setWordWrap(true);
+  auto* page = new QWidget;
+  auto* column = new QVBoxLayout(page);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(label, 1);
+  return page;
+}
+
+void MainWindow::setPage(int page) {
+  pages_->setCurrentIndex(page);
+  tabs_[static_cast<std::size_t>(page)]->setChecked(true);
+  placeMessages();
+  for (QAction* action : liveActions_) action->setEnabled(page == 0);  // no key of one page works on another
+  if (page == 0) focusHome();
+  refresh();
+  refreshStatus();
+}
+
+void MainWindow::focusHome() {
+  if (pages_->currentIndex() == 0 && live_->world().isVisible())
+    live_->world().setFocus(Qt::OtherFocusReason);
+  else
+    pages_->currentWidget()->setFocus(Qt::OtherFocusReason);
+}
+
+void MainWindow::refreshStatus() {
+  if (pages_->currentWidget() == experiment_)
+    status_->say(experimentLeft_, experimentRight_);
+  else
+    status_->follow();
+}
+
+void MainWindow::refresh() {
+  refreshTitle();
+  run_.run->setText(session_.running() ? tr("&Pause") : tr("&Run"));
+  run_.run->setEnabled(!session_.runFinished() && pages_->currentIndex() == 0);
+  run_.run->setToolTip(session_.runFinished() ? tr("The life is complete; restart it to run again")
+                                              : tr("Run or pause"));
+  const QString beginning = session_.beginning();
+  run_.restart->setToolTip(beginning.isEmpty()
+                               ? tr("Start the life again with the same seed")
+                               : tr("Start the life again with the same seed and the same start: %1").arg(beginning));
+  const QSignalBlocker blocker(run_.turbo);
+  run_.turbo->setChecked(session_.turbo());
+}
+
+}  // namespace surefoot

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window: menus, pages, toolbar, message bar, status line.
+#pragma once
+
+#include <QMainWindow>
+#include <QPointer>
+#include <functional>
+#include <map>
+#include <optional>
+
+#include "core/basics/result.h"
+#include "ui/experiment/experiment.h"
+#include "ui/live/run_bar.h"
+
+class QAbstractButton;
+class QActionGroup;
+class QMenu;
+class QStackedWidget;
+
+namespace surefoot {
+
+class Autosave;
+class ExperimentPage;
+class LivePage;
+class MessageBar;
+struct KeptLife;
+class Session;
+class SessionName;
+class PreLearningDialog;
+class StatusLine;
+class WordsDialog;
+struct Preferences;
+enum class Appearance;
+enum class SavedAs;
+
+/// What the program gives its window.
+struct WindowSetup {
+  std::vector<PlanSource> plans;  ///< to choose from on the Experiment page
+  QString folder;                 ///< for results and what must survive a crash; empty: the user's data folder
+  bool asksOnQuit = true;         ///< whether to save what was learned; where quitting writes the results: no
+};
+
+class MainWindow final : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  explicit MainWindow(Session& session, WindowSetup setup = {}, QWidget* parent = nullptr);
+  LivePage& livePage() { return *live_; }
+  ExperimentPage& experimentPage() { return *experiment_; }
+  MessageBar& messages() { return *messages_; }
+  void setPage(int page);
+  /// Whatever it is: a session, a Q-function, a journal, a plan, results.
+  void openFile(const QString& path);
+  void saveTo(SavedAs what, const QString& path, const std::function<void()>& then = {});
+  /// The program is ended from outside: the session is kept for the next start, then the window closes.
+  void closeForNow();
+  /// Why the session could not be kept when the window was closed for now.
+  const std::optional<Error>& whyNotKept() const { return whyNotKept_; }
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  QAction* addAction(QMenu* menu, const QString& text, const QString& tip, const QKeySequence& key);
+  void makeActions();
+  void makeMenus();
+  void makeFileMenu();
+  void makeEditMenu();
+  void makeViewMenu();
+  void makeTextSizes(QMenu* view);
+  /// Applies a text size and keeps it for the next start.
+  void setTextSize(double size);
+  void keepLayout();
+  void fillLayouts();
+  void fillRecent();
+  void showPreLearning();
+  void askForSeed();
+  void begin(const std::function<Status()>& what);
+  void openWithDialog();
+  void saveSession(const std::function<void()>& then = {});
+  void saveSessionAs(const std::function<void()>& then = {});
+  void saveWithDialog(SavedAs what, const QString& title, const QString& name, const QString& ending,
+                      const std::function<void()>& then = {});
+  void saveKept(const std::shared_ptr<KeptLife>& kept, const std::function<void()>& then);
+  void exportWithDialog(QWidget* view, const QString& title);
+  void remember(const QString& path);
+  void offerToRestore();
+  void restore(const QString& file);
+  void askQuestions();
+  void askForAgent(const QString& name, const QString& title);
+  void askForNewTable(const QString& key, double value);
+  void askBeforeEnding(const std::shared_ptr<KeptLife>& kept, const std::function<void()>& goOn);
+  QString whatIsNotSaved() const;
+  Session* secondUnsaved() const;
+  void saveSecond(const std::function<void()>& then);
+  bool askBeforeQuit();
+  void quit();
+  void tellHowItBegan();
+  QString sessionName() const;
+  void refreshTitle();
+  void refreshName();
+  QWidget* makeTabs();
+  QWidget* makePlaceholder(const QString& title, const QString& words);
+  void usePreferences(const Preferences& preferences);
+  void showPreferences();
+  /// The focus goes where the page's single keys work.
+  void focusHome();
+  void restoreSettings();
+  /// No larger than the screen has room for, with the frame around the window, and wholly on it.
+  void fitToScreen();
+  /// The message bar stands below the toolbar of the page that is shown.
+  void placeMessages();
+  void refresh();
+  void refreshStatus();
+  void showShortcuts();
+  void showAbout();
+  void showWords(const std::string& name);
+
+  Session& session_;
+  RunActions run_{};
+  RunBar* bar_ = nullptr;
+  MessageBar* messages_ = nullptr;
+  QStackedWidget* pages_ = nullptr;
+  LivePage* live_ = nullptr;
+  ExperimentPage* experiment_ = nullptr;
+  StatusLine* status_ = nullptr;
+  QString experimentLeft_, experimentRight_;
+  std::vector<QAbstractButton*> tabs_;
+  std::vector<QAction*> shortcuts_, liveActions_;
+  QMenu *recent_ = nullptr, *ownLayouts_ = nullptr;
+  std::map<std::string, QPointer<PreLearningDialog>> preLearning_;  // by environment: each keeps its pool
+  QActionGroup* appearances_ = nullptr;
+  Appearance appearance_;
+  Autosave* autosave_ = nullptr;
+  QPointer<WordsDialog> words_;
+  SessionName* name_ = nullptr;
+  QString troubleShown_;
+  bool asksOnQuit_ = true, closing_ = false, couldNotKeep_ = false;
+  std::optional<Error> whyNotKept_;
+  QSize fitted_;  // the size that the program chose; empty: it has been fitted, frame and all
+};
+
+}  // namespace surefoot

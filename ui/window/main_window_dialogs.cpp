@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The few small dialogs of the window.
+#include <QApplication>
+#include <QGridLayout>
+#include <QInputDialog>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "core/text/number_text.h"
+#include "ui/controls/fitted_dialog.h"
+#include "ui/controls/message_bar.h"
+#include "ui/live/form/pre_learning_dialog.h"
+#include "ui/session/session.h"
+#include "ui/style/scale.h"
+#include "ui/style/symbol_text.h"
+#include "ui/style/theme.h"
+#include "ui/window/main_window.h"
+#include "ui/window/words_dialog.h"
+
+namespace surefoot {
+
+void MainWindow::askForSeed() {
+  auto* dialog = new QInputDialog(this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("Another seed"));
+  dialog->setLabelText(tr("The life begins again with this seed, a whole number from 0 on:"));
+  dialog->setTextValue(QString::number(session_.configuration().seed));
+  connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& text) {
+    const auto seed = parseSeed("seed", text.trimmed().toStdString());
+    if (!seed) return messages_->say(toText(seed.error().message));
+    begin([this, seed = *seed] { return session_.setSeed(seed); });
+  });
+  dialog->open();
+}
+
+void MainWindow::showPreLearning() {
+  for (const auto& [environment, dialog] : preLearning_)
+    if (dialog) dialog->hide();
+  auto& dialog = preLearning_[session_.configuration().names.environment];
+  if (!dialog) {
+    dialog = new PreLearningDialog(session_, this);
+    connect(dialog, &PreLearningDialog::transferred, messages_, &MessageBar::tell);
+  }
+  dialog->show();
+  dialog->raise();
+}
+
+void MainWindow::showShortcuts() {
+  auto* dialog = new QDialog(this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("Shortcuts"));
+  auto* body = new QWidget;
+  auto* grid = new QGridLayout(body);
+  whenScaled(dialog, [grid] {
+    grid->setContentsMargins(scaled({24, 20, 24, 20}));
+    grid->setHorizontalSpacing(scaled(32));
+  });
+  int row = 0;
+  for (const QAction* action : shortcuts_) {
+    QStringList keys;
+    for (const QKeySequence& key : action->shortcuts()) keys << key.toString(QKeySequence::NativeText);
+    auto* label = new QLabel(keys.join(tr(" or ")));
+    whenScaled(label, [label] { label->setFont(scaledFont(13, 500)); });
+    grid->addWidget(label, row, 0);
+    grid->addWidget(new QLabel(action->toolTip()), row++, 1);
+  }
+  fillDialog(*dialog, body);
+  dialog->show();
+}
+
+void MainWindow::showWords(const std::string& name) {
+  if (!words_) words_ = new WordsDialog(this);
+  words_->showWord(name);
+  words_->show();
+  words_->raise();
+  words_->activateWindow();
+}
+
+void MainWindow::showAbout() {
+  auto* dialog = new QDialog(this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(tr("About Surefoot"));
+  auto* body = new QWidget;
+  auto* column = new QVBoxLayout(body);
+  whenScaled(dialog, [column] { column->setContentsMargins(scaled({24, 20, 24, 20})); });
+  auto* text = new QLabel(
+      tr("<p style='font-size:large'>Surefoot %1</p><p>Reinforcement learning that avoids falling.</p>"
+         "<p>The methods are those of M. van Diepen's thesis<br><i>Avoiding failure states during Reinforcement "
+         "Learning</i>, Delft.</p><p>Free software under the GNU General Public License, version 3 or later.</p>")
+          .arg(QApplication::applicationVersion()));
+  text->setTextFormat(Qt::RichText);  // nothing in it is from outside
+  column->addWidget(text);
+  fillDialog(*dialog, body);
+  dialog->show();
+}
+
+}  // namespace surefoot

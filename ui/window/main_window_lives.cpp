@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of the window that sees to it that no life is lost: the questions before one ends, the name of the session
+// and its mark, what happens on quitting and after it.
+#include <QCloseEvent>
+#include <QFileInfo>
+#include <QSettings>
+#include <QTimer>
+
+#include "core/text/text.h"
+#include "ui/controls/message_bar.h"
+#include "ui/live/live_page.h"
+#include "ui/live/rival.h"
+#include "ui/session/session.h"
+#include "ui/session/session_name.h"
+#include "ui/style/symbol_text.h"
+#include "ui/support/ask_for_file.h"
+#include "ui/support/counted.h"
+#include "ui/window/autosave.h"
+#include "ui/window/main_window.h"
+
+namespace surefoot {
+
+void MainWindow::askQuestions() {
+  connect(&session_, &Session::refused, messages_, &MessageBar::say);
+  connect(&session_, &Session::remarked, messages_, &MessageBar::say);
+  connect(&session_.background(), &Background::busyChanged, this, [this] {
+    if (session_.background().busy()) messages_->tell(tr("It is being made ready; the world goes on meanwhile."));
+  });
+  connect(run_.live, &QAction::triggered, messages_, &MessageBar::cancel);
+  connect(bar_, &RunBar::environmentAsked, this,
+          [this](const std::string& name) { begin([this, name] { return session_.beginEnvironment(name); }); });
+  connect(bar_, &RunBar::agentAsked, this, &MainWindow::askForAgent);
+  connect(&session_, &Session::needsNewTable, this, &MainWindow::askForNewTable);
+  connect(&session_, &Session::lifeKept, this,
+          [this] { messages_->tell(tr("The life before is kept: Ctrl+Z brings it back.")); });
+  connect(&session_, &Session::lifeBroughtBack, this,
+          [this] { messages_->tell(tr("This life is back as it was; the other one is kept for undo and redo.")); });
+  connect(live_, &LivePage::told, messages_, &MessageBar::tell);
+  connect(live_, &LivePage::newTableAsked, this, [this](const QString& sentence, const std::function<void()>& go) {
+    messages_->ask(sentence, {{tr("Start again"), go}});
+  });
+  session_.setAskBeforeEnding([this](const std::shared_ptr<KeptLife>& kept, const Session::GoOn& goOn) {
+    askBeforeEnding(kept, goOn);
+  });
+  for (auto signal : {&Session::fileChanged, &Session::lifeReplaced})
+    connect(&session_, signal, this, &MainWindow::refresh);
+  connect(&session_, &Session::frame, this, [this] {
+    if (name_->text() != sessionName() + (session_.unsaved() ? "*" : "")) refreshTitle();
+  });
+  connect(&session_, &Session::valuesArrived, this, &MainWindow::refreshName);
+}
+
+void MainWindow::askForAgent(const QString& name, const QString& title) {
+  messages_->ask(
+      tr("%1 needs a new table, so learning starts again from the beginning, with the same seed.").arg(title),
+      {{tr("Start again"), [this, name] {
+          if (const Status s = session_.setAgent(name.toStdString()); !s) messages_->say(toText(s.error().message));
+        }}});
+}
+
+void MainWindow::askForNewTable(const QString& key, double value) {
+  const auto* entry = session_.configuration().parameters.find(key.toStdString());
+  const auto told = [this](const Status& status) {
+    if (!status) messages_->say(toText(status.error().message));
+  };
+  messages_->ask(
+      tr("%1 = %2 needs a new table. Start again from the beginning, with the same seed, or carry what "
+         "is learned over into it?")
+          .arg(toText(entry->parameter.title), toText(formatValue(entry->parameter, value))),
+      {{tr("Start again"),
+        [this, key, value, told] { told(session_.setParameterAndRestart(key.toStdString(), value)); }},
+       {tr("Carry over"), [this, key, value, told] { session_.carryOver(key.toStdString(), value, told); }}});
+}
+
+void MainWindow::askBeforeEnding(const std::shared_ptr<KeptLife>& kept, const std::function<void()>& goOn) {
+  if (kept)
+    return messages_->ask(
+        tr("There is not enough memory to keep one more life for undo: a life before this one, of %1, is not saved and "
+           "would end.")
+            .arg(episodesText(kept->progress.episodes)),
+        {{tr("Save it first"), [this, kept, goOn] { saveKept(kept, goOn); }}, {tr("End it"), goOn}});
+  messages_->ask(tr("This life has %1, is not saved, and there is not enough memory to keep it for undo.")
+                     .arg(episodesText(session_.progress().episodes)),
+                 {{tr("Save it first"), [this, goOn] { saveSession(goOn); }}, {tr("End it"), goOn}});
+}
+
+void MainWindow::tellHowItBegan() {
+  if (const QString beginning = session_.beginning(); !beginning.isEmpty())
+    messages_->tell(tr("The life begins again with the same start: %1. Run › Restart with an empty table begins from "
+                       "nothing.")
+                        .arg(beginning));
+}
+
+QString MainWindow::sessionName() const {
+  const QString& path = session_.file().path;
+  return path.isEmpty() ? tr("untitled session") : QFileInfo(path).completeBaseName();
+}
+
+// The mark has its place in the title only while it is shown: a title without one is compared by scripts.
+void MainWindow::refreshTitle() {
+  const bool finished = session_.runFinished(), named = !session_.file().path.isEmpty();
+  const bool unsaved = session_.unsaved(), marked = unsaved && !finished;
+  if (!marked) setWindowModified(false);
+  setWindowTitle(finished          ? tr("Surefoot: the life is complete")
+                 : named || marked ? tr("Surefoot: %1").arg(sessionName()) + (marked ? "[*]" : "")
+                                   : tr("Surefoot"));
+  if (marked) setWindowModified(true);
+  refreshName();
+}
+
+/// The session's name beside the tabs, and what its tip counts.
+void MainWindow::refreshName() {
+  const bool unsaved = session_.unsaved();
+  const QString& path = session_.file().path;
+  const QString since =
+      unsaved
+          ? counted(session_.progress().episodes - session_.file().saved.episodes, tr("%1 episode is not saved"),
+                    tr("%1 episodes are not saved"))
+          : tr("everything is saved");
+  name_->say(sessionName(), unsaved, path.isEmpty() ? since : path + '\n' + since);
+}
+
+void MainWindow::closeForNow() {
+  if (closing_) return;
+  closing_ = true;
+  constexpr int kPatience = 5000;  // [ms]
+  QTimer::singleShot(kPatience, this, &QWidget::close);
+  autosave_->leave([this](const Status& s) {
+    if (!s) whyNotKept_ = s.error();
+    close();
+  });
+}
+
+/// What would be lost: of the life that runs, and of those that undo could bring back.
+QString MainWindow::whatIsNotSaved() const {
+  const auto before = session_.unsavedBefore();
+  QStringList others;
+  for (auto life = before.rbegin(); life != before.rend() && others.size() < 4; ++life)
+    others << toText(countText(static_cast<double>((*life)->progress.episodes)));
+  if (before.size() > 4) others << tr("…");
+  const QString kept =
+      before.size() == 1
+          ? tr("A life before this one, of %1,").arg(episodesText(before[0]->progress.episodes))
+          : tr("%1 lives before this one, of %2 episodes,").arg(before.size()).arg(others.join(QStringLiteral(", ")));
+  QString second;
+  if (const Session* other = secondUnsaved())
+    second = tr("What the second learned in %1 is not saved.").arg(episodesText(other->progress().episodes));
+  const auto with = [&](const QString& sentence) {
+    return second.isEmpty() ? sentence : sentence.isEmpty() ? second : sentence + ' ' + second;
+  };
+  if (!session_.unsaved())
+    return with(before.empty() ? QString() : tr("%1 kept for Ctrl+Z only, not saved.").arg(kept));
+  const QString episodes = episodesText(session_.progress().episodes - session_.file().saved.episodes);
+  const QString now = session_.file().path.isEmpty()
+                          ? tr("What this life learned in %1 is not saved.").arg(episodes)
+                          : tr("What %1 learned in %2 is not saved.").arg(sessionName(), episodes);
+  return with(before.empty() ? now : now + ' ' + tr("%1 kept for Ctrl+Z only.").arg(kept));
+}
+
+/// The second learner of Compare, if it learned something that is not saved.
+Session* MainWindow::secondUnsaved() const {
+  Rival* rival = live_->rival();
+  return rival && rival->session().unsaved() ? &rival->session() : nullptr;
+}
+
+/// Whether there is something to be asked. Saved one after the other, until nothing is left.
+bool MainWindow::askBeforeQuit() {
+  const QString sentence = asksOnQuit_ ? whatIsNotSaved() : QString();
+  if (sentence.isEmpty()) return false;
+  const auto save = [this] {
+    const auto before = session_.unsavedBefore();
+    if (session_.unsaved())
+      saveSession([this] { close(); });
+    else if (before.empty())
+      saveSecond([this] { close(); });
+    else
+      saveKept(before.back(), [this] { close(); });
+  };
+  messages_->ask(sentence, {{tr("Save"), save}, {tr("Don't save"), [this] { quit(); }}}, MessageBar::Question::Quit);
+  return true;
+}
+
+void MainWindow::saveKept(const std::shared_ptr<KeptLife>& kept, const std::function<void()>& then) {
+  askForNewFile(this, tr("Save the session"), "session.surefoot", "*.surefoot", "surefoot",
+                [this, kept, then](const QString& path) {
+                  session_.saveKept(*kept, path.toStdString(), [this, kept, path, then](const Status& s) {
+                    if (!s) return messages_->say(toText(s.error().message));
+                    remember(path);
+                    kept->file = {path, kept->progress};
+                    then();
+                  });
+                });
+}
+
+void MainWindow::saveSecond(const std::function<void()>& then) {
+  Session* second = secondUnsaved();
+  if (!second) return then();
+  askForNewFile(this, tr("Save the second learner's session"), "second.surefoot", "*.surefoot", "surefoot",
+                [this, second, then](const QString& path) {
+                  second->save(SavedAs::Session, path.toStdString(), [this, second, path, then](const Status& s) {
+                    if (!s) return messages_->say(toText(s.error().message));
+                    remember(path);
+                    if (second->written()) second->setFile({path, *second->written()});
+                    then();
+                  });
+                });
+}
+
+/// What was learned stays for the next start, whatever was answered. Where it cannot be written, the window stays once.
+void MainWindow::quit() {
+  if (closing_) return;
+  closing_ = true;
+  constexpr int kPatience = 60'000;  // [ms]
+  const bool again = std::exchange(couldNotKeep_, false);
+  QTimer::singleShot(kPatience, this, [this] {
+    if (closing_) close();
+  });
+  autosave_->keepLast([this, again](const Status& s) {
+    if (s || again) return static_cast<void>(close());
+    closing_ = false;
+    couldNotKeep_ = true;
+    messages_->say(tr("The session could not be kept for the next start: %1 Closing the window again gives it up.")
+                       .arg(toText(s.error().message)));
+  });
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  const bool learned = session_.learned() || !session_.unsavedBefore().empty() || secondUnsaved();
+  if (!closing_ && learned) {
+    event->ignore();
+    if (!askBeforeQuit()) quit();
+    return;
+  }
+  QSettings settings;
+  settings.setValue("geometry", saveGeometry());
+  settings.setValue("layout", live_->layoutState());
+  autosave_->finish();
+  event->accept();
+}
+
+void MainWindow::offerToRestore() {
+  const QString left = autosave_->leftBehind();
+  if (left.isEmpty() || !autosave_->claim(left)) return;
+  const auto restored = [this, left] { restore(left); };
+  if (Autosave::isOfLastSession(left))
+    return messages_->ask(tr("The last session can go on where it was closed."),
+                          {{tr("Go on with it"), restored}, {tr("Begin anew"), [this] { autosave_->leaveThere(); }}},
+                          MessageBar::Question::Lasting);
+  messages_->ask(tr("The last session was not closed. Its last minutes may be missing."),
+                 {{tr("Restore it"), restored},
+                  {tr("Forget it"),
+                   [this, left] {
+                     autosave_->forget(left);
+                     offerToRestore();
+                   }}},
+                 MessageBar::Question::Lasting);
+}
+
+void MainWindow::restore(const QString& file) {
+  session_.open(file.toStdString(), [this, file](const Status& s) {
+    if (s) {
+      session_.setFile({});  // it has no file of its own yet
+      setPage(0);
+      return autosave_->takeOver(file);
+    }
+    const bool damaged = s.error().kind == ErrorKind::File || s.error().kind == ErrorKind::Mismatch;
+    const QString aside = damaged ? autosave_->setAside(file) : QString();
+    messages_->say(toText(s.error().message) + ' ' +
+                   (aside.isEmpty() ? tr("It stays where it is: %1.").arg(file)
+                                    : tr("It is set aside as %1.").arg(aside)));
+    if (!aside.isEmpty()) offerToRestore();
+  });
+}
+
+}  // namespace surefoot

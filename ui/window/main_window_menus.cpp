@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The menus of the window, what they do, and its page tabs.
+#include <QAbstractButton>
+#include <QApplication>
+#include <QHBoxLayout>
+#include <QMenuBar>
+#include <QPainter>
+#include <QSettings>
+
+#include "core/text/text.h"
+#include "ui/controls/message_bar.h"
+#include "ui/controls/panel.h"
+#include "ui/experiment/experiment_page.h"
+#include "ui/live/live_page.h"
+#include "ui/live/world/world_view.h"
+#include "ui/session/session.h"
+#include "ui/session/session_name.h"
+#include "ui/style/painted.h"
+#include "ui/style/symbol_text.h"
+#include "ui/style/theme.h"
+#include "ui/support/ask_for_file.h"
+#include "ui/support/plain_text.h"
+#include "ui/window/main_window.h"
+
+namespace surefoot {
+
+namespace {
+
+/// A page's name at the right end of the menu; a line below the one that is shown.
+class PageTab final : public Painted<QAbstractButton> {
+ public:
+  PageTab(const QString& text, QWidget* parent) : Painted(parent) {
+    setText(text);
+    setAccessibleName(text);
+    setCheckable(true);
+    setAutoExclusive(true);
+    setFocusPolicy(Qt::TabFocus);
+    setCursor(Qt::PointingHandCursor);
+    const int words = static_cast<int>(QFontMetricsF(textFont(13, 500)).horizontalAdvance(text));
+    whenScaled(this, [this, words] { setFixedSize(scaled({words + 20, 24})); });
+  }
+
+ protected:
+  void paintEvent(QPaintEvent*) override {
+    const Theme& t = themeOf(*this);
+    ScaledPainter p(this);
+    p.setFont(textFont(13, isChecked() ? 500 : 400));
+    p.setPen(isChecked() || underMouse() ? t.ink : t.quiet);
+    p.drawText(rect().adjusted(0, 0, 0, -2), Qt::AlignCenter, text());
+    if (isChecked()) p.fillRect(QRect(10, height() - 3, width() - 20, 2), t.ink);
+    if (hasFocus()) {
+      p.setPen(QPen(t.accent, 2));
+      p.drawRect(rect().adjusted(1, 1, -1, -1));
+    }
+  }
+};
+
+}  // namespace
+
+QAction* MainWindow::addAction(QMenu* menu, const QString& text, const QString& tip, const QKeySequence& key) {
+  auto* action = new QAction(text, this);
+  action->setToolTip(tip);
+  action->setShortcut(key);
+  if (menu) menu->addAction(action);
+  QMainWindow::addAction(action);
+  if (!key.isEmpty()) shortcuts_.push_back(action);
+  return action;
+}
+
+void MainWindow::makeActions() {
+  run_.run = addAction(nullptr, tr("&Run"), tr("Run or pause"), Qt::Key_Space);
+  run_.step = addAction(nullptr, tr("&Step"), tr("One step of the paused world"), {});
+  run_.step->setShortcuts({Qt::Key_Period, Qt::Key_Right});
+  shortcuts_.push_back(run_.step);
+  run_.restart = addAction(nullptr, tr("Re&start"), tr("Start the life again with the same seed"), Qt::Key_R);
+  run_.turbo = addAction(nullptr, tr("&Turbo"), tr("Learn flat out"), Qt::Key_T);
+  run_.turbo->setCheckable(true);
+  run_.faster = addAction(nullptr, tr("&Faster"), tr("A notch faster"), {});
+  run_.faster->setShortcuts({Qt::Key_Plus, Qt::Key_Equal});
+  run_.slower = addAction(nullptr, tr("S&lower"), tr("A notch slower"), Qt::Key_Minus);
+  shortcuts_.push_back(run_.faster);
+  run_.back = addAction(nullptr, tr("Look &back"), tr("A frame back in what was shown; with Shift a second"), {});
+  run_.back->setShortcuts({Qt::Key_Left, QKeySequence(Qt::SHIFT | Qt::Key_Left)});
+  run_.live = addAction(nullptr, tr("Back to &live"), tr("Leave the replay and show what happens now"), Qt::Key_Escape);
+  shortcuts_.push_back(run_.back);
+  connect(run_.back, &QAction::triggered, &session_, [this] {
+    const bool far = QApplication::keyboardModifiers() & Qt::ShiftModifier;
+    session_.lookBack(far ? -60 : -1);
+  });
+  connect(run_.live, &QAction::triggered, this, [this] {
+    if (session_.playback() || !live_->leaveFullSize()) session_.backToLive();
+  });
+  connect(run_.run, &QAction::triggered, &session_, [this] { session_.setRunning(!session_.running()); });
+  connect(run_.step, &QAction::triggered, &session_, &Session::stepOnce);
+  connect(run_.restart, &QAction::triggered, this, [this] {
+    if (const Status s = session_.restart(); !s) return messages_->say(toText(s.error().message));
+    tellHowItBegan();
+  });
+  connect(run_.turbo, &QAction::toggled, &session_, &Session::setTurbo);
+  liveActions_ = {run_.run, run_.step, run_.restart, run_.turbo, run_.faster, run_.slower, run_.back, run_.live};
+  connect(run_.faster, &QAction::triggered, this, [this] { bar_->changePace(+1); });
+  connect(run_.slower, &QAction::triggered, this, [this] { bar_->changePace(-1); });
+}
+
+void MainWindow::makeFileMenu() {
+  QMenu* file = menuBar()->addMenu(tr("&File"));
+  QMenu* fresh = file->addMenu(tr("&New session in"));
+  for (const EnvironmentEntry& entry : session_.registry().environments)
+    connect(addAction(fresh, toText(entry.title), toText(entry.help), {}), &QAction::triggered, this,
+            [this, name = entry.name] { begin([this, name] { return session_.beginEnvironment(name); }); });
+  const auto item = [&](QMenu* menu, const QString& text, const QString& tip, const QKeySequence& key, auto slot) {
+    connect(addAction(menu, text, tip, key), &QAction::triggered, this, slot);
+  };
+  item(file, tr("&Open …"), tr("Open a session, a Q-function, a journal, a plan or results"), QKeySequence::Open,
+       &MainWindow::openWithDialog);
+  recent_ = file->addMenu(tr("Open &recent"));
+  connect(recent_, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
+  file->addSeparator();
+  item(file, tr("&Save"), tr("Save the session: it goes on where it was"), QKeySequence::Save,
+       [this] { saveSession(); });
+  item(file, tr("Save &as …"), tr("Save the session under another name"),
+       QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] { saveSessionAs(); });
+  item(file, tr("Save the Q-&function …"), tr("What was learned, to load it elsewhere"), {},
+       [this] { saveWithDialog(SavedAs::QFunction, tr("Save the Q-function"), "learned.safetensors", "safetensors"); });
+  item(file, tr("Save the &journal …"), tr("A small text by which the life can be lived again"), {},
+       [this] { saveWithDialog(SavedAs::Journal, tr("Save the journal"), "life.jsonl", "jsonl"); });
+  QMenu* exporting = file->addMenu(tr("&Export"));
+  for (Panel* panel : live_->panels())
+    item(exporting, panel->windowTitle() + QStringLiteral(" …"), tr("As PNG, SVG, PDF or CSV"), {},
+         [this, panel] { exportWithDialog(panel->widget(), panel->windowTitle()); });
+  item(exporting, tr("World …"), tr("As PNG, SVG or PDF"), {},
+       [this] { exportWithDialog(&live_->world(), tr("World")); });
+  item(exporting, tr("The whole window …"), tr("As PNG, SVG or PDF"), {},
+       [this] { exportWithDialog(this, tr("Surefoot")); });
+  file->addSeparator();
+  item(file, tr("&Quit"), tr("Leave the program"), QKeySequence(Qt::CTRL | Qt::Key_Q), &QWidget::close);
+}
+
+void MainWindow::makeEditMenu() {
+  QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+  for (QAction* action :
+       {session_.undo().createUndoAction(this, tr("&Undo")), session_.undo().createRedoAction(this, tr("&Redo"))})
+    edit->addAction(action);
+  edit->actions()[0]->setShortcut(QKeySequence::Undo);
+  edit->actions()[1]->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
+  edit->actions()[0]->setToolTip(tr("Take the last change back; bring the life before back"));
+  edit->actions()[1]->setToolTip(tr("Make the change again"));
+  for (QAction* action : edit->actions()) shortcuts_.push_back(action);
+  edit->addSeparator();
+  connect(addAction(edit, tr("Reset all &parameters"), tr("To what preset and scenario say"), {}), &QAction::triggered,
+          live_, &LivePage::resetParameters);
+  connect(addAction(edit, tr("Another &seed …"), tr("Begin again with other random numbers"), {}), &QAction::triggered,
+          this, &MainWindow::askForSeed);
+  edit->addSeparator();
+  connect(addAction(edit, tr("Pre&ferences …"), tr("Colours, motion, the start"), QKeySequence::Preferences),
+          &QAction::triggered, this, &MainWindow::showPreferences);
+}
+
+void MainWindow::fillRecent() {
+  recent_->clear();
+  const QStringList files = QSettings().value("recent").toStringList();
+  for (const QString& path : files)
+    connect(recent_->addAction(menuText(path)), &QAction::triggered, this, [this, path] { openFile(path); });
+  if (files.isEmpty()) recent_->addAction(tr("Nothing yet"))->setEnabled(false);
+}
+
+void MainWindow::makeMenus() {
+  makeFileMenu();
+  makeEditMenu();
+  makeViewMenu();
+
+  QMenu* run = menuBar()->addMenu(tr("&Run"));
+  for (QAction* action : {run_.run, run_.step, run_.restart}) run->addAction(action);
+  QAction* empty =
+      addAction(run, tr("Restart with an &empty table"), tr("Start the life again with the same seed, from nothing"),
+                QKeySequence(Qt::SHIFT | Qt::Key_R));
+  connect(empty, &QAction::triggered, this, [this] { begin([this] { return session_.restartEmpty(); }); });
+  liveActions_.push_back(empty);
+  run->addSeparator();
+  for (QAction* action : {run_.turbo, run_.faster, run_.slower}) run->addAction(action);
+  run->addSeparator();
+  for (QAction* action : {run_.back, run_.live}) run->addAction(action);
+  QAction* compare = addAction(run, tr("&Compare with a second learner"),
+                               tr("Another method with the same seed, side by side"), Qt::Key_C);
+  compare->setCheckable(true);
+  connect(compare, &QAction::toggled, this, [this](bool on) {
+    live_->setComparing(on);
+    constexpr std::int64_t kHeadStart = 1000;  // [steps]
+    if (!on || session_.snapshot().steps < kHeadStart) return;
+    messages_->ask(tr("The second learner begins now. For a fair race, begin the first again, too?"),
+                   {{tr("Begin both again"), [this] { run_.restart->trigger(); }}});
+  });
+  run->addSeparator();
+  QAction* preLearn = addAction(run, tr("&Pre-learn, then transfer …"),
+                                tr("Learn in a simulation, then live in reality with what was learned"), Qt::Key_P);
+  connect(preLearn, &QAction::triggered, this, &MainWindow::showPreLearning);
+  for (QAction* action : {compare, preLearn}) liveActions_.push_back(action);
+
+  QMenu* experiment = menuBar()->addMenu(tr("E&xperiment"));
+  const auto item = [&](const QString& text, const QString& tip, void (ExperimentPage::*slot)()) {
+    QAction* action = addAction(experiment, text, tip, {});
+    connect(action, &QAction::triggered, this, [this] { setPage(1); });
+    connect(action, &QAction::triggered, experiment_, slot);
+  };
+  item(tr("&Open a plan or results …"), tr("A plan, a recipe or a store of results"), &ExperimentPage::openWithDialog);
+  item(tr("Save the &plan as …"), tr("The plan as a file"), &ExperimentPage::savePlanAs);
+  experiment->addSeparator();
+  item(tr("&Run or pause"), tr("Run the experiment, or pause it"), &ExperimentPage::runOrPause);
+  item(tr("Start &again"), tr("Forget what was lived"), &ExperimentPage::startAgain);
+  experiment->addSeparator();
+  item(tr("&Copy the table as CSV"), tr("To the clipboard"), &ExperimentPage::copyCsv);
+  item(tr("Copy the table as &LaTeX"), tr("To the clipboard"), &ExperimentPage::copyLatex);
+  item(tr("E&xport all lives as CSV …"), tr("Conditions, lives and episodes"), &ExperimentPage::exportCsv);
+  item(tr("Export all lives for a &spreadsheet …"), tr("The same, as Excel reads it"),
+       &ExperimentPage::exportForSpreadsheets);
+  item(tr("Export all c&harts …"), tr("PNG, PDF and CSV"), &ExperimentPage::exportCharts);
+
+  QMenu* help = menuBar()->addMenu(tr("&Help"));
+  connect(addAction(help, tr("&Shortcuts"), tr("All shortcuts"), Qt::Key_F1), &QAction::triggered, this,
+          &MainWindow::showShortcuts);
+  connect(addAction(help, tr("&Words"), tr("What the words mean, with their formulas"), {}), &QAction::triggered, this,
+          [this] { showWords({}); });
+  connect(addAction(help, tr("&About Surefoot"), tr("What this is"), {}), &QAction::triggered, this,
+          &MainWindow::showAbout);
+  menuBar()->setCornerWidget(makeTabs());
+}
+
+QWidget* MainWindow::makeTabs() {
+  auto* box = new QWidget;
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 2, 0);
+  row->setSpacing(0);
+  name_ = new SessionName(box);
+  row->addWidget(name_);
+  for (const QString& title : {tr("Live"), tr("Experiment"), tr("Lessons")}) {
+    auto* tab = new PageTab(title, box);
+    const int page = static_cast<int>(tabs_.size());
+    connect(tab, &QAbstractButton::clicked, this, [this, page] { setPage(page); });
+    row->addWidget(tab);
+    tabs_.push_back(tab);
+  }
+  tabs_.front()->setChecked(true);
+  return box;
+}
+
+}  // namespace surefoot

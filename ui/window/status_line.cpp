@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/status_line.h"
+
+#include <QPainter>
+#include <cmath>
+
+#include "core/life/rule_of_thumb.h"
+#include "core/text/text.h"
+#include "ui/session/session.h"
+#include "ui/style/symbol_text.h"
+#include "ui/style/theme.h"
+
+namespace surefoot {
+
+StatusLine::StatusLine(Session& session, QWidget* parent) : Painted(parent), session_(session) {
+  whenScaled(this, [this] { setFixedHeight(scaled(24)); });
+  setAccessibleName(tr("State of the life"));
+  connect(&session_, &Session::valuesArrived, this, &StatusLine::refresh);
+  connect(&session_, &Session::stateChanged, this, &StatusLine::refresh);
+  connect(&session_, &Session::lifeReplaced, this, &StatusLine::refresh);
+  refresh();
+}
+
+QStringList StatusLine::segments() const {
+  const Numbers& s = session_.numbers();
+  QStringList list;
+  if (!std::isnan(s.simulatedSeconds))
+    list << tr("%1 min simulated")
+                .arg(toText(s.simulatedSeconds < 6e4 ? fixedText(s.simulatedSeconds / 60, 2)
+                                                     : countText(s.simulatedSeconds / 60)));
+  list << tr("%1 steps").arg(toText(countText(static_cast<double>(s.steps))));
+  const double speed = s.stepsPerSecond;
+  if (session_.running() && speed > 0)
+    list << (speed >= 1e5 ? tr("%1 M steps/s").arg(toText(fixedText(speed / 1e6, 2)))
+                          : tr("%1 steps/s").arg(toText(countText(speed))));
+  const ValueSnapshot* v = session_.values();
+  if (v && v->rule) {
+    const RuleText rule = textOf(*v->rule);
+    list << tr("n* %1 → rule-of-thumb threshold %2").arg(toText(rule.transitions), toText(rule.threshold));
+  } else if (!session_.task().goalReward) {
+    list << tr("rule-of-thumb threshold: not defined here");
+  }
+  if (v && !v->memory.empty() && v->memory[0].occupied && v->memory[0].slots > 0)
+    list << tr("table %1 % full")
+                .arg(toText(fixedText(
+                    100.0 * static_cast<double>(*v->memory[0].occupied) / static_cast<double>(v->memory[0].slots), 0)));
+  list << tr("seed %1").arg(session_.configuration().seed);
+  if (const QString beginning = session_.beginning(); !beginning.isEmpty()) list << tr("began %1").arg(beginning);
+  return list;
+}
+
+QString StatusLine::state() const {
+  const ValueSnapshot* v = session_.values();
+  QString text = v && v->endOfLearning > 0
+                     ? tr("learning ended at episode %1").arg(toText(countText(static_cast<double>(v->endOfLearning))))
+                     : QString();
+  if (v && v->walksSince) text = tr("walks since minute %1").arg(toText(fixedText(*v->walksSince, 0)));
+  if (session_.snapshot().finished)
+    text = tr("the life is complete") + (text.isEmpty() ? "" : "; " + text);
+  else if (!session_.running())
+    text = tr("paused") + (text.isEmpty() ? "" : "; " + text);
+  return text;
+}
+
+void StatusLine::say(const QString& left, const QString& right) {
+  following_ = false;
+  segments_ = {left};
+  state_ = right;
+  update();
+}
+
+void StatusLine::follow() {
+  following_ = true;
+  refresh();
+}
+
+void StatusLine::refresh() {
+  if (!following_) return;
+  const QStringList now = segments();
+  const QString nowState = state();
+  if (now == segments_ && nowState == state_) return;
+  segments_ = now;
+  state_ = nowState;
+  update();
+}
+
+void StatusLine::paintEvent(QPaintEvent*) {
+  const Theme& t = themeOf(*this);
+  ScaledPainter p(this);
+  p.fillRect(rect(), t.panel);
+  p.fillRect(QRect(0, 0, width(), 1), t.hairline);
+  p.setFont(textFont(11));
+  p.setPen(t.quiet);
+  const double stateWidth = symbolWidth(p.font(), state_);
+  drawSymbol(p, QRectF(0, 0, width() - 12, height()), Qt::AlignRight, state_);
+  double x = 12;
+  for (const QString& segment : segments_) {
+    const double w = symbolWidth(p.font(), segment);
+    if (x + w > width() - stateWidth - 32) break;
+    if (x > 12) p.fillRect(QRectF(x - 12, 6, 1, 12), t.hairline);
+    p.setPen(t.quiet);
+    drawSymbol(p, QRectF(x, 0, w, height()), Qt::AlignLeft, segment);
+    x += w + 24;
+  }
+}
+
+}  // namespace surefoot

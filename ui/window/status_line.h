@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The line at the foot: simulated time, steps, speed, rule of thumb, seed; at the right the state of learning.
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+
+#include "ui/style/painted.h"
+
+namespace surefoot {
+
+class Session;
+
+class StatusLine final : public Painted<> {
+  Q_OBJECT
+
+ public:
+  explicit StatusLine(Session& session, QWidget* parent = nullptr);
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+
+ public:
+  /// Shows these instead of the life's state, until follow().
+  void say(const QString& left, const QString& right);
+  void follow();
+  /// What it says, from left to right.
+  QStringList texts() const { return segments_ + QStringList{state_}; }
+
+ private:
+  bool following_ = true;
+  void refresh();
+  QStringList segments() const;
+  QString state() const;
+
+  Session& session_;
+  QStringList segments_;
+  QString state_;
+};
+
+}  // namespace surefoot
