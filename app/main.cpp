@@ -18,7 +18,8 @@ namespace surefoot {
 
 int fail(const Error& error) {
   std::string sentence = printable(error.message);
-  std::replace_if(sentence.begin(), sentence.end(), [](char c) { return c == '\n' || c == '\t'; }, ' ');
+  std::replace_if(
+      sentence.begin(), sentence.end(), [](char c) { return c == '\n' || c == '\t'; }, ' ');
   std::fprintf(stderr, "surefoot: %s\n", sentence.c_str());
   return exitCode(error.kind);
 }

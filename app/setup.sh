@@ -18,7 +18,8 @@ install_packages() {
   fi
   echo "Installing ${#missing[@]} Debian packages: ${missing[*]}" >&2
   { "${as_root[@]}" apt-get update -q &&
-    DEBIAN_FRONTEND=noninteractive "${as_root[@]}" apt-get install -y -q --no-install-recommends "${missing[@]}"; } >&2 || {
+    DEBIAN_FRONTEND=noninteractive \
+      "${as_root[@]}" apt-get install -y -q --no-install-recommends "${missing[@]}"; } >&2 || {
     echo "The packages could not be installed; see apt-get's words above." >&2
     exit 2
   }
@@ -38,5 +39,6 @@ build() {
   rm -f "$log"
 }
 
-BUILD_PACKAGES=(g++ cmake ninja-build libbox2d-dev libfmt-dev libcli11-dev nlohmann-json3-dev libboost-dev libeigen3-dev libtomlplusplus-dev libsqlitecpp-dev libsqlite3-dev)
+BUILD_PACKAGES=(g++ cmake ninja-build libbox2d-dev libfmt-dev libcli11-dev nlohmann-json3-dev libboost-dev
+                libeigen3-dev libtomlplusplus-dev libsqlitecpp-dev libsqlite3-dev)
 WINDOW_PACKAGES=(qt6-base-dev libqt6opengl6-dev qt6-charts-dev qt6-svg-dev fonts-roboto-unhinted fonts-dejavu-core)

@@ -27,63 +27,63 @@ std::vector<Word> policies() {
 }
 
 std::vector<Word> learningRules() {
-  return {{"sarsa", "Sarsa", "δ = r + γ·Q(s′, a′) − Q(s, a);  w ← w + α/n·δ·z",
-           "Learns the value of what it does, exploring included: a′ is the action that is taken next.",
-           "thesis, eq. 2.4, 2.5 and 2.8; Sutton & Barto 2018, sections 6.4 and 12.7"},
-          {"sarsa-2q", "Sarsa_2Q",
-           "Q = Q⁺ + Q⁻;  δ⁺ = r⁺ + γ·Q⁺(s′, a′) − Q⁺(s, a);  δ⁻ = r⁻ + γ·Q⁻(s′, a′) − Q⁻(s, a)",
-           "Two Sarsa learners: Q⁺ expects the gains, Q⁻ the losses, each with its own resolution, α and λ. Actions are "
-           "chosen on the sum. A coarse Q⁻ generalises falls to states where none has happened yet.",
-           "thesis, section 6.1.2, eq. 6.1 to 6.4"},
-          {"q-learning", "Q-learning, Q(λ)",
-           "δ = r + γ·max_b Q(s′, b) − Q(s, a); after an action that is not greedy, z ← 0",
-           "Learns the value of the greedy policy, whatever is done meanwhile (Watkins). So at a cliff it learns the "
-           "edge, and falls while it explores.",
-           "thesis, eq. 2.7; Sutton & Barto 2018, sections 6.5 and 12.10"},
-          {"expected-sarsa", "Expected Sarsa", "δ = r + γ·Σ_b π(b|s′)·Q(s′, b) − Q(s, a)",
-           "Sarsa with the mean over the policy in place of the one action that is drawn: the same values with less "
-           "chance in them.",
-           "Sutton & Barto 2018, section 6.6"},
-          {"scripted", "Hand-made", "", "The environment's own controller. It does not learn.",
-           "wcaarls/grl, addons/leosim"}};
+  return {
+      {"sarsa", "Sarsa", "δ = r + γ·Q(s′, a′) − Q(s, a);  w ← w + α/n·δ·z",
+       "Learns the value of what it does, exploring included: a′ is the action that is taken next.",
+       "thesis, eq. 2.4, 2.5 and 2.8; Sutton & Barto 2018, sections 6.4 and 12.7"},
+      {"sarsa-2q", "Sarsa_2Q", "Q = Q⁺ + Q⁻;  δ⁺ = r⁺ + γ·Q⁺(s′, a′) − Q⁺(s, a);  δ⁻ = r⁻ + γ·Q⁻(s′, a′) − Q⁻(s, a)",
+       "Two Sarsa learners: Q⁺ expects the gains, Q⁻ the losses, each with its own resolution, α and λ. Actions are "
+       "chosen on the sum. A coarse Q⁻ generalises falls to states where none has happened yet.",
+       "thesis, section 6.1.2, eq. 6.1 to 6.4"},
+      {"q-learning", "Q-learning, Q(λ)",
+       "δ = r + γ·max_b Q(s′, b) − Q(s, a); after an action that is not greedy, z ← 0",
+       "Learns the value of the greedy policy, whatever is done meanwhile (Watkins). So at a cliff it learns the "
+       "edge, and falls while it explores.",
+       "thesis, eq. 2.7; Sutton & Barto 2018, sections 6.5 and 12.10"},
+      {"expected-sarsa", "Expected Sarsa", "δ = r + γ·Σ_b π(b|s′)·Q(s′, b) − Q(s, a)",
+       "Sarsa with the mean over the policy in place of the one action that is drawn: the same values with less "
+       "chance in them.",
+       "Sutton & Barto 2018, section 6.6"},
+      {"scripted", "Hand-made", "", "The environment's own controller. It does not learn.",
+       "wcaarls/grl, addons/leosim"}};
 }
 
 std::vector<Word> representations() {
-  return {{"tile-coder", "Tile coding",
-           "Q(s, a) = Σ of n weights, one a tiling;  tile i = ⌊(x/width·n + i·(2d + 1))/n⌋",
-           "n grids lie over each other, displaced. A state is in one tile of each; states that share tiles share what "
-           "is learned.",
-           "thesis, section 2.3; Sutton & Barto 2018, section 9.5.4"},
-          {"radial-basis", "Radial basis functions", "x_i(s) = exp(−|s − c_i|²/(2σ²)) / Σ_j exp(−|s − c_j|²/(2σ²))",
-           "Gaussians on a grid. Their width can be set apart from their spacing, which tiles cannot do.",
-           "thesis, section 6.5; Sutton & Barto 2018, section 9.5.5"},
-          {"table", "Table", "Q(s, a) has a weight of its own for every pair",
-           "For worlds of few states: nothing is shared, nothing is generalised.", "Sutton & Barto 2018, chapter 6"}};
+  return {
+      {"tile-coder", "Tile coding", "Q(s, a) = Σ of n weights, one a tiling;  tile i = ⌊(x/width·n + i·(2d + 1))/n⌋",
+       "n grids lie over each other, displaced. A state is in one tile of each; states that share tiles share what "
+       "is learned.",
+       "thesis, section 2.3; Sutton & Barto 2018, section 9.5.4"},
+      {"radial-basis", "Radial basis functions", "x_i(s) = exp(−|s − c_i|²/(2σ²)) / Σ_j exp(−|s − c_j|²/(2σ²))",
+       "Gaussians on a grid. Their width can be set apart from their spacing, which tiles cannot do.",
+       "thesis, section 6.5; Sutton & Barto 2018, section 9.5.5"},
+      {"table", "Table", "Q(s, a) has a weight of its own for every pair",
+       "For worlds of few states: nothing is shared, nothing is generalised.", "Sutton & Barto 2018, chapter 6"}};
 }
 
 std::vector<Word> environments() {
-  return {{"pendulum", "Pendulum", "balanced: |α| ≤ 0.005π, |α̇| ≤ 0.005π rad/s; fallen: |α| ≥ 0.45π",
-           "A pole on a cart with a driven wheel. The state is its angle α, its rate α̇ and the wheel's rate β̇; an action "
-           "is one of five torques, every 5 ms.",
-           "thesis, section 3.1"},
-          {"compass", "Compass walker", "r = footstep·length of the step [m]; fall, and the episode ends",
-           "Two straight legs and a hip motor: the simplest thing that walks.", "ours"},
-          {"leo", "LEO walker", "343 actions = 7³: three voltages of seven levels",
-           "The Delft robot on two legs: ten state variables, motors with gears, feet with heel and toe. It is paid for "
-           "metres, and pays for energy, time and falls.",
-           "wcaarls/grl, addons/leosim"},
-          {"cliff", "Cliff", "r = −1 a step, −100 and a fall over the edge",
-           "A grid of 4 × 12 with a cliff along one side: Q-learning walks the edge, Sarsa the safe path.",
-           "Sutton & Barto 2018, example 6.6; thesis, figure 2.1"},
-          {"grid-world", "Grid world", "", "A grid of 10 × 10 with a bad region in the middle, which is a fall.",
-           "thesis, figure 6.1"},
-          {"chain", "Chain", "", "Ten states in a row, a fall at one end and the goal at the other.", "thesis, figure 4.2"},
-          {"random-walk", "Random walk", "v(s) = (s − 10)/10 for the states s = 1 … 19",
-           "Nineteen states in a row and one action: only values are learned, and they are known.",
-           "Sutton & Barto 2018, example 7.1"},
-          {"mountain-car", "Mountain car", "r = −1 a step until it is over the hill",
-           "A car that is too weak for the slope has to swing. It cannot fall.",
-           "Sutton & Barto 2018, example 10.1"}};
+  return {
+      {"pendulum", "Pendulum", "balanced: |α| ≤ 0.005π, |α̇| ≤ 0.005π rad/s; fallen: |α| ≥ 0.45π",
+       "A pole on a cart with a driven wheel. The state is its angle α, its rate α̇ and the wheel's rate β̇; an action "
+       "is one of five torques, every 5 ms.",
+       "thesis, section 3.1"},
+      {"compass", "Compass walker", "r = footstep·length of the step [m]; fall, and the episode ends",
+       "Two straight legs and a hip motor: the simplest thing that walks.", "ours"},
+      {"leo", "LEO walker", "343 actions = 7³: three voltages of seven levels",
+       "The Delft robot on two legs: ten state variables, motors with gears, feet with heel and toe. It is paid for "
+       "metres, and pays for energy, time and falls.",
+       "wcaarls/grl, addons/leosim"},
+      {"cliff", "Cliff", "r = −1 a step, −100 and a fall over the edge",
+       "A grid of 4 × 12 with a cliff along one side: Q-learning walks the edge, Sarsa the safe path.",
+       "Sutton & Barto 2018, example 6.6; thesis, figure 2.1"},
+      {"grid-world", "Grid world", "", "A grid of 10 × 10 with a bad region in the middle, which is a fall.",
+       "thesis, figure 6.1"},
+      {"chain", "Chain", "", "Ten states in a row, a fall at one end and the goal at the other.", "thesis, figure 4.2"},
+      {"random-walk", "Random walk", "v(s) = (s − 10)/10 for the states s = 1 … 19",
+       "Nineteen states in a row and one action: only values are learned, and they are known.",
+       "Sutton & Barto 2018, example 7.1"},
+      {"mountain-car", "Mountain car", "r = −1 a step until it is over the hill",
+       "A car that is too weak for the slope has to swing. It cannot fall.", "Sutton & Barto 2018, example 10.1"}};
 }
 
 std::vector<Word> termsOfLearning() {
@@ -112,24 +112,25 @@ std::vector<Word> termsOfLearning() {
 }
 
 std::vector<Word> termsOfExperiments() {
-  return {{"", "Step, episode, life, experiment", "step < episode < life < experiment",
-           "A life is one learner with one seed; an episode goes from its start to its end, a step from action to action.",
-           "Sutton & Barto 2018, section 3.3 (a life is their run)"},
-          {"", "Average reward", "mean total reward of the last 80 episodes",
-           "How well it does by now. 198 of 200 counts as converged.", "thesis, section 4.2.1"},
-          {"", "End of learning", "first k ≥ 330 with |A(k) − A(k − 250)| < 3 and A(k) > 0.75·R_goal",
-           "The episode from which on the average reward of all lives stands still. Falls are counted until then.",
-           "thesis, section 4.2.1"},
-          {"", "Pre-learning", "learn on a model until the average reward is R, then go on in reality",
-           "What is learned in a simulation that is a little wrong is carried over to the robot.", "thesis, section 4.2"},
-          {"", "Scenario", "damping c, friction μ, torque scaling",
-           "How far the simulation is from the actual system: the rows of the thesis's table.", "thesis, table 4.1"},
-          {"", "X, significant", "one-way analysis of variance, p < .01",
-           "The difference to the reference is hardly chance.", "thesis, section 4.2.1"},
-          {"", "Turbo", "steps a second as many as the processor can",
-           "Learns flat out; the world shows another one at its usual pace, with the newest values.", ""},
-          {"", "Greedy test", "an episode under the greedy policy, which is not counted",
-           "How a walker walks with what it has learned so far.", ""}};
+  return {
+      {"", "Step, episode, life, experiment", "step < episode < life < experiment",
+       "A life is one learner with one seed; an episode goes from its start to its end, a step from action to action.",
+       "Sutton & Barto 2018, section 3.3 (a life is their run)"},
+      {"", "Average reward", "mean total reward of the last 80 episodes",
+       "How well it does by now. 198 of 200 counts as converged.", "thesis, section 4.2.1"},
+      {"", "End of learning", "first k ≥ 330 with |A(k) − A(k − 250)| < 3 and A(k) > 0.75·R_goal",
+       "The episode from which on the average reward of all lives stands still. Falls are counted until then.",
+       "thesis, section 4.2.1"},
+      {"", "Pre-learning", "learn on a model until the average reward is R, then go on in reality",
+       "What is learned in a simulation that is a little wrong is carried over to the robot.", "thesis, section 4.2"},
+      {"", "Scenario", "damping c, friction μ, torque scaling",
+       "How far the simulation is from the actual system: the rows of the thesis's table.", "thesis, table 4.1"},
+      {"", "X, significant", "one-way analysis of variance, p < .01",
+       "The difference to the reference is hardly chance.", "thesis, section 4.2.1"},
+      {"", "Turbo", "steps a second as many as the processor can",
+       "Learns flat out; the world shows another one at its usual pace, with the newest values.", ""},
+      {"", "Greedy test", "an episode under the greedy policy, which is not counted",
+       "How a walker walks with what it has learned so far.", ""}};
 }
 
 }  // namespace
@@ -137,8 +138,8 @@ std::vector<Word> termsOfExperiments() {
 const std::vector<Word>& glossary() {
   static const std::vector<Word> words = [] {
     std::vector<Word> all;
-    for (auto& part : {policies(), learningRules(), representations(), environments(), termsOfLearning(),
-                       termsOfExperiments()})
+    for (auto& part :
+         {policies(), learningRules(), representations(), environments(), termsOfLearning(), termsOfExperiments()})
       all.insert(all.end(), part.begin(), part.end());
     return all;
   }();

@@ -87,8 +87,7 @@ void registerPhysics(Registry& r) {
   r.scenarios.push_back(scenario("1", "1 Realistic", "10 % more damping, a little friction.", 0.088, 0.03, 1.0));
   r.scenarios.push_back(
       scenario("2", "2 Half damping, low friction", "Half the damping, low friction.", 0.04, 0.02, 1.0));
-  r.scenarios.push_back(
-      scenario("3", "3 Low damping, high friction", "Low damping, high friction.", 0.01, 0.05, 1.0));
+  r.scenarios.push_back(scenario("3", "3 Low damping, high friction", "Low damping, high friction.", 0.01, 0.05, 1.0));
   r.scenarios.push_back(scenario("4", "4 More power", "Actions with increased power.", 0.08, 0.0, 2.5));
   r.scenarios.push_back(scenario("5", "5 Less power", "Actions with decreased power.", 0.08, 0.0, 0.5));
   r.scenarios.push_back(

@@ -74,7 +74,7 @@ class Teller {
       const auto time = std::chrono::steady_clock::now();
       if (time - told_ < std::chrono::seconds(1)) return;
       told_ = time;
-      const OrderedJson now = {{"event", "progress"}, {"share", p.work.share}, {"lives", done},
+      const OrderedJson now = {{"event", "progress"},  {"share", p.work.share}, {"lives", done},
                                {"of", p.livesPlanned}, {"falls", p.work.falls}, {"steps", p.work.steps}};
       print(jsonText(now) + "\n");
       return;

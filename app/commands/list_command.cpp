@@ -98,9 +98,9 @@ std::string table(const Parameters& parameters) {
     const std::string range =
         p.kind == Kind::Choice ? joinWords(p.choices, "or") : boundText(p.low) + " … " + boundText(p.high);
     std::string name = p.symbol.empty() ? p.key : fmt::format("{} ({})", p.key, p.symbol);
-    text +=
-        fmt::format("  {:<32} default {}{}, {}, applies {}\n      {} Default: {}.\n      {}\n", name, formatValue(p, p.fallback),
-                    p.unit.empty() ? "" : " " + p.unit, range, whenName(p.when), p.help, p.origin, formulaOf(p));
+    text += fmt::format("  {:<32} default {}{}, {}, applies {}\n      {} Default: {}.\n      {}\n", name,
+                        formatValue(p, p.fallback), p.unit.empty() ? "" : " " + p.unit, range, whenName(p.when), p.help,
+                        p.origin, formulaOf(p));
   }
   return text;
 }

@@ -34,8 +34,7 @@ int replayCommand(const Registry& registry, const ReplayRequest& request) {
         {fmt::format("{}: {} episodes, {} falls, hash {:016x}; the journal says {}, {}, {:016x}, so it is not the "
                      "same life{}.",
                      request.file, life->totals.episodes, life->totals.falls, life->hash, journal->episodes,
-                     journal->falls, journal->hash,
-                     other ? ", which another version of Surefoot lived" : ""),
+                     journal->falls, journal->hash, other ? ", which another version of Surefoot lived" : ""),
          ErrorKind::Mismatch});
   if (other && !journal->sameAs(*life))
     std::fprintf(stderr, "surefoot: %s was lived by another version of Surefoot, and this is not the same life.\n",

@@ -46,14 +46,10 @@ OrderedJson orNull(const std::optional<double>& value) {
 
 OrderedJson ruleAsJson(const std::optional<RuleOfThumb>& rule) {
   if (!rule) return nullptr;
-  return {{"threshold", rule->threshold},
-          {"transitions", rule->transitions},
-          {"discount", rule->discount},
-          {"reward", rule->reward},
-          {"time_reward", rule->timeReward},
-          {"lower_limit", orNull(rule->lower)},
-          {"upper_limit", orNull(rule->upper)},
-          {"pre_learned", rule->preLearned}};
+  return {{"threshold", rule->threshold},       {"transitions", rule->transitions},
+          {"discount", rule->discount},         {"reward", rule->reward},
+          {"time_reward", rule->timeReward},    {"lower_limit", orNull(rule->lower)},
+          {"upper_limit", orNull(rule->upper)}, {"pre_learned", rule->preLearned}};
 }
 
 /// Every greedy test, column by column.

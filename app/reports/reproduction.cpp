@@ -68,8 +68,7 @@ Result<Reproduced> reproduce(const Registry& registry, const std::string& recipe
 
   const auto stored = planToStore(registry, recipe->plan);
   if (!stored) return stored.error();
-  const auto evidence = runAndRead(registry, recipe->plan, *stored, own + "/results.sqlite", lab,
-                                   otherVersion);
+  const auto evidence = runAndRead(registry, recipe->plan, *stored, own + "/results.sqlite", lab, otherVersion);
   if (!evidence) return evidence.error();
   Reproduced done{.name = recipe->name,
                   .title = recipe->plan.title,
@@ -95,8 +94,8 @@ Result<Reproduced> reproduce(const Registry& registry, const std::string& recipe
     if (!onLab) return onLab.error();
     const auto labStored = planToStore(registry, onLab->plan);
     if (!labStored) return labStored.error();
-    const auto labEvidence = runAndRead(registry, onLab->plan, *labStored, own + "/results-lab.sqlite", lab,
-                                        otherVersion);
+    const auto labEvidence =
+        runAndRead(registry, onLab->plan, *labStored, own + "/results-lab.sqlite", lab, otherVersion);
     if (!labEvidence) return labEvidence.error();
     auto labJudgements = judgeAll(registry, *onLab, *labEvidence);
     if (!labJudgements) return labJudgements.error();

@@ -139,7 +139,8 @@ struct CommandLine {
     addFileCommands();
     window->add_flag("--turbo", windowOptions.turbo, "learn flat out from the start");
     list->add_flag("--json", listOptions.json, "as JSON");
-    addOption(*probabilities, "--q", probabilitiesOptions.q, "action values, separated by ; or blanks, or by commas", "Q1;Q2;…");
+    addOption(*probabilities, "--q", probabilitiesOptions.q, "action values, separated by ; or blanks, or by commas",
+              "Q1;Q2;…");
     probabilities->add_option("--policy", probabilitiesOptions.policy, "action-selection rule")
         ->type_name("NAME")
         ->capture_default_str();
@@ -160,7 +161,8 @@ struct CommandLine {
       command->add_option("FILE", path, what)->type_name("");
     };
     file(query, queryOptions.file, "a Q-function");
-    addOption(*query, "--state", queryOptions.state, "the state, its variables separated by ; or blanks, or by commas", "S1;S2;…");
+    addOption(*query, "--state", queryOptions.state, "the state, its variables separated by ; or blanks, or by commas",
+              "S1;S2;…");
     addOption(*query, "--policy", queryOptions.policy, "action-selection rule, if not the file's", "NAME");
     addAssignments(*query, queryOptions.assignments, "a parameter of the policy; may be repeated");
     query->add_flag("--json", queryOptions.json, "as JSON");

@@ -55,8 +55,8 @@ struct RunOptions {
   /// the life's inputs are kept then, so that it can be saved.
   std::function<void(const Life& life)> visit{};
   std::int64_t visitEvery = std::numeric_limits<std::int64_t>::max();
-  int jobs = 1;                                    ///< threads
-  bool keepRows = false;                           ///< the episode log of every life
+  int jobs = 1;           ///< threads
+  bool keepRows = false;  ///< the episode log of every life
   /// With keepRows: takes the rows again and again while a life goes on, on its thread; its result has none then.
   std::function<void(int index, std::vector<EpisodeRow> rows)> takeRows{};
   const std::atomic<bool>* interrupted = nullptr;  ///< set by anyone: lives in hand are cut where they are

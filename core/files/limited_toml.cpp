@@ -54,8 +54,9 @@ class Scanner {
     }
   }
   Status tooMuch(char c) const {
-    return Error{c == '.' ? fmt::format("line {}: a key of more than {} parts is none of ours", line_, kDeepestToml)
-                          : fmt::format("line {}: brackets nested deeper than {} are none of ours", line_, kDeepestToml),
+    return Error{c == '.'
+                     ? fmt::format("line {}: a key of more than {} parts is none of ours", line_, kDeepestToml)
+                     : fmt::format("line {}: brackets nested deeper than {} are none of ours", line_, kDeepestToml),
                  ErrorKind::File};
   }
 

@@ -174,7 +174,8 @@ Result<TensorFile> parseHeader(std::string_view text, std::size_t size, const st
     offset = end;
     file.tensors.push_back(std::move(*tensor));
   }
-  if (offset != size) return fileError(name, fmt::format("{} bytes behind the last tensor belong to none.", size - offset));
+  if (offset != size)
+    return fileError(name, fmt::format("{} bytes behind the last tensor belong to none.", size - offset));
   return file;
 }
 

@@ -37,10 +37,9 @@ ConditionsTable conditionsTable(const Findings& findings, const std::vector<Evid
   for (std::size_t i = 0; i < findings.conditions.size(); ++i) {
     const Finding& f = findings.conditions[i];
     const auto& c = f.comparison;
-    table.rows.push_back({f.name, std::to_string(f.lives), cellOf(evidence[i], "falls"),
-                          c ? changeText(*c, 0) : "", c ? pText(*c) : ""});
-    for (const std::string& measure : measures)
-      table.rows.back().push_back(cellOf(evidence[i], measure));
+    table.rows.push_back({f.name, std::to_string(f.lives), cellOf(evidence[i], "falls"), c ? changeText(*c, 0) : "",
+                          c ? pText(*c) : ""});
+    for (const std::string& measure : measures) table.rows.back().push_back(cellOf(evidence[i], measure));
   }
   return table;
 }

@@ -15,8 +15,8 @@ inline constexpr double kNoTest = std::numeric_limits<double>::quiet_NaN();  ///
 
 /// A condition against the reference, in falls during learning.
 struct Comparison {
-  Interval change;      ///< in per cent; −45: 45 % fewer. NaN where the reference has no falls
-  Interval difference;  ///< in falls; −90: 90 fewer
+  Interval change;                         ///< in per cent; −45: 45 % fewer. NaN where the reference has no falls
+  Interval difference;                     ///< in falls; −90: 90 fewer
   std::optional<TestResult> anova, welch;  ///< the thesis's test; the same without equal variances
   std::optional<TestResult> paired;        ///< where life i shares its seeds or its Q-function with life i of the other
   double holm = kNoTest;                   ///< p of the analysis of variance, adjusted for the conditions compared

@@ -118,7 +118,7 @@ std::string findingsAsTable(const Findings& findings) {
   std::vector<std::string> changes;
   std::size_t width = 12, ofChanges = 24;
   for (const Finding& f : findings.conditions) {
-    changes.push_back(f.comparison                            ? changeText(*f.comparison, 1)
+    changes.push_back(f.comparison                         ? changeText(*f.comparison, 1)
                       : isReference(findings.plan, f.name) ? "reference"
                                                            : "");
     width = std::max(width, shownLength(f.name));

@@ -106,9 +106,12 @@ int KeptLives::count(const std::string& storePath) {
 }
 
 Json asJson(const StoredPreLearning& p) {
-  return {{"q_function", p.qFunction}, {"episodes", p.episodes},
-          {"falls", p.falls},          {"steps", p.steps},
-          {"reached", p.reached},      {"average_reward", p.averageReward},
+  return {{"q_function", p.qFunction},
+          {"episodes", p.episodes},
+          {"falls", p.falls},
+          {"steps", p.steps},
+          {"reached", p.reached},
+          {"average_reward", p.averageReward},
           {"hash", fmt::format("{:016x}", p.hash)}};
 }
 

@@ -94,8 +94,7 @@ class Laboratory {
     std::size_t next = 0;
     for (std::size_t i = 0; i < lives.size(); ++i) {
       for (; next < lives.size() && next <= i + ahead; ++next)
-        if (Lesson* lesson = lives[next].lesson;
-            lesson && !kept_.has(lives[next].name) && added.insert(lesson).second)
+        if (Lesson* lesson = lives[next].lesson; lesson && !kept_.has(lives[next].name) && added.insert(lesson).second)
           tasks_.push_back({.lesson = lesson, .name = KeptLives::nameOf(lesson->what, lesson->number)});
       tasks_.push_back(lives[i]);
     }

@@ -23,8 +23,7 @@ Result<LabView> viewOf(const Store& store) {
   return view;
 }
 
-LaboratoryThread::LaboratoryThread(const Registry& registry, Plan plan, Store store,
-                                   const LabOptions& options)
+LaboratoryThread::LaboratoryThread(const Registry& registry, Plan plan, Store store, const LabOptions& options)
     : registry_(registry),
       plan_(std::move(plan)),
       thread_([this, options, store = std::move(store)]() mutable {

@@ -8,8 +8,8 @@ namespace surefoot {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-constexpr std::int64_t kStretch = 1 << 16;               // [steps] between two looks at the clock
-constexpr auto kPatience = std::chrono::seconds(2);      // a pause that is over before leaves the disk alone
+constexpr std::int64_t kStretch = 1 << 16;           // [steps] between two looks at the clock
+constexpr auto kPatience = std::chrono::seconds(2);  // a pause that is over before leaves the disk alone
 constexpr auto kLook = std::chrono::milliseconds(20);
 constexpr int kShare = 50;  // keeping takes one part of the time in so many
 

@@ -92,8 +92,7 @@ void transferRows(Archive& archive, const std::string& name, std::vector<Episode
       for (const std::int64_t count : {episode[i], steps[i], lifeSteps[i]})
         if (count < 0 || count > kMostLifeSteps)
           return archive.refuse("episode", "or a column beside it is out of range");
-      if (falls[i] < 0 || falls[i] > std::numeric_limits<int>::max())
-        return archive.refuse("falls", "is out of range");
+      if (falls[i] < 0 || falls[i] > std::numeric_limits<int>::max()) return archive.refuse("falls", "is out of range");
       if (i > 0 && (episode[i] <= episode[i - 1] || lifeSteps[i] < lifeSteps[i - 1]))
         return archive.refuse("episode", "is not in order");
       rows[i] = {episode[i],

@@ -104,9 +104,9 @@ RuleText textOf(const RuleOfThumb& rule) {
   const bool discounted = rule.discount < 1.0, timed = rule.timeReward != 0.0;
   text.transitions = fixedText(rule.transitions, decimals);
   text.symbols = formulaOf("γ", "n*", "R", timed ? "R_t" : "", discounted);
-  text.formula = formulaOf(shortText(discount, kMost), text.transitions,
-                           inBrackets(rule.reward, shortText(rule.reward, decimals)),
-                           timed ? inBrackets(time, shortText(time, kMost)) : "", discounted);
+  text.formula =
+      formulaOf(shortText(discount, kMost), text.transitions, inBrackets(rule.reward, shortText(rule.reward, decimals)),
+                timed ? inBrackets(time, shortText(time, kMost)) : "", discounted);
   return text;
 }
 

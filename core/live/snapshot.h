@@ -38,8 +38,8 @@ struct Snapshot {
 struct ValueSnapshot {
   std::uint64_t life = 0;
   std::int64_t steps = 0;
-  double simulatedSeconds = 0;  ///< NaN: no clock
-  LifeTotals totals;            ///< of the same moment as the curve
+  double simulatedSeconds = 0;   ///< NaN: no clock
+  LifeTotals totals;             ///< of the same moment as the curve
   std::int64_t fallsByHand = 0;  ///< of them, those of episodes in which a person placed or pushed the body
   std::unique_ptr<ActionValueFunction> values;
   Json layouts;  ///< Agent::layouts(): where its features lie

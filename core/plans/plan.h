@@ -7,8 +7,8 @@
 // same condition in two plans has the same lives.
 #pragma once
 
-#include <memory>
 #include <atomic>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -48,8 +48,8 @@ struct Plan {
 struct PlanChanges {
   std::optional<int> lives;
   std::optional<std::uint64_t> seed;
-  std::vector<Assignment> assignments;  ///< for every condition
-  std::optional<std::string> preset{};  ///< of every condition and its pre-learning
+  std::vector<Assignment> assignments;             ///< for every condition
+  std::optional<std::string> preset{};             ///< of every condition and its pre-learning
   const std::atomic<bool>* interrupted = nullptr;  ///< set by anyone: reading ends with an error
 };
 

@@ -240,8 +240,7 @@ Status readNumber(const std::string& key, const std::string& text, double low, d
   out = *value;
   return Done{};
 }
-Status readCount(const std::string& key, const std::string& text, std::int64_t most,
-                 std::optional<std::int64_t>& out) {
+Status readCount(const std::string& key, const std::string& text, std::int64_t most, std::optional<std::int64_t>& out) {
   const auto value = parseWhole(key, text, 1, static_cast<std::uint64_t>(most));
   if (!value) return value.error();
   out = static_cast<std::int64_t>(*value);

@@ -18,10 +18,8 @@ struct Speed {
 };
 
 Speed speedOf(const std::string& environment) {
-  static const std::map<std::string, Speed> kMeasured = {{"pendulum", {1.4e6, 70}},
-                                                         {"leo", {12'500, 200}},
-                                                         {"compass", {150'000, 60}},
-                                                         {"mountain-car", {4e6, 150}}};
+  static const std::map<std::string, Speed> kMeasured = {
+      {"pendulum", {1.4e6, 70}}, {"leo", {12'500, 200}}, {"compass", {150'000, 60}}, {"mountain-car", {4e6, 150}}};
   const auto found = kMeasured.find(environment);
   return found == kMeasured.end() ? Speed{8e6, 40} : found->second;
 }

@@ -25,9 +25,10 @@ std::string lengthOf(const Configuration& c, bool clock) {
 }
 
 Error notToBeWritten(const std::string& began) {
-  return Error{fmt::format("The life began with {}, which no plan can say. Save its Q-function, begin a life with that "
-                           "file, and add what then runs.",
-                           began)};
+  return Error{
+      fmt::format("The life began with {}, which no plan can say. Save its Q-function, begin a life with that "
+                  "file, and add what then runs.",
+                  began)};
 }
 
 /// A line for every value that is not the usual one.
@@ -99,8 +100,9 @@ Result<std::string> startToml(const Registry& registry, const Configuration& c) 
   const auto& learned = partOf(c.beganWith, "learned");
   if (learned.contains("carried_over") && learned["carried_over"] == true)
     return notToBeWritten("what was carried over from another table");
-  if (!c.start) return notToBeWritten(file.empty() ? "something learned before" : std::string(shortened(file)) +
-                                      ", which is not at hand");
+  if (!c.start)
+    return notToBeWritten(file.empty() ? "something learned before"
+                                       : std::string(shortened(file)) + ", which is not at hand");
   return c.start->name.empty() ? preLearningToml(registry, c, *c.start) : fileToml(*c.start);
 }
 

@@ -140,9 +140,8 @@ Interval Judge::judged(const Interval& change, const Evidence& reference, const 
 
 bool Judge::leavesZeroIn(const Evidence& reference, const Evidence& e) {
   const Interval i = change(reference, e);
-  const Interval d = i.known() ? i
-                               : differenceOf(estimateOf(reference, measure_), estimateOf(e, measure_),
-                                              sameUnits(reference, e));
+  const Interval d =
+      i.known() ? i : differenceOf(estimateOf(reference, measure_), estimateOf(e, measure_), sameUnits(reference, e));
   if (d.low > 0 || d.high < 0) return false;
   if (d.known())
     note(fmt::format("{}: the interval leaves 0 in", e.name()));
@@ -200,7 +199,7 @@ bool Judge::mayExceed(const Interval& change, bool down, bool up) {
 
 bool Judge::leavesOpen(const Interval& change, double sign, double size) {
   const double end = sign < 0 ? change.low : change.high;
-  return mayExceed(change, sign < 0, sign > 0) || (change.value * sign > 0 && end * sign >= size);
+  return mayExceed(change, sign<0, sign> 0) || (change.value * sign > 0 && end * sign >= size);
 }
 
 const char* nameOf(Verdict verdict) {

@@ -78,9 +78,8 @@ Verdict Judge::best() {
   }
   report(intervals[0]);
   if (relation == "same") {
-    const bool same = std::all_of(intervals.begin(), intervals.end(), [&](const Interval& i) {
-      return overlaps(i, intervals[0].low, intervals[0].high);
-    });
+    const bool same = std::all_of(intervals.begin(), intervals.end(),
+                                  [&](const Interval& i) { return overlaps(i, intervals[0].low, intervals[0].high); });
     return same && open ? tooFew() : agreesIf(same);  // every value may be the best of one group
   }
   return ofShare(share(everything, [&](const auto& means) {

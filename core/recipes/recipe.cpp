@@ -23,9 +23,9 @@ using Json = nlohmann::json;
 enum class Takes { Text, Number, Flag, Texts, Numbers, ListsOfTexts, Tables, TextOrNumber };
 
 const char* wordsFor(Takes takes) {
-  constexpr const char* kWords[] = {"a text",          "a number",     "true or false",   "a list of texts",
-                                    "a list of numbers", "a list of lists of texts", "a list of tables",
-                                    "a number or a text"};
+  constexpr const char* kWords[] = {"a text",           "a number",          "true or false",
+                                    "a list of texts",  "a list of numbers", "a list of lists of texts",
+                                    "a list of tables", "a number or a text"};
   return kWords[static_cast<int>(takes)];
 }
 
@@ -112,16 +112,33 @@ Status readFigures(const Json& blocks, Recipe& recipe) {
 }
 
 Status readClaims(const Json& blocks, Recipe& recipe) {
-  static const Keys kKeys = {{"id", Takes::Text},           {"kind", Takes::Text},        {"says", Takes::Text},
-                             {"calibrated", Takes::Flag},   {"thesis", Takes::TextOrNumber},
-                             {"conditions", Takes::Texts},  {"others", Takes::Texts},     {"reference", Takes::Text},
-                             {"measure", Takes::Text},      {"other", Takes::Text},       {"along", Takes::Text},
-                             {"relation", Takes::Text},     {"draws", Takes::Text},       {"within", Takes::Number},
-                             {"tolerance", Takes::Number},  {"at_least", Takes::Number},  {"sign", Takes::Number},
-                             {"low", Takes::Number},        {"high", Takes::Number},      {"widest", Takes::Number},
-                             {"first", Takes::Number},      {"steps", Takes::Number},     {"q", Takes::Numbers},
-                             {"state", Takes::Numbers},     {"pairs", Takes::ListsOfTexts},
-                             {"groups", Takes::ListsOfTexts}, {"rows", Takes::Tables}};
+  static const Keys kKeys = {{"id", Takes::Text},
+                             {"kind", Takes::Text},
+                             {"says", Takes::Text},
+                             {"calibrated", Takes::Flag},
+                             {"thesis", Takes::TextOrNumber},
+                             {"conditions", Takes::Texts},
+                             {"others", Takes::Texts},
+                             {"reference", Takes::Text},
+                             {"measure", Takes::Text},
+                             {"other", Takes::Text},
+                             {"along", Takes::Text},
+                             {"relation", Takes::Text},
+                             {"draws", Takes::Text},
+                             {"within", Takes::Number},
+                             {"tolerance", Takes::Number},
+                             {"at_least", Takes::Number},
+                             {"sign", Takes::Number},
+                             {"low", Takes::Number},
+                             {"high", Takes::Number},
+                             {"widest", Takes::Number},
+                             {"first", Takes::Number},
+                             {"steps", Takes::Number},
+                             {"q", Takes::Numbers},
+                             {"state", Takes::Numbers},
+                             {"pairs", Takes::ListsOfTexts},
+                             {"groups", Takes::ListsOfTexts},
+                             {"rows", Takes::Tables}};
   std::set<std::string> ids;
   for (Json block : blocks) {
     const std::string id = textIn(block, "id");

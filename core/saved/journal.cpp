@@ -57,10 +57,10 @@ Status load(const Json& json, const std::string& name, Configuration& c) {
   const std::string place = placeOf(json["file"].get<std::string>(), name);
   auto file = readQFile(place);
   if (!file)
-    return fileError(name, fmt::format("the life began with {}, which is looked for beside the journal and in the "
-                                       "current folder: {}",
-                                       shortened(std::filesystem::path(place).filename().string()),
-                                       file.error().message));
+    return fileError(name,
+                     fmt::format("the life began with {}, which is looked for beside the journal and in the "
+                                 "current folder: {}",
+                                 shortened(std::filesystem::path(place).filename().string()), file.error().message));
   const std::string now = std::string_view(kind) == "content" ? contentOf(**file) : wholeHashOf(**file);
   beginWith(c, std::move(*file));
   if (now == json[kind]) return Done{};

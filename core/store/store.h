@@ -16,9 +16,9 @@
 //   q_functions  content, file               that lives of the plan begin with, by the hash of their values
 //   endings      ending, name                0 end, 1 success, 2 fall, 3 truncated
 //
-// What is read is checked: types, ranges, and the checksums (store_checks.h), of the plan and of the list of lives under
-// plan_checksum and lives_checksum in experiment. Stores of format 1 have neither checksums nor q_functions nor who lived
-// a life; going on with one notes checksums of what is there.
+// What is read is checked: types, ranges, and the checksums (store_checks.h), of the plan and of the list of lives
+// under plan_checksum and lives_checksum in experiment. Stores of format 1 have neither checksums nor q_functions nor
+// who lived a life; going on with one notes checksums of what is there.
 #pragma once
 
 #include <atomic>
@@ -104,8 +104,8 @@ class Store {
   static Result<Store> create(const std::string& path, const StoredPlan& plan);
   /// To go on writing.
   static Result<Store> openToWrite(const std::string& path, const std::atomic<bool>* interrupted = nullptr);
-  /// To read, whoever writes meanwhile, and where nothing can be written. Its tables must be ours and no others. Opening
-  /// and reading end soon after `interrupted` is set.
+  /// To read, whoever writes meanwhile, and where nothing can be written. Its tables must be ours and no others.
+  /// Opening and reading end soon after `interrupted` is set.
   static Result<Store> open(const std::string& path, const std::atomic<bool>* interrupted = nullptr);
   /// Nothing is there, or nothing was begun.
   static bool missing(const std::string& path);
@@ -143,8 +143,7 @@ class Store {
  private:
   struct Database;
   Store(std::string path, std::unique_ptr<Database> database);
-  static Result<Store> openLocked(const std::string& path, StoreLock lock,
-                                  const std::atomic<bool>* interrupted);
+  static Result<Store> openLocked(const std::string& path, StoreLock lock, const std::atomic<bool>* interrupted);
   std::string path_;
   std::unique_ptr<Database> database_;
 };

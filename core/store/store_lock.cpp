@@ -27,7 +27,8 @@ std::string lockOf(const std::string& storePath) {
 
 /// Whether the name still belongs to the open file.
 bool isNamed(const std::string& file, int descriptor) {
-  struct stat open {}, there {};
+  struct stat open {
+  }, there{};
   return fstat(descriptor, &open) == 0 && stat(file.c_str(), &there) == 0 && open.st_ino == there.st_ino &&
          open.st_dev == there.st_dev;
 }

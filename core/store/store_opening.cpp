@@ -169,8 +169,7 @@ Result<Store> Store::openToWrite(const std::string& path, const std::atomic<bool
   return openLocked(path, std::move(*lock), interrupted);
 }
 
-Result<Store> Store::openLocked(const std::string& path, StoreLock lock,
-                                const std::atomic<bool>* interrupted) {
+Result<Store> Store::openLocked(const std::string& path, StoreLock lock, const std::atomic<bool>* interrupted) {
   return guarded<Store>(path, [&]() -> Result<Store> {
     const bool alone = !isThere(path + "-wal");
     auto data = std::make_unique<Database>(path, std::move(lock));

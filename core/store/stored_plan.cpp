@@ -82,8 +82,9 @@ Result<Condition> storedCondition(const Registry& registry, const StoredConditio
     const auto q = store.qFunction(content.is_string() ? content.get<std::string>() : "");
     if (!q) return q.error();
     if (!*q)
-      return fileError(file, "it does not hold the Q-function that its lives begin with; go on with its plan: "
-                             "surefoot experiment PLAN --resume.");
+      return fileError(file,
+                       "it does not hold the Q-function that its lives begin with; go on with its plan: "
+                       "surefoot experiment PLAN --resume.");
     beginWith(c.configuration, *q);
   }
   if (!json.contains("pre_learning")) return c;

@@ -70,9 +70,10 @@ Result<std::vector<std::string>> splitList(std::string_view name, std::string_vi
     std::string one = text.substr(begin, end - begin), several;
     for (const char c : one) several += c == ',' ? std::string("; ") : std::string(1, c);
     std::erase(one, ',');
-    return Error{fmt::format("{}: \"{}\" can be read as the number {} or as the list {}; separate the values of a list "
-                             "by ; or blanks.",
-                             name, shortened(text.substr(begin, end - begin)), one, several)};
+    return Error{
+        fmt::format("{}: \"{}\" can be read as the number {} or as the list {}; separate the values of a list "
+                    "by ; or blanks.",
+                    name, shortened(text.substr(begin, end - begin)), one, several)};
   }
   return splitAt(text, ',');
 }

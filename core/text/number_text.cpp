@@ -16,8 +16,7 @@ namespace surefoot {
 
 namespace {
 
-constexpr std::array<std::string_view, 10> kSuperscripts = {"⁰", "¹", "²", "³", "⁴",
-                                                            "⁵", "⁶", "⁷", "⁸", "⁹"};
+constexpr std::array<std::string_view, 10> kSuperscripts = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
 constexpr std::string_view kRaisedMinus = "⁻";
 
 bool isDigit(char c) {
@@ -186,7 +185,8 @@ std::string boundText(double value) {
   if (e != std::string::npos && (std::abs(value) >= 1e15 || std::abs(value) < 1e-6)) {
     std::string raised, exponent = shortest.substr(e + 1);
     for (const char c : exponent)
-      if (c == '-') raised += kRaisedMinus;
+      if (c == '-')
+        raised += kRaisedMinus;
       else if (isDigit(c) && !(c == '0' && (raised.empty() || raised == kRaisedMinus)))
         raised += kSuperscripts[static_cast<std::size_t>(c - '0')];
     const std::string mantissa = shortest.substr(0, e);

@@ -35,7 +35,7 @@ Polyline arc(Point centre, double radius, double begin, double end, Ink ink, dou
 }
 
 /// The outline of the torso in its own frame [m].
-constexpr Vec kTrunk[] = {{-0.050, -0.1257}, {0.051, -0.1257}, {0.054, 0.059},
+constexpr Vec kTrunk[] = {{-0.050, -0.1257}, {0.051, -0.1257},  {0.054, 0.059},
                           {0.036, 0.1143},   {-0.0345, 0.1143}, {-0.0567, 0.059}};
 
 struct Leg {
@@ -73,7 +73,7 @@ Polygon link(Point a, Point b, double radiusA, double radiusB, Ink ink) {
 }
 
 /// Heel, sole, toe and instep, in the frame of the foot, from the ankle [m].
-constexpr Vec kFoot[] = {{-0.033, -0.0486}, {0.053, -0.0486}, {0.053, -0.038},
+constexpr Vec kFoot[] = {{-0.033, -0.0486}, {0.053, -0.0486},  {0.053, -0.038},
                          {0.0165, -0.012},  {-0.0125, -0.012}, {-0.036, -0.038}};
 
 void drawLeg(const Leg& l, bool near, Scene& scene) {

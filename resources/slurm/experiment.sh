@@ -5,8 +5,8 @@
 #   experiment.sh PLAN SHARDS STORE [OPTIONS of surefoot experiment…]
 #   e.g.  experiment.sh my-plan.toml 20 /scratch/me/my.sqlite --lives 200
 #
-# Every shard writes STORE.shard-I-of-N beside STORE, so the folder must be one that all nodes share. A shard that is stopped (a node
-# fails, its time is up) goes on where it was when this script is called again with the same arguments. Environment:
+# Every shard writes STORE.shard-I-of-N beside STORE, so the folder must be one that all nodes share. A shard that is
+# stopped (a node fails, its time is up) goes on where it was when this script is called again with the same arguments. Environment:
 #   SUREFOOT           the program [surefoot]
 #   SUREFOOT_SBATCH    options for every job, e.g. "--partition=short --time=2:00:00"
 #   SUREFOOT_CPUS      processors a shard [1]
@@ -26,9 +26,11 @@ read -ra options <<<"${SUREFOOT_SBATCH:-}"
 shard=$(printf '%q ' "$program" experiment "$plan" --resume --jobs "$cpus" "$@")
 part=$(printf '%q' "$store")
 array=$(sbatch --parsable "${options[@]}" --job-name=surefoot --cpus-per-task="$cpus" --array="1-$shards" \
-  --output="$store.shard-%a.log" --wrap "$shard --shard \$SLURM_ARRAY_TASK_ID/$shards --out $part.shard-\$SLURM_ARRAY_TASK_ID-of-$shards")
+  --output="$store.shard-%a.log" \
+  --wrap "$shard --shard \$SLURM_ARRAY_TASK_ID/$shards --out $part.shard-\$SLURM_ARRAY_TASK_ID-of-$shards")
 parts=""
 for ((i = 1; i <= shards; ++i)); do parts+="$part.shard-$i-of-$shards "; done
-merge=$(sbatch --parsable "${options[@]}" --job-name=surefoot-merge --dependency="afterok:${array%%;*}" --kill-on-invalid-dep=yes \
+merge=$(sbatch --parsable "${options[@]}" --job-name=surefoot-merge \
+  --dependency="afterok:${array%%;*}" --kill-on-invalid-dep=yes \
   --output="$store.merge.log" --wrap "$(printf '%q' "$program") merge $parts --out $part && rm -f $parts")
 echo "shards: job ${array%%;*}, merge: job ${merge%%;*} → $store"

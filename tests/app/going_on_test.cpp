@@ -190,8 +190,9 @@ TEST_F(GoingOn, ACheckpointOfAnotherVersionIsToldAndRefusedUnlessWanted) {
 }
 
 TEST_F(GoingOn, TheSamePlanAndQFunctionInTwoFoldersAreTheSameLives) {
-  const std::string plan = "lives = 2\n[base]\nminutes = 0.2\n[pre-learning]\nfile = \"q.st\"\n[[condition]]\n"
-                           "name = \"a\"\n";
+  const std::string plan =
+      "lives = 2\n[base]\nminutes = 0.2\n[pre-learning]\nfile = \"q.st\"\n[[condition]]\n"
+      "name = \"a\"\n";
   std::vector<std::string> contents;
   for (const char* place : {"A", "B"}) {
     fs::create_directory(file(place));

@@ -28,8 +28,8 @@ TEST(Load, WhatIsGivenComesOnTop) {
   const Folder folder;
   const std::string q = folder.file("q");
   run("train --scenario 2 --set environment.goal_reward=300 --set agent.step_size=0.3 --minutes 0.5 --save " + q);
-  const Json c = run("train --minutes 0.1 --scenario actual --policy trl --set policy.threshold=20 --load " +
-                     q)["configuration"];
+  const Json c =
+      run("train --minutes 0.1 --scenario actual --policy trl --set policy.threshold=20 --load " + q)["configuration"];
   EXPECT_EQ(c["scenario"], "actual");
   EXPECT_EQ(c["policy"], "trl");
   EXPECT_EQ(c["parameters"]["environment.damping"], 0.08) << "the scenario's own";
@@ -55,8 +55,7 @@ TEST(Load, AContradictionIsRefusedWithBothValues) {
 
 TEST(Load, ANameIsOneWordOfAShell) {
   const Folder folder;
-  for (const char* name : {"plain.safetensors", "with blank", "it's", "a\"b", "Läufer $HOME", "a;b&c", "*?[x]",
-                           "~x"}) {
+  for (const char* name : {"plain.safetensors", "with blank", "it's", "a\"b", "Läufer $HOME", "a;b&c", "*?[x]", "~x"}) {
     EXPECT_EQ(std::system(("printf %s " + shellQuoted(name) + " >" + folder.file("out")).c_str()), 0);
     EXPECT_EQ(contentOf(folder.file("out")), name);
   }

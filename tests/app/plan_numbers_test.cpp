@@ -40,8 +40,8 @@ TEST(PlanNumbers, EverySeedIsTakenAsItIsPrinted) {
     const auto plain = run("experiment --dry-run " + planWith(folder, bare, "episodes = 9"));
     const auto quoted = run("experiment --dry-run " +
                             planWith(folder, std::string("lives = 1\nseed = \"") + seed + "\"", "episodes = 9"));
-    const auto option = run("experiment --seed " + std::string(seed) + " --dry-run " +
-                            planWith(folder, "lives = 1", "episodes = 9"));
+    const auto option =
+        run("experiment --seed " + std::string(seed) + " --dry-run " + planWith(folder, "lives = 1", "episodes = 9"));
     EXPECT_EQ(plain["seed"].dump(), seed);
     EXPECT_EQ(quoted, plain);
     EXPECT_EQ(option, plain);

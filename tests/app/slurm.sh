@@ -1,11 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# resources/slurm/experiment.sh on a cluster of one node, this machine: an array of 5 shards and its merge give the content of one run.
+# resources/slurm/experiment.sh on a cluster of one node, this machine: an array of 5 shards and its merge give the
+# content of one run.
 # Needs root and Debian's slurm-wlm and munge:   apt-get install slurm-wlm munge
 #   slurm.sh PROGRAM SCRIPT
 set -uo pipefail
 program=$(realpath "$1") script=$(realpath "$2")
-for tool in munged slurmctld slurmd sbatch; do command -v $tool >/dev/null || { echo "skipped: $tool is missing"; exit 77; }; done
+for tool in munged slurmctld slurmd sbatch; do
+  command -v $tool >/dev/null || { echo "skipped: $tool is missing"; exit 77; }
+done
 [ "$(id -u)" = 0 ] || { echo "skipped: only root can start a cluster"; exit 77; }
 
 home=$(mktemp -d) && chmod 755 "$home"
@@ -14,7 +17,8 @@ fail() { echo "FAILED: $*"; tail -n 20 "$home"/*.log 2>/dev/null; exit 1; }
 
 # Munge with a key and a socket of its own, then a controller and a node.
 head -c 1024 /dev/urandom >"$home/key" && chmod 400 "$home/key"
-munged --force --key-file="$home/key" --socket="$home/munge.socket" --pid-file="$home/munged.pid" --log-file="$home/munged.log" \
+munged --force --key-file="$home/key" --socket="$home/munge.socket" --pid-file="$home/munged.pid" \
+  --log-file="$home/munged.log" \
   --seed-file="$home/seed" || fail "munged"
 name=$(hostname -s)
 cat >"$home/slurm.conf" <<CONF

@@ -48,8 +48,8 @@ Rooms readRooms() {
   return rooms;
 }
 
-void eachInclude(const std::function<void(const std::string& room, const std::string& header,
-                                          const std::string& where)>& check) {
+void eachInclude(
+    const std::function<void(const std::string& room, const std::string& header, const std::string& where)>& check) {
   const std::regex include(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
   for (const char* folder : kFolders)
     for (const auto& entry : fs::recursive_directory_iterator(kSource / folder)) {

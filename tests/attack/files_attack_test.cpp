@@ -175,10 +175,9 @@ TEST(FilesAttack, ManyConditionsAreCountedFirst) {
 
 TEST(FilesAttack, ALogThatNoMemoryHoldsIsRefusedBefore) {
   const Folder folder;
-  expectRefusalInBounds(
-      "train --environment cliff --features table --episodes 1000000000 --checkpoint " + folder.file("c") + " --log " +
-          folder.file("l.csv"),
-      2, {"--checkpoint with --log", "GB of memory"});
+  expectRefusalInBounds("train --environment cliff --features table --episodes 1000000000 --checkpoint " +
+                            folder.file("c") + " --log " + folder.file("l.csv"),
+                        2, {"--checkpoint with --log", "GB of memory"});
   EXPECT_FALSE(std::filesystem::exists(folder.file("l.csv")));
 }
 

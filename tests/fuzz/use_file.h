@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads any bytes as everything that files can be, and uses what the readers accept: a learner is made from it and lives
-// for some steps. Whatever the bytes, this must return.
+// Reads any bytes as everything that files can be, and uses what the readers accept: a learner is made from it and
+// lives for some steps. Whatever the bytes, this must return.
 #pragma once
 
 #include "core/saved/checkpoint.h"

@@ -25,9 +25,9 @@ bool walks(const ActionValueFunction& values, const std::vector<double>& from) {
 }
 
 bool walksFromEverywhere(const ActionValueFunction& values) {
-  const std::vector<std::vector<double>> starts = {
-      {0.20, -1.4, -0.20, 0.0},    {0.176, -1.23, -0.22, 0.11},  {0.224, -1.55, -0.185, -0.07},
-      {0.21, -1.29, -0.226, 0.02}, {0.185, -1.58, -0.172, 0.14}, {0.229, -1.45, -0.205, -0.13}};
+  const std::vector<std::vector<double>> starts = {{0.20, -1.4, -0.20, 0.0},      {0.176, -1.23, -0.22, 0.11},
+                                                   {0.224, -1.55, -0.185, -0.07}, {0.21, -1.29, -0.226, 0.02},
+                                                   {0.185, -1.58, -0.172, 0.14},  {0.229, -1.45, -0.205, -0.13}};
   return std::all_of(starts.begin(), starts.end(), [&](const auto& start) { return walks(values, start); });
 }
 

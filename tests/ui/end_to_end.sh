@@ -1,10 +1,12 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Starts the program under a virtual X server and uses it: run, turbo, threshold, restart, quit; compares what it writes with
-# what the headless command writes.   end_to_end.sh PROGRAM OUTPUT_FOLDER
+# Starts the program under a virtual X server and uses it: run, turbo, threshold, restart, quit; compares what it writes
+# with what the headless command writes.   end_to_end.sh PROGRAM OUTPUT_FOLDER
 set -uo pipefail
 program=$1 out=$2
-for tool in Xvfb xdotool import compare; do command -v "$tool" >/dev/null || { echo "skipped: $tool is missing"; exit 77; }; done
+for tool in Xvfb xdotool import compare; do
+  command -v "$tool" >/dev/null || { echo "skipped: $tool is missing"; exit 77; }
+done
 
 home=$(mktemp -d)
 trap 'kill $(jobs -p) 2>/dev/null || true; rm -rf "$home"' EXIT
@@ -48,6 +50,7 @@ wait $pid; code=$?
 
 env -u DISPLAY "$program" train "${arguments[@]}" --json --log "$home/train.csv" >"$home/train.json" || fail "train"
 hash() { grep -o '"hash": "[0-9a-f]*"' "$1"; }
-[ "$(hash "$home/window.json")" = "$(hash "$home/train.json")" ] || fail "the window's hash differs: $(hash "$home/window.json") $(hash "$home/train.json")"
+[ "$(hash "$home/window.json")" = "$(hash "$home/train.json")" ] ||
+  fail "the window's hash differs: $(hash "$home/window.json") $(hash "$home/train.json")"
 cmp "$home/window.csv" "$home/train.csv" || fail "the logs differ"
 echo "passed: $(hash "$home/train.json")"

@@ -19,11 +19,13 @@ shot() {
   Xvfb -displayfd 3 -screen 0 "${width}x${height}x24" -nolisten tcp 2>/dev/null &
   local server=$!
   while [ ! -s "$home/display" ]; do sleep 0.1; done
-  local environment=(env DISPLAY=":$(cat "$home/display")" QT_QPA_PLATFORM=xcb HOME="$home" XDG_CONFIG_HOME="$home/config" XDG_RUNTIME_DIR="$home")
+  local environment=(env DISPLAY=":$(cat "$home/display")" QT_QPA_PLATFORM=xcb HOME="$home"
+                     XDG_CONFIG_HOME="$home/config" XDG_RUNTIME_DIR="$home")
   "${environment[@]}" "$program" window --policy epsilon-greedy --minutes 7 --turbo &
   local pid=$! window
   window=$("${environment[@]}" timeout 20 xdotool search --sync --onlyvisible --name '^Surefoot' | head -1)
-  "${environment[@]}" xdotool windowmove --sync "$window" 0 0 windowsize --sync "$window" "$width" "$height" windowfocus --sync "$window"
+  "${environment[@]}" xdotool windowmove --sync "$window" 0 0 \
+    windowsize --sync "$window" "$width" "$height" windowfocus --sync "$window"
   # A life of seven minutes under each policy, TRL last; the others stay as faint curves.
   local keys
   for keys in "Down Down" "Up"; do
@@ -49,11 +51,13 @@ begin() {
   Xvfb -displayfd 3 -screen 0 1280x800x24 -nolisten tcp 2>/dev/null &
   server=$!
   while [ ! -s "$home/display" ]; do sleep 0.1; done
-  environment=(env DISPLAY=":$(cat "$home/display")" QT_QPA_PLATFORM=xcb HOME="$home" XDG_CONFIG_HOME="$home/config" XDG_DATA_HOME="$home/data" XDG_RUNTIME_DIR="$home")
+  environment=(env DISPLAY=":$(cat "$home/display")" QT_QPA_PLATFORM=xcb HOME="$home"
+               XDG_CONFIG_HOME="$home/config" XDG_DATA_HOME="$home/data" XDG_RUNTIME_DIR="$home")
   "${environment[@]}" "$program" window "$@" &
   pid=$!
   window=$("${environment[@]}" timeout 20 xdotool search --sync --onlyvisible --name '^Surefoot' | head -1)
-  "${environment[@]}" xdotool windowmove --sync "$window" 0 0 windowsize --sync "$window" 1280 800 windowfocus --sync "$window"
+  "${environment[@]}" xdotool windowmove --sync "$window" 0 0 \
+    windowsize --sync "$window" 1280 800 windowfocus --sync "$window"
 }
 
 end() {

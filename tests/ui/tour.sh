@@ -6,7 +6,9 @@
 set -uo pipefail
 program=$1 out=$2
 mkdir -p "$out"
-for tool in Xvfb xdotool import; do command -v "$tool" >/dev/null || { echo "skipped: $tool is missing"; exit 77; }; done
+for tool in Xvfb xdotool import; do
+  command -v "$tool" >/dev/null || { echo "skipped: $tool is missing"; exit 77; }
+done
 
 home=$(mktemp -d)
 trap 'kill $(jobs -p) 2>/dev/null || true; rm -rf "$home"' EXIT
@@ -15,7 +17,8 @@ fail() { import -window root "$out/tour-failed.png"; echo "FAILED: $*"; exit 1; 
 exec 3>"$home/display"
 Xvfb -displayfd 3 -screen 0 1280x800x24 -nolisten tcp 2>/dev/null &
 for _ in $(seq 50); do [ -s "$home/display" ] && break; sleep 0.1; done
-export DISPLAY=:$(cat "$home/display") QT_QPA_PLATFORM=xcb HOME=$home XDG_CONFIG_HOME=$home/config XDG_DATA_HOME=$home/data XDG_RUNTIME_DIR=$home
+export DISPLAY=:$(cat "$home/display") QT_QPA_PLATFORM=xcb HOME=$home
+export XDG_CONFIG_HOME=$home/config XDG_DATA_HOME=$home/data XDG_RUNTIME_DIR=$home
 echo leak:libdbus-1 >"$home/leaks"
 export LSAN_OPTIONS=suppressions=$home/leaks:print_suppressions=0
 
@@ -43,7 +46,15 @@ xdotool windowmove --sync "$window" 0 0 windowsize --sync "$window" 1280 800 win
 stop() { sleep 0.4; import -window root "$out/tour-$1.png"; }
 waitFor() { for _ in $(seq 100); do eval "$1" && return; sleep 0.1; done; fail "$2"; }
 # A file dialog has the focus in its field for the name.
-answer() { sleep 0.7; xdotool key ctrl+a; xdotool type --delay 5 "$1"; sleep 0.2; xdotool key Return; sleep 0.7; xdotool windowfocus --sync "$window"; }
+answer() {
+  sleep 0.7
+  xdotool key ctrl+a
+  xdotool type --delay 5 "$1"
+  sleep 0.2
+  xdotool key Return
+  sleep 0.7
+  xdotool windowfocus --sync "$window"
+}
 
 stop 1-start
 xdotool mousemove 149 216 mousedown 1 mousemove 156 216 mouseup 1      # τ

@@ -15,7 +15,8 @@ namespace surefoot {
 MessageBar::MessageBar(QWidget* parent) : QWidget(parent), rows_(new QVBoxLayout(this)), remark_(new MessageRow(this)) {
   rows_->setContentsMargins(0, 0, 0, 0);
   rows_->setSpacing(0);
-  remark_->addButton(tr("Dismiss"), [this] { dismissRemark(); }, false);
+  remark_->addButton(
+      tr("Dismiss"), [this] { dismissRemark(); }, false);
   remark_->hide();
   rows_->addWidget(remark_);
   leaving_.setSingleShot(true);

@@ -141,10 +141,10 @@ void PanelHeader::paintEvent(QPaintEvent*) {
   const double baseline = kBaseline;
   p.drawText(QPointF(kPadding, baseline), title_);
   const double x = titleEnd() + 8;
-  const double right = extra_ && !extra_->isHidden() ? placeOf(*extra_).x() - 8
+  const double right = extra_ && !extra_->isHidden()     ? placeOf(*extra_).x() - 8
                        : button_ && !button_->isHidden() ? placeOf(*button_).x() - 4
-                       : floating_ ? placeOf(*close_).x() - 4
-                                   : width() - kPadding;
+                       : floating_                       ? placeOf(*close_).x() - 4
+                                                         : width() - kPadding;
   p.setFont(textFont(11));
   p.setPen(t.quiet);
   drawSymbol(p, x, baseline, wholeParts(note_, p.font(), right - x));

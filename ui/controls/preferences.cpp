@@ -83,9 +83,8 @@ PreferencesDialog::PreferencesDialog(QWidget* parent) : QDialog(parent) {
     sizes->addItem(percent == 160 ? tr("160 %: projector") : tr("%1 %").arg(percent), percent / 100.0);
   sizes->setCurrentIndex(static_cast<int>(std::lround((now.textSize - kSmallestText) / kTextStep)));
   grid->addWidget(sizes, row++, 1, Qt::AlignLeft);
-  connect(sizes, &QComboBox::activated, this, [this, sizes] {
-    change([&](Preferences& p) { p.textSize = sizes->currentData().toDouble(); });
-  });
+  connect(sizes, &QComboBox::activated, this,
+          [this, sizes] { change([&](Preferences& p) { p.textSize = sizes->currentData().toDouble(); }); });
   const auto check = [&](const QString& text, bool on, bool Preferences::*member) {
     auto* box = new QCheckBox(text);
     box->setChecked(on);

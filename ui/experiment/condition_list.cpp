@@ -48,9 +48,11 @@ std::vector<std::pair<QString, QString>> ConditionList::design() const {
     list.push_back({tr("Environment"), toText(c.configuration.names.environment)});
     if (c.preLearning) {
       const Configuration& before = c.preLearning->configuration;
-      list.push_back({tr("Pre-learning"),
-                      before.until ? tr("scenario %1, to %2").arg(toText(before.names.scenario), toText(fixedText(*before.until, 0)))
-                                 : tr("scenario %1, %2 min").arg(toText(before.names.scenario)).arg(before.minutes.value_or(0))});
+      list.push_back(
+          {tr("Pre-learning"),
+           before.until
+               ? tr("scenario %1, to %2").arg(toText(before.names.scenario), toText(fixedText(*before.until, 0)))
+               : tr("scenario %1, %2 min").arg(toText(before.names.scenario)).arg(before.minutes.value_or(0))});
       list.push_back(
           {tr("Q-functions"), c.preLearning->pool == 0 ? tr("one a life") : QString::number(c.preLearning->pool)});
     }

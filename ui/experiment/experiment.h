@@ -155,8 +155,8 @@ class Experiment final : public QObject {
     std::string store;
     std::unique_ptr<LaboratoryThread> thread;
   };
-  std::vector<Leaving> leaving_;  // stopped, and keeping what they have in hand
-  std::string whyNot_;            // why a store cannot be gone on with
+  std::vector<Leaving> leaving_;         // stopped, and keeping what they have in hand
+  std::string whyNot_;                   // why a store cannot be gone on with
   std::shared_ptr<const LabView> view_;  // the newest; results_ shows it soon
   State state_ = State::Ready;
   bool needsConsent_ = false;

@@ -22,7 +22,7 @@ bool isStore(const std::string& path) {
 }  // namespace
 
 Result<Experiment::Opened> Experiment::prepareText(const std::string& text, const std::string& path,
-                                                  const std::atomic<bool>& interrupted) const {
+                                                   const std::atomic<bool>& interrupted) const {
   PlanChanges nothing;
   nothing.interrupted = &interrupted;
   auto recipe = parseRecipe(registry_, text, path.empty() ? "plan" : path, nothing);
@@ -45,7 +45,7 @@ Result<Experiment::Opened> Experiment::prepareText(const std::string& text, cons
 }
 
 Result<Experiment::Opened> Experiment::prepareStore(const std::string& path,
-                                                   const std::atomic<bool>& interrupted) const {
+                                                    const std::atomic<bool>& interrupted) const {
   const auto store = Store::open(path, &interrupted);
   if (!store) return store.error();
   auto view = viewOf(*store);
@@ -87,9 +87,8 @@ Status Experiment::begin(Prepare prepare) {
     bool waiting = true;  // the caller
   };
   auto asked = std::make_shared<Asked>();
-  opening_.start([asked, prepare = std::move(prepare)](const std::atomic<bool>& interrupted) {
-                   asked->made.emplace(prepare(interrupted));
-                 },
+  opening_.start([asked, prepare = std::move(prepare)](
+                     const std::atomic<bool>& interrupted) { asked->made.emplace(prepare(interrupted)); },
                  [this, asked] {
                    if (*asked->made)
                      adopt(std::move(**asked->made));

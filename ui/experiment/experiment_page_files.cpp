@@ -60,8 +60,7 @@ void ExperimentPage::exportTables(bool forSpreadsheets) {
   askForFolder(this, tr("Folder for the tables"), [this, forSpreadsheets](const QString& folder) {
     inBackground(
         tr("Writing the tables"), 0,
-        [path = experiment_.storePath(), folder = folder.toStdString(),
-         forSpreadsheets](std::atomic<int>&) -> Status {
+        [path = experiment_.storePath(), folder = folder.toStdString(), forSpreadsheets](std::atomic<int>&) -> Status {
           const auto store = Store::open(path);
           return store ? surefoot::exportCsv(*store, folder, "folder", forSpreadsheets) : store.error();
         },

@@ -11,9 +11,7 @@ namespace {
 constexpr std::chrono::milliseconds kPatience(40);  // what takes no longer is there at once
 }
 
-ExperimentResults::ExperimentResults(const Registry& registry, QObject* parent)
-    : QObject(parent),
-      registry_(registry) {
+ExperimentResults::ExperimentResults(const Registry& registry, QObject* parent) : QObject(parent), registry_(registry) {
   connect(&making_, &Background::busyChanged, this, [this] {
     if (making_.busy() || !cancelled_) return;
     cancelled_ = false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Results as the page shows them: the newest view of a store with its judgements and the figures that are looked at, all
-// made from one and the same view on a thread of their own. Belongs to the window's thread.
+// Results as the page shows them: the newest view of a store with its judgements and the figures that are looked at,
+// all made from one and the same view on a thread of their own. Belongs to the window's thread.
 #pragma once
 
 #include <QObject>

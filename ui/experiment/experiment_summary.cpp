@@ -47,11 +47,10 @@ QString summaryOf(const Experiment& experiment) {
                ? ExperimentPage::tr("No condition falls significantly less than its reference (p &lt; .01).")
                : ExperimentPage::tr("So far no condition falls significantly less than its reference (p &lt; .01).");
   const Interval& change = best->comparison->change;
-  const QString soFar = experiment.isComplete(best->name)
-                            ? QString()
-                            : ExperimentPage::tr("So far (%1 of %2 lives) ")
-                                  .arg(toText(countText(experiment.livesShown())))
-                                  .arg(toText(countText(experiment.livesPlanned())));
+  const QString soFar = experiment.isComplete(best->name) ? QString()
+                                                          : ExperimentPage::tr("So far (%1 of %2 lives) ")
+                                                                .arg(toText(countText(experiment.livesShown())))
+                                                                .arg(toText(countText(experiment.livesPlanned())));
   QString text = ExperimentPage::tr("%1<b>%2 falls %3 % less than %4</b>%5.")
                      .arg(soFar, shownName(best->name).toHtmlEscaped(), percent(change.value),
                           shownName(best->reference).toHtmlEscaped(), intervalText(change));
@@ -69,7 +68,8 @@ std::string withLives(const std::string& plan, int lives) {
   QString text = toText(plan);
   const QString line = QStringLiteral("lives = %1").arg(lives);
   const auto match = there.match(text);
-  const auto table = text.indexOf(QRegularExpression(QStringLiteral("^[ \\t]*\\["), QRegularExpression::MultilineOption));
+  const auto table =
+      text.indexOf(QRegularExpression(QStringLiteral("^[ \\t]*\\["), QRegularExpression::MultilineOption));
   if (match.hasMatch() && (table < 0 || match.capturedStart() < table))
     text.replace(match.capturedStart(), match.capturedLength(), match.captured(1) + line);
   else
@@ -92,8 +92,9 @@ void ExperimentPage::askForLives() {
   lives_ = new LivesBox;
   lives_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   lives_->setAccessibleName(tr("Lives a condition"));
-  lives_->setToolTip(tr("How many lives each condition lives; more make intervals narrower. Another number begins again, "
-                        "what was lived is kept."));
+  lives_->setToolTip(
+      tr("How many lives each condition lives; more make intervals narrower. Another number begins again, "
+         "what was lived is kept."));
   lives_->setRange(1, kMost);
   lives_->setSuffix(tr(" lives"));
   lives_->setKeyboardTracking(false);
@@ -104,8 +105,9 @@ void ExperimentPage::setLives(int lives) {
   if (!experiment_.plan() || experiment_.text().empty() || experiment_.plan()->lives == lives) return;
   if (editor_->hasEdits()) {
     editor_->setText(toText(withLives(editor_->text().toStdString(), lives)));
-    return Q_EMIT refused(tr("The plan has edits that are not used yet, so the number of lives is written there; Use "
-                             "this plan takes all of it."));
+    return Q_EMIT refused(
+        tr("The plan has edits that are not used yet, so the number of lives is written there; Use "
+           "this plan takes all of it."));
   }
   if (const Status s = experiment_.setText(withLives(experiment_.text(), lives)); !s)
     Q_EMIT refused(toText(s.error().message));

@@ -125,22 +125,26 @@ void FindingsTable::fillRow(int row, const Finding& f) {
   name->setToolTip(tipText(shownName(f.name)));
   auto* lives = put(*this, row, Lives, QString::number(f.lives));
   lives->setData(Qt::ForegroundRole, soFar ? QVariant(QBrush(themeOf(*this).caution)) : QVariant());
-  lives->setToolTip(tipText(soFar ? tr("So far: not all lives of this condition, or of what it is compared with") : QString()));
+  lives->setToolTip(
+      tipText(soFar ? tr("So far: not all lives of this condition, or of what it is compared with") : QString()));
   QStringList warnings;
   for (const std::string& w : f.warnings) warnings << toText(w);
   put(*this, row, Falls, f.lives > 0 ? valueText(f.falls.value, 1) : QString(), strong)
       ->setToolTip(tipText(warnings.join('\n')));
   const bool interval = f.lives > 0 && known(f.falls);
   put(*this, row, PlusMinus,
-      interval ? QStringLiteral("± ") + valueText((f.falls.high - f.falls.low) / 2, 1)
-               : f.lives > 0 ? QStringLiteral("–") : QString());
+      interval      ? QStringLiteral("± ") + valueText((f.falls.high - f.falls.low) / 2, 1)
+      : f.lives > 0 ? QStringLiteral("–")
+                    : QString());
   put(*this, row, ChangeIs, c ? signedText(c->change.value) : QStringLiteral("–"), strong);
   put(*this, row, Range, c ? rangeText(*c) : QString());
   put(*this, row, P, c ? pText(c->p()) : QString());
   put(*this, row, Holm, c ? pText(c->holm) : QString());
   put(*this, row, Mark, strong ? soFar ? tr("✕ so far") : QStringLiteral("✕") : QString(), true);
-  put(*this, row, Time, f.lives > 0 && std::isfinite(f.minutes.value) ? valueText(f.minutes.value, 2)
-                                       : f.lives > 0 ? QStringLiteral("–") : QString());
+  put(*this, row, Time,
+      f.lives > 0 && std::isfinite(f.minutes.value) ? valueText(f.minutes.value, 2)
+      : f.lives > 0                                 ? QStringLiteral("–")
+                                                    : QString());
   const ThesisVerdict* thesis = experiment_.thesisOn(f.name);
   put(*this, row, Thesis, thesis ? toText(thesis->says) : QString());
   auto* verdict = put(*this, row, VerdictIs, QString(), false, true);

@@ -22,7 +22,7 @@ namespace surefoot {
 namespace {
 constexpr int kCheckAfter = 300;                    // [ms] of no typing
 constexpr std::chrono::milliseconds kPatience(95);  // what takes no longer is there at once
-}
+}  // namespace
 
 PlanEditor::PlanEditor(Experiment& experiment, QWidget* parent)
     : QWidget(parent),

@@ -94,8 +94,9 @@ void LivePage::makeCharts() {
   Panel* reward = addPanel(tr("Average reward"), "reward", average, Qt::RightDockWidgetArea);
   const auto noteReward = [this, reward] {
     const std::int64_t episodes = session_.numbers().episodes;
-    reward->header().setNote(episodes == 0 || episodes >= EpisodeLog::kAverageOver ? tr("last %1 episodes").arg(EpisodeLog::kAverageOver)
-                                                                    : tr("all %1 so far").arg(episodesText(episodes)));
+    reward->header().setNote(episodes == 0 || episodes >= EpisodeLog::kAverageOver
+                                 ? tr("last %1 episodes").arg(EpisodeLog::kAverageOver)
+                                 : tr("all %1 so far").arg(episodesText(episodes)));
   };
   noteReward();
   for (const auto changed : {&Session::lifeReplaced, &Session::valuesArrived})
@@ -107,8 +108,9 @@ void LivePage::makeCharts() {
   connect(&session_, &Session::valuesArrived, this, noteFalls);
   noteFalls();
   auto* range = new LinkButton(tr("Whole life"));
-  range->setToolTip(tr("Show the whole life, or only as far as it learned. In the chart the wheel or a drag magnifies "
-                       "a part; a double click or Home shows the whole life."));
+  range->setToolTip(
+      tr("Show the whole life, or only as far as it learned. In the chart the wheel or a drag magnifies "
+         "a part; a double click or Home shows the whole life."));
   reward->header().addWidget(range);
   const auto say = [range, span, header = &reward->header()] {
     const ChartSpan::Shows shows = span->shows();
@@ -119,9 +121,8 @@ void LivePage::makeCharts() {
     header->layOutExtra();
   };
   connect(span, &ChartSpan::changed, this, say);
-  connect(range, &QToolButton::clicked, this, [span] {
-    span->shows() == ChartSpan::Shows::WholeLife ? span->showLearning() : span->showWholeLife();
-  });
+  connect(range, &QToolButton::clicked, this,
+          [span] { span->shows() == ChartSpan::Shows::WholeLife ? span->showLearning() : span->showWholeLife(); });
 }
 
 /// The numbers at the curves are those at the end of what is shown, so that is said where it is not the life's end.
@@ -155,7 +156,8 @@ void LivePage::makeMaps() {
 QString LivePage::actionsNote() const {
   if (session_.pinned()) return tr("in the state fixed on the map; Escape on the map lets go");
   if (!session_.examined().empty()) return tr("in the state under the cursor on the map");
-  if (!session_.task().actionVariables.empty()) return tr("the next action is shaded; %1 actions, by joint").arg(session_.task().actions.size());
+  if (!session_.task().actionVariables.empty())
+    return tr("the next action is shaded; %1 actions, by joint").arg(session_.task().actions.size());
   if (session_.playback()) return tr("in the replay");
   return session_.turbo() && session_.running() ? tr("in the real-time world") : tr("the next action is shaded");
 }

@@ -78,10 +78,10 @@ class LivePage final : public QMainWindow {
   Rival *rival_ = nullptr, *resting_ = nullptr;  // one that is out of sight keeps its life
   std::vector<Panel*> panels_;
   Panel *steps_ = nullptr, *rule_ = nullptr, *list_ = nullptr;  // hidden at first
-  std::vector<Panel*> needless_;  // were shown, but the task has no falls
+  std::vector<Panel*> needless_;                                // were shown, but the task has no falls
   QWidget* full_ = nullptr;                                     // the panel that has the whole page
   std::vector<std::pair<Panel*, QSize>> before_;                // what was visible before that
-  double sizedFor_ = 1.0;  // the text size that the columns were made for
+  double sizedFor_ = 1.0;                                       // the text size that the columns were made for
   bool laidOut_ = false;
   bool untouched_ = true;  // no one has moved a separator: the columns follow the width of the window
 };

@@ -128,7 +128,10 @@ void LivePage::shareSpace() {
   // The columns of the 1280 px window are 264, 576 and 440; a wider one gives most to the middle.
   const auto panel = [this](const char* name) { return findChild<Panel*>(QLatin1String(name)); };
   const bool wide = width() >= scaled(1800), narrow = width() < scaled(1200);
-  resizeDocks({panel("parameters"), panel("maps")}, {scaled(wide ? 288 : 264), scaled(wide ? 632 : narrow ? 344 : 440)},
+  resizeDocks({panel("parameters"), panel("maps")},
+              {scaled(wide ? 288 : 264), scaled(wide     ? 632
+                                                : narrow ? 344
+                                                         : 440)},
               Qt::Horizontal);
   resizeDocks({panel("actions")}, {scaled(268)}, Qt::Vertical);
   resizeDocks({panel("maps"), panel("reward"), panel("falls")},

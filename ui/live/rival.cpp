@@ -109,8 +109,7 @@ void Rival::startAgain() {
   }
   follow();
   if (begin_.start == Start::Same && empty && !began.isEmpty())
-    Q_EMIT told(
-        tr("The second cannot have the same start (%1): its tables differ. It begins empty.").arg(began));
+    Q_EMIT told(tr("The second cannot have the same start (%1): its tables differ. It begins empty.").arg(began));
 }
 
 /// The second begins anew with the first; a life of the first that was brought back brings the one beside it back.

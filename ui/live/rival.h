@@ -76,7 +76,7 @@ class Rival final : public QWidget {
   std::unique_ptr<Session> session_;
   /// The lives that the second had beside lives of the first, by their lineage.
   std::map<std::uint64_t, std::shared_ptr<KeptLife>> beside_;
-  std::uint64_t lineage_;                  // of the first's life
+  std::uint64_t lineage_;                 // of the first's life
   std::uint64_t ranBeside_, keptBeside_;  // the first's life beside the second's; beside that of the second before
   bool resting_ = false, startsLate_ = false;
   WorldView* world_ = nullptr;

@@ -16,7 +16,7 @@
 namespace surefoot {
 
 namespace {
-constexpr int kPadding = 12, kGap = 5;  // [px]
+constexpr int kPadding = 12, kGap = 5;   // [px]
 constexpr int kNumber = 24, kText = 11;  // sizes of text [px]
 
 QString oneDecimal(double value) {
@@ -26,7 +26,10 @@ QString oneDecimal(double value) {
 /// "γ^n*" and "R_t" with what stands high and low, not to be broken there.
 QString richText(const QString& text) {
   static const QRegularExpression high("\\^([^ )]+)"), low("([A-Za-z])_([a-z])");
-  return text.toHtmlEscaped().replace("(1 − ", "(1\u00A0−\u00A0").replace(high, "<sup>\\1</sup>").replace(low, "\\1<sub>\\2</sub>");
+  return text.toHtmlEscaped()
+      .replace("(1 − ", "(1\u00A0−\u00A0")
+      .replace(high, "<sup>\\1</sup>")
+      .replace(low, "\\1<sub>\\2</sub>");
 }
 }  // namespace
 
@@ -104,7 +107,8 @@ QStringList RuleView::lines() const {
 void RuleView::resizeEvent(QResizeEvent*) {
   const QSize size = use_->sizeHint();
   const int padding = scaled(kPadding);
-  use_->setGeometry(std::max(padding, QWidget::width() - padding - size.width()), scaled(4), size.width(), size.height());
+  use_->setGeometry(std::max(padding, QWidget::width() - padding - size.width()), scaled(4), size.width(),
+                    size.height());
 }
 
 void RuleView::paintEvent(QPaintEvent*) {

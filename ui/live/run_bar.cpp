@@ -126,8 +126,8 @@ void RunBar::makeMeaning() {
     menu->clear();
     for (const QComboBox* combo : {task_, agent_, policy_}) {
       const bool scenario = combo == task_ && !combo->itemData(combo->currentIndex(), kIsEnvironment).toBool();
-      const std::string name = scenario ? session_.configuration().names.environment
-                                        : combo->currentData().toString().toStdString();
+      const std::string name =
+          scenario ? session_.configuration().names.environment : combo->currentData().toString().toStdString();
       const surefoot::Word* word = wordOf(name);
       if (!word) continue;
       connect(menu->addAction(menuText(toText(word->title))), &QAction::triggered, this,

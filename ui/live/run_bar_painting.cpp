@@ -114,8 +114,7 @@ void RunBar::paintEvent(QPaintEvent*) {
     drawSymbol(p, line.adjusted(paceLabel_, 0, 0, 0), Qt::AlignLeft,
                QStringLiteral("%1×").arg(pace < 9.95 && pace != 1.0 ? QString::number(pace, 'f', 1)
                                                                     : QString::number(pace, 'f', 0)));
-  if (factorLabel_ > 0)
-    drawSymbol(p, line.adjusted(factorLabel_, 0, 0, 0), Qt::AlignLeft, texts_.factor);
+  if (factorLabel_ > 0) drawSymbol(p, line.adjusted(factorLabel_, 0, 0, 0), Qt::AlignLeft, texts_.factor);
 
   // Falls large; from the right: "episodes", its number, "falls", its number.
   double right = width() - 12;

@@ -26,7 +26,7 @@ struct RunCurve {
   /// The same points, cut where the policy changed: there, between two of them, one piece ends and the next begins.
   std::vector<CurvePiece> pieces;
   std::int64_t fallsBefore = 0;  ///< those of which the curve does not know when they were
-  std::string began{};  ///< how its life began: "pre-learned (scenario 2)"; empty: with an empty table
+  std::string began{};           ///< how its life began: "pre-learned (scenario 2)"; empty: with an empty table
   /// In force at its end.
   std::string policy() const { return pieces.empty() ? "" : pieces.back().policy; }
 };

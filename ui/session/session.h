@@ -196,9 +196,9 @@ class Session final : public QObject {
   void lifeKept();         ///< the life before is within reach of undo
   void lifeBroughtBack();  ///< … and was brought back by undo or redo
   void fileChanged();
-  void parametersReplaced();         ///< another agent: other parameters
+  void parametersReplaced();             ///< another agent: other parameters
   void remarked(const QString& remark);  ///< about the file of a life that has begun
-  void refused(const QString& why);  ///< a life that was begun could not be made
+  void refused(const QString& why);      ///< a life that was begun could not be made
   void needsNewTable(const QString& key, double value);
 
  private:

@@ -100,7 +100,8 @@ QRectF ScenePainter::free(const QRectF& text) const {
 
 void ScenePainter::operator()(const Arrow& arrow) const {
   const QPointF from = toPixel_(arrow.from);
-  const double side = arrow.length > 0 ? 1 : -1, head = std::clamp(Arrow::kHead * scale_, 8.0 * strokes_, 12.0 * strokes_);
+  const double side = arrow.length > 0 ? 1 : -1,
+               head = std::clamp(Arrow::kHead * scale_, 8.0 * strokes_, 12.0 * strokes_);
   const QPointF to = from + QPointF(arrow.length * scale_ + head * side, 0);
   p_.setPen(QPen(t_.ink, 0.25 * head, Qt::SolidLine, Qt::FlatCap));
   p_.drawLine(from, to - QPointF(0.7 * head * side, 0));

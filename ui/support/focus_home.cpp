@@ -67,7 +67,8 @@ bool FocusHome::eventFilter(QObject* watched, QEvent* event) {
   }
   const bool entered = key.key() == Qt::Key_Return || key.key() == Qt::Key_Enter;
   if (event->type() == QEvent::KeyPress && entered && field && returns_(*widget))
-    QMetaObject::invokeMethod(this, [this] { home_(); }, Qt::QueuedConnection);  // when the field has taken it
+    QMetaObject::invokeMethod(
+        this, [this] { home_(); }, Qt::QueuedConnection);  // when the field has taken it
   return false;
 }
 

@@ -16,8 +16,8 @@ const QString kLast = QStringLiteral("last-session-");
 const QString kEnding = QStringLiteral(".surefoot");
 const QString kLock = QStringLiteral(".lock");
 constexpr std::size_t kMostBefore = 3;  // lives before, of which the file is left
-constexpr int kMostLast = 3;           // sessions that were closed and not asked for since,
-constexpr qint64 kLarge = 64ll << 20;  // and of those that are larger [bytes] one
+constexpr int kMostLast = 3;            // sessions that were closed and not asked for since,
+constexpr qint64 kLarge = 64ll << 20;   // and of those that are larger [bytes] one
 
 /// Removes the lock files of processes that are gone.
 void removeStaleLocks(const QString& folder) {

@@ -43,8 +43,8 @@ class Autosave final : public QObject {
   void save(std::function<void(const Status&)> then = {});
   /// One that cannot be read gets a name under which nobody looks for it; empty: it could not.
   QString setAside(const QString& file);
-  /// The window is closed: writes what was learned, the lives before that were not saved, too, to be offered at the next
-  /// start, then calls `then` with the first that could not be written.
+  /// The window is closed: writes what was learned, the lives before that were not saved, too, to be offered at the
+  /// next start, then calls `then` with the first that could not be written.
   void keepLast(std::function<void(const Status&)> then);
   /// The window was closed; its autosaves go, unless keepLast() failed.
   void finish();

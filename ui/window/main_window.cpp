@@ -41,9 +41,10 @@ MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent)
   column->setSpacing(0);
   new Keyboard(this);
   new FocusHome(
-      this, [this] { focusHome(); },
-      [this] { return messages_->cancel(); },
-      [this](const QWidget& field) { return live_->isAncestorOf(&field) || qobject_cast<const QAbstractSpinBox*>(&field); });
+      this, [this] { focusHome(); }, [this] { return messages_->cancel(); },
+      [this](const QWidget& field) {
+        return live_->isAncestorOf(&field) || qobject_cast<const QAbstractSpinBox*>(&field);
+      });
   makeActions();
   bar_ = new RunBar(session_, run_);
   messages_ = new MessageBar(frame);

@@ -39,9 +39,8 @@ void MainWindow::askQuestions() {
   connect(live_, &LivePage::newTableAsked, this, [this](const QString& sentence, const std::function<void()>& go) {
     messages_->ask(sentence, {{tr("Start again"), go}});
   });
-  session_.setAskBeforeEnding([this](const std::shared_ptr<KeptLife>& kept, const Session::GoOn& goOn) {
-    askBeforeEnding(kept, goOn);
-  });
+  session_.setAskBeforeEnding(
+      [this](const std::shared_ptr<KeptLife>& kept, const Session::GoOn& goOn) { askBeforeEnding(kept, goOn); });
   for (auto signal : {&Session::fileChanged, &Session::lifeReplaced})
     connect(&session_, signal, this, &MainWindow::refresh);
   connect(&session_, &Session::frame, this, [this] {
@@ -112,11 +111,9 @@ void MainWindow::refreshTitle() {
 void MainWindow::refreshName() {
   const bool unsaved = session_.unsaved();
   const QString& path = session_.file().path;
-  const QString since =
-      unsaved
-          ? counted(session_.progress().episodes - session_.file().saved.episodes, tr("%1 episode is not saved"),
-                    tr("%1 episodes are not saved"))
-          : tr("everything is saved");
+  const QString since = unsaved ? counted(session_.progress().episodes - session_.file().saved.episodes,
+                                          tr("%1 episode is not saved"), tr("%1 episodes are not saved"))
+                                : tr("everything is saved");
   name_->say(sessionName(), unsaved, path.isEmpty() ? since : path + '\n' + since);
 }
 
@@ -265,9 +262,9 @@ void MainWindow::restore(const QString& file) {
     }
     const bool damaged = s.error().kind == ErrorKind::File || s.error().kind == ErrorKind::Mismatch;
     const QString aside = damaged ? autosave_->setAside(file) : QString();
-    messages_->say(toText(s.error().message) + ' ' +
-                   (aside.isEmpty() ? tr("It stays where it is: %1.").arg(file)
-                                    : tr("It is set aside as %1.").arg(aside)));
+    messages_->say(
+        toText(s.error().message) + ' ' +
+        (aside.isEmpty() ? tr("It stays where it is: %1.").arg(file) : tr("It is set aside as %1.").arg(aside)));
     if (!aside.isEmpty()) offerToRestore();
   });
 }

@@ -100,8 +100,8 @@ void WordsDialog::search(const QString& text) {
 }
 
 void WordsDialog::showRow(int row) {
-  const Word none{.name = {}, .title = tr("No word has this in it.").toStdString(), .formula = {}, .text = {},
-                  .source = {}};
+  const Word none{
+      .name = {}, .title = tr("No word has this in it.").toStdString(), .formula = {}, .text = {}, .source = {}};
   const Word& word = row < 0 ? none : glossary()[static_cast<std::size_t>(row)];
   title_->setText(toText(word.title));
   text_->setText(toText(word.text));

@@ -24,9 +24,10 @@ Status checkMemory(const TrainRequest& request) {
   const double there = static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
   if (there <= 0 || wanted <= there) return Done{};
   constexpr double kGigabyte = 1e9;
-  return Error{fmt::format("--checkpoint with --log: {} episodes need {:.3g} GB of memory, and the machine has {:.3g}; "
-                           "leave one of them out.",
-                           *c.episodes, wanted / kGigabyte, there / kGigabyte)};
+  return Error{
+      fmt::format("--checkpoint with --log: {} episodes need {:.3g} GB of memory, and the machine has {:.3g}; "
+                  "leave one of them out.",
+                  *c.episodes, wanted / kGigabyte, there / kGigabyte)};
 }
 
 }  // namespace

@@ -41,8 +41,8 @@ class TrainFiles {
   const Task* task_;
   std::optional<WholeFile> log_, save_, journal_;
   std::unique_ptr<EpisodeSpool> spool_;  // the rows of the log so far
-  std::string learned_;     // the bytes of the Q-function
-  std::string checkpoint_;  // the bytes of the newest checkpoint, if it could not be written
+  std::string learned_;                  // the bytes of the Q-function
+  std::string checkpoint_;               // the bytes of the newest checkpoint, if it could not be written
 };
 
 }  // namespace surefoot

@@ -41,7 +41,8 @@ TEST(LimitedJson, WhatIsNoJsonOrTooLongIsDiscarded) {
 }
 
 TEST(LimitedToml, KeysOfTooManyPartsAreRefusedWithTheirLine) {
-  const std::string allowed = times(kDeepestToml - 1, "a.") + "a = 1\n", refused = times(kDeepestToml, "a.") + "a = 1\n";
+  const std::string allowed = times(kDeepestToml - 1, "a.") + "a = 1\n",
+                    refused = times(kDeepestToml, "a.") + "a = 1\n";
   EXPECT_TRUE(checkTomlLimits(allowed + allowed));
   const Status s = checkTomlLimits("x = 1\n" + refused);
   ASSERT_FALSE(s);
@@ -58,10 +59,9 @@ TEST(LimitedToml, BracketsTooDeepAreRefused) {
 
 TEST(LimitedToml, StringsCommentsAndNumbersAreNotCounted) {
   const std::string dots = times(100, "."), open = times(100, "[");
-  for (const std::string& text :
-       {"# " + dots + open + "\n", "a = \"" + dots + open + "\\\"" + open + "\"\n", "a = '" + dots + open + "'\n",
-        "a = \"\"\"\n" + open + "\"\n" + dots + "\"\"\"\n", "a = '''\n" + open + "'\n'''\n",
-        "a = [" + times(1000, "0.5,") + "]\n"})
+  for (const std::string& text : {"# " + dots + open + "\n", "a = \"" + dots + open + "\\\"" + open + "\"\n",
+                                  "a = '" + dots + open + "'\n", "a = \"\"\"\n" + open + "\"\n" + dots + "\"\"\"\n",
+                                  "a = '''\n" + open + "'\n'''\n", "a = [" + times(1000, "0.5,") + "]\n"})
     EXPECT_TRUE(checkTomlLimits(text)) << text;
 }
 

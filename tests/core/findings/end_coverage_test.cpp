@@ -92,8 +92,8 @@ double held(const std::vector<Interval>& intervals, double truth) {
   return 100 * count / static_cast<double>(intervals.size());
 }
 
-/// Falls, and whatever is compared, hold their 95 % but for the error of a cell. The learning time alone does not: where
-/// the end happens to come early in most resamples, too little is left.
+/// Falls, and whatever is compared, hold their 95 % but for the error of a cell. The learning time alone does not:
+/// where the end happens to come early in most resamples, too little is left.
 double least(const std::string& measure, const std::string& what) {
   return measure == "minutes" && what.starts_with("mean") ? 80 : 90;
 }

@@ -93,8 +93,8 @@ TEST(LearningCurve, ShowsTheSameMinimaMaximaAndFallsAsTheWholeLog) {
     EXPECT_LE(points.size(), LearningCurve::kMostPoints);
     const auto end = static_cast<double>(log.back().lifeSteps);
     // All of it, the first two hours as in "While it learned", a tenth in the middle and at the end.
-    for (const auto& [from, to] : {std::pair{0.0, end}, {0.0, std::min(end, 144'000.0)}, {0.45 * end, 0.55 * end},
-                                   {0.9 * end, end}}) {
+    for (const auto& [from, to] :
+         {std::pair{0.0, end}, {0.0, std::min(end, 144'000.0)}, {0.45 * end, 0.55 * end}, {0.9 * end, end}}) {
       SCOPED_TRACE(std::to_string(episodes) + " episodes, from step " + std::to_string(from));
       ASSERT_GE(static_cast<double>(resolution) * (to - from), kWidth * to) << "no more than it promises";
       const Picture whole = pictureOf(log, from, to), drawn = pictureOf(points, from, to);

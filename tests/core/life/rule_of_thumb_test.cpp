@@ -98,8 +98,7 @@ TEST(RuleOfThumb, ItsFormulaGivesItsNumberInEveryTask) {
       continue;
     }
     ++rules;
-    EXPECT_DOUBLE_EQ(rule->threshold,
-                     ruleOfThumb(rule->discount, rule->transitions, rule->reward, rule->timeReward));
+    EXPECT_DOUBLE_EQ(rule->threshold, ruleOfThumb(rule->discount, rule->transitions, rule->reward, rule->timeReward));
     EXPECT_EQ(rule->goal, life->environment().task().goalReward.has_value());
     expectItSaysItsNumber(*rule);
   }

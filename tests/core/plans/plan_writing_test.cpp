@@ -50,7 +50,8 @@ Configuration changed(const Registry& registry, Configuration c, std::size_t off
   return c;
 }
 
-void expectSame(const Registry& registry, const Configuration& live, const Condition& planned, const std::string& toml) {
+void expectSame(const Registry& registry, const Configuration& live, const Condition& planned,
+                const std::string& toml) {
   const Configuration& c = planned.configuration;
   EXPECT_EQ(describe(registry, c), describe(registry, live)) << toml;
   EXPECT_FALSE(planned.preLearning) << toml;
@@ -197,8 +198,7 @@ TEST(PlanWriting, BaseInAConditionIsFalseOrRefused) {
 TEST(PlanTime, GrowsWithLivesAndLengthAndBelievesWhatWasMeasured) {
   const Registry registry = fullRegistry();
   const auto minutes = [&](const std::string& head, const std::string& more, int threads) {
-    const auto file =
-        parsePlanFile(head + "[[condition]]\nname = \"a\"\nminutes = 9\n" + more, "plan.toml");
+    const auto file = parsePlanFile(head + "[[condition]]\nname = \"a\"\nminutes = 9\n" + more, "plan.toml");
     EXPECT_TRUE(file);
     return minutesFor(registry, *file, threads);
   };

@@ -218,7 +218,10 @@ TEST(ThesisVerdicts, AreOfSingleConditionsAndOfTheirFalls) {
       {.id = "A", .kind = "reduction", .says = "", .arguments = {{"conditions", kHalf}, {"thesis", -50}}},
       {.id = "B", .kind = "significant", .says = "", .arguments = {{"conditions", Json::array({"half", "same"})}}},
       {.id = "C", .kind = "no-difference", .says = "", .arguments = {{"conditions", kSame}}},
-      {.id = "D", .kind = "value", .says = "", .arguments = {{"conditions", kWild}, {"thesis", 3}, {"measure", "minutes"}}},
+      {.id = "D",
+       .kind = "value",
+       .says = "",
+       .arguments = {{"conditions", kWild}, {"thesis", 3}, {"measure", "minutes"}}},
       {.id = "E", .kind = "lowest", .says = "", .arguments = {{"conditions", Json::array({"half", "wild"})}}}};
   const auto verdicts = thesisVerdicts(kRegistry, claims, kEvidence, 1);
   ASSERT_EQ(verdicts.size(), 2u);

@@ -60,9 +60,12 @@ TEST(Recipe, AFiguresArgumentsAreCheckedToo) {
 // As a store made elsewhere may hold them; the claims as no reader lets them through.
 TEST(Recipe, OddClaimsAndConfigurationsEndNothing) {
   std::vector<Evidence> evidence = {condition("a", 20), condition("b", 10, "a")};
-  evidence[0].configuration = {{"policy", 3}, {"agent", Json::array({1})}, {"environment", 1.5},
-                               {"parameters", {{"agent.discount", "x"}, {"environment.goal_reward", true},
-                                               {"environment.time_reward", Json::array()}}}};
+  evidence[0].configuration = {
+      {"policy", 3},
+      {"agent", Json::array({1})},
+      {"environment", 1.5},
+      {"parameters",
+       {{"agent.discount", "x"}, {"environment.goal_reward", true}, {"environment.time_reward", Json::array()}}}};
   evidence[1].configuration = Json::array({1, 2});
   std::vector<Claim> claims;
   for (const char* kind : {"value", "reduction", "significant", "no-difference", "trend", "best", "rule", "pairs"})

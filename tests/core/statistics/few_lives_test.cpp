@@ -82,10 +82,9 @@ TEST(FewLives, OfAReferenceThatIsZeroThereAreNoPerCent) {
 TEST(FewLives, WhatIsNotSignificantMayYetBeTrue) {
   const auto of = [&](double mean, double scatter) {
     const std::vector<Evidence> two = {condition("a", 100, "", scatter), condition("b", mean, "a", scatter)};
-    const auto j = judge(kRegistry,
-                         {.id = "X1", .kind = "reduction", .says = "",
-                          .arguments = {{"thesis", -7}, {"conditions", {"b"}}}},
-                         two, 1);
+    const auto j = judge(
+        kRegistry, {.id = "X1", .kind = "reduction", .says = "", .arguments = {{"thesis", -7}, {"conditions", {"b"}}}},
+        two, 1);
     return j ? j->verdict : Verdict::Agrees;
   };
   EXPECT_EQ(of(94, 0.1), Verdict::Undecided) << "−6 %, and −7 is within the interval, but so is 0";

@@ -45,7 +45,9 @@ TEST(MeanEstimate, OneLifeHasNoInterval) {
     EXPECT_TRUE(std::isfinite(changeOf(a, b, false).value));
   }
   Random random(1);
-  EXPECT_TRUE(drawMeans({one, more}, {0, 1}, [](const auto& m) { return m[0]; }, random).empty());
+  EXPECT_TRUE(drawMeans(
+                  {one, more}, {0, 1}, [](const auto& m) { return m[0]; }, random)
+                  .empty());
 }
 
 TEST(MeanEstimate, LivesOfOneQFunctionAreOneUnit) {

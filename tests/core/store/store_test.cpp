@@ -38,8 +38,14 @@ class StoreTest : public testing::Test {
     return std::move(*store);
   }
   static StoredLife life(int number) {
-    return {.life = number, .episodes = 1, .steps = 7, .falls = 1, .diverged = {}, .hash = 3,
-            .livesVersion = kLivesVersion, .program = "0"};
+    return {.life = number,
+            .episodes = 1,
+            .steps = 7,
+            .falls = 1,
+            .diverged = {},
+            .hash = 3,
+            .livesVersion = kLivesVersion,
+            .program = "0"};
   }
   static void save(Store& store, int number) {
     EXPECT_TRUE(store.save(life(number), {{7, -1.0, 1, EndingCode::Fall}}, {}));
@@ -61,9 +67,10 @@ class StoreTest : public testing::Test {
   }
   /// As a store of the first days had it.
   void makeOld(const std::string& name) {
-    sql(name, "ALTER TABLE lives DROP COLUMN lives_version; ALTER TABLE lives DROP COLUMN program; ALTER "
-              "TABLE lives DROP COLUMN checksum; ALTER TABLE pre_learned DROP COLUMN checksum; DROP TABLE q_functions; "
-              "DELETE FROM experiment WHERE key IN ('writing', 'plan_checksum', 'lives_checksum'); PRAGMA user_version = 1");
+    sql(name,
+        "ALTER TABLE lives DROP COLUMN lives_version; ALTER TABLE lives DROP COLUMN program; ALTER "
+        "TABLE lives DROP COLUMN checksum; ALTER TABLE pre_learned DROP COLUMN checksum; DROP TABLE q_functions; "
+        "DELETE FROM experiment WHERE key IN ('writing', 'plan_checksum', 'lives_checksum'); PRAGMA user_version = 1");
   }
   std::size_t livesIn(const std::string& name) {
     const auto store = Store::open(folder.file(name));

@@ -15,19 +15,18 @@ namespace surefoot {
 namespace {
 
 /// What people, and people who want to see it break, call a condition.
-const std::vector<std::string> kHardNames = {
-    R"(\input{/etc/passwd})",
-    R"(\end{document} & 100 % of $x_1^2$ #3 {a} ~ b)",
-    "[0.5ex] -- ??` \"quotes\" <|>",
-    "*starred*",
-    "Häßlich µ Łódź naïve Ærø ÿ ő ş",
-    "Q⁻ 12 / 6 / 1, α⁺ = 0.7, τ ≥ .5 − ε₀, x₁₂, qₙ, R², ∞ → ½",
-    "α\u0307 = α\u0308, e\u0301",
-    "γλΩ ∑ ± × ÷ … „so“ – — ‘x’",
-    "漢字 😀 кот",
-    "\xFF\xC3 broken",
-    "=HYPERLINK(\"http://x\",\"y\")",
-    "tab\tline\nend"};
+const std::vector<std::string> kHardNames = {R"(\input{/etc/passwd})",
+                                             R"(\end{document} & 100 % of $x_1^2$ #3 {a} ~ b)",
+                                             "[0.5ex] -- ??` \"quotes\" <|>",
+                                             "*starred*",
+                                             "Häßlich µ Łódź naïve Ærø ÿ ő ş",
+                                             "Q⁻ 12 / 6 / 1, α⁺ = 0.7, τ ≥ .5 − ε₀, x₁₂, qₙ, R², ∞ → ½",
+                                             "α\u0307 = α\u0308, e\u0301",
+                                             "γλΩ ∑ ± × ÷ … „so“ – — ‘x’",
+                                             "漢字 😀 кот",
+                                             "\xFF\xC3 broken",
+                                             "=HYPERLINK(\"http://x\",\"y\")",
+                                             "tab\tline\nend"};
 
 Findings findingsWith(const std::vector<std::string>& names) {
   Findings findings;
@@ -68,8 +67,8 @@ TEST(Latex, ATableCompilesAsItIs) {
   if (std::system("pdflatex --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "pdflatex is not installed";
   const Folder folder;
   Findings findings = findingsWith(kHardNames);
-  findings.conditions[0].comparison.reset();                 // a reference
-  findings.conditions[1].falls.low = std::nan("");           // of one life
+  findings.conditions[0].comparison.reset();        // a reference
+  findings.conditions[1].falls.low = std::nan("");  // of one life
   findings.conditions[1].comparison->change = {-45, std::nan(""), std::nan("")};
   findings.conditions[1].comparison->anova.reset();
   findings.conditions[2].comparison->change.value = std::nan("");  // of a reference without falls

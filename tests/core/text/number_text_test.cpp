@@ -68,9 +68,9 @@ TEST(NumberText, WhatIsAmbiguousIsRefusedWithBothReadings) {
 }
 
 TEST(NumberText, WhatIsNoNumberIsRefused) {
-  for (const char* text : {"",      " 1",   "-",  "+-1", "--1", "1..2", "1.2.3", "1,,000", "1,000,00", ",5",     "nan",
-                           "inf",   "-inf", "1e999", "0x10", "1e", "e5", "1 2", "ten", "1_000", "10⁻", "x10⁻⁶",
-                           "5 10⁻⁶", "1,000.5,5"})
+  for (const char* text :
+       {"",     " 1",    "-",    "+-1", "--1", "1..2", "1.2.3", "1,,000", "1,000,00", ",5",    "nan",    "inf",
+        "-inf", "1e999", "0x10", "1e",  "e5",  "1 2",  "ten",   "1_000",  "10⁻",      "x10⁻⁶", "5 10⁻⁶", "1,000.5,5"})
     EXPECT_FALSE(parseNumber("x", text)) << text;
 }
 
@@ -120,7 +120,8 @@ TEST(NumberText, EverythingThatIsPrintedIsReadBack) {
   for (int i = 0; i < 2000; ++i) {
     const double value = random.uniform(-1.0, 1.0) * std::pow(10.0, random.uniform(-4.0, 12.0));
     for (int decimals = 0; decimals < 5; ++decimals)
-      EXPECT_NEAR(read(fixedText(value, decimals)), value, 0.51 * std::pow(10.0, -decimals) + 1e-3 * (std::abs(value) > 1e9));
+      EXPECT_NEAR(read(fixedText(value, decimals)), value,
+                  0.51 * std::pow(10.0, -decimals) + 1e-3 * (std::abs(value) > 1e9));
     EXPECT_EQ(read(countText(value)), std::stod(fmt::format("{:.0f}", value)));
     EXPECT_EQ(read(fmt::format("{}", value)), value);
     EXPECT_EQ(read(formatValue(Parameter{}, value)), value);

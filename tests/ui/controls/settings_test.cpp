@@ -44,9 +44,18 @@ class Damage {
 
  private:
   QByteArray replaced(QByteArray text) {
-    static const char* const kValues[] = {"", "-1", "1e308", "nan", "99999999999999999999", "@ByteArray()",
-                                          "@ByteArray(\\x1\\xd9\\xd0\\xcb)", "@Invalid()", "@Size(1 1)", "a, b, c",
-                                          "@Rect(0 0 -5 2147483647)", "@Variant(\\0\\0\\0\\x7f)"};
+    static const char* const kValues[] = {"",
+                                          "-1",
+                                          "1e308",
+                                          "nan",
+                                          "99999999999999999999",
+                                          "@ByteArray()",
+                                          "@ByteArray(\\x1\\xd9\\xd0\\xcb)",
+                                          "@Invalid()",
+                                          "@Size(1 1)",
+                                          "a, b, c",
+                                          "@Rect(0 0 -5 2147483647)",
+                                          "@Variant(\\0\\0\\0\\x7f)"};
     QList<QByteArray> lines = text.split('\n');
     QByteArray& line = lines[below(static_cast<int>(lines.size()))];
     if (const auto equals = line.indexOf('='); equals > 0) line = line.left(equals + 1) + kValues[below(12)];

@@ -237,8 +237,8 @@ TEST(ExperimentPage, PauseWhileAnotherPlanIsReadPauses) {
   ASSERT_TRUE(p.waitFor([&] { return p.experiment().falls() > 0; }, 30'000));
   std::string large = "title = \"Large\"\nlives = 2\n[base]\nminutes = 1\n";
   for (int i = 0; i < 2000; ++i)
-    large += "[[condition]]\nname = \"c" + std::to_string(i) + "\"\nset.policy.epsilon = 0.0" + std::to_string(1000 + i) +
-             "\n";
+    large += "[[condition]]\nname = \"c" + std::to_string(i) + "\"\nset.policy.epsilon = 0.0" +
+             std::to_string(1000 + i) + "\n";
   const QString other = p.folder.filePath("large.toml");
   ASSERT_TRUE(writeWhole("plan", other.toStdString(), large));
   p.page.open(other);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the Experiment page offers with many conditions: recipes are found, files get their endings, the plan is kept, and
-// the window never waits for it.
+// What the Experiment page offers with many conditions: recipes are found, files get their endings, the plan is kept,
+// and the window never waits for it.
 #include <time.h>
 
 #include <QElapsedTimer>
@@ -50,11 +50,16 @@ class HaltMeter : public QObject {
 }  // namespace
 
 TEST(PlanChooser, FindsARecipeByTheNumberOfAnyOfItsFigures) {
-  PlanChooser box("Experiment", {{.title = "Quick", .path = "q.toml"},
-                                 {.title = "After pre-learning", .path = "a.toml", .recipe = true, .group = "Chapter 4",
-                                  .shows = {"4.4", "4.5", "4.6", "table 4.2"}, .answers = "Which one?", .minutes = 4},
-                                 {.title = "Scenario 6", .path = "b.toml", .recipe = true, .group = "Chapter 4",
-                                  .shows = {"4.12"}}});
+  PlanChooser box("Experiment",
+                  {{.title = "Quick", .path = "q.toml"},
+                   {.title = "After pre-learning",
+                    .path = "a.toml",
+                    .recipe = true,
+                    .group = "Chapter 4",
+                    .shows = {"4.4", "4.5", "4.6", "table 4.2"},
+                    .answers = "Which one?",
+                    .minutes = 4},
+                   {.title = "Scenario 6", .path = "b.toml", .recipe = true, .group = "Chapter 4", .shows = {"4.12"}}});
   box.show();
   QString chosen;
   QObject::connect(&box, &PlanChooser::planChosen, [&](const QString& path) { chosen = path; });
@@ -118,10 +123,12 @@ TEST(ExperimentPage, ManyConditionsNeverHoldTheWindowUp) {
   w.window->setPage(1);
   ExperimentPage& page = w.window->experimentPage();
   QTemporaryDir folder;
-  std::string plan = "title = \"Many\"\nlives = 6\nreference = \"α 0\"\n[base]\nenvironment = \"cliff\"\nfeatures = \"table\"\nepisodes = 400\n";
+  std::string plan =
+      "title = \"Many\"\nlives = 6\nreference = \"α 0\"\n[base]\nenvironment = \"cliff\"\nfeatures = "
+      "\"table\"\nepisodes = 400\n";
   for (int i = 0; i < 31; ++i)
-    plan += "[[condition]]\nname = \"α " + std::to_string(i) + "\"\nset.agent.step_size = " +
-            std::to_string(0.1 + 0.02 * i) + "\n";
+    plan += "[[condition]]\nname = \"α " + std::to_string(i) +
+            "\"\nset.agent.step_size = " + std::to_string(0.1 + 0.02 * i) + "\n";
   const QString path = folder.filePath("many.toml"), other = folder.filePath("other.toml");
   ASSERT_TRUE(writeWhole("plan", path.toStdString(), plan));
   ASSERT_TRUE(writeWhole("plan", other.toStdString(), "title = \"Other\"\n" + plan.substr(plan.find("lives"))));

@@ -16,10 +16,9 @@ namespace {
 
 /// Five groups of a reference and five thresholds, and a base.
 Figure manyConditions(bool bars) {
-  Figure figure{.name = "many", .title = "Many", .xTitle = "time", .yTitle = "falls", .bars = bars,
-                .labels = {}, .series = {}};
-  const auto add = [&](const std::string& name, const std::string& policy, const std::string& reference,
-                       double value) {
+  Figure figure{
+      .name = "many", .title = "Many", .xTitle = "time", .yTitle = "falls", .bars = bars, .labels = {}, .series = {}};
+  const auto add = [&](const std::string& name, const std::string& policy, const std::string& reference, double value) {
     FigureSeries s{.name = name, .policy = policy, .x = {0}, .y = {{value, value - 2, value + 2}}, .marked = {false}};
     if (!bars) s.x = {0, 1, 2}, s.y = {{0, 0, 1}, {value / 2, value / 2, value / 2}, {value, value - 2, value + 2}};
     s.agent = "sarsa", s.reference = reference, s.lives = s.planned = 40;

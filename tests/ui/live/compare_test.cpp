@@ -103,9 +103,9 @@ namespace {
 void learnBoth(Window& w, Rival& rival, std::int64_t episodes) {
   w.session->setTurbo(true);
   w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] {
-    return w.session->progress().episodes >= episodes && rival.session().progress().episodes >= episodes;
-  }, 30'000));
+  ASSERT_TRUE(w.waitFor(
+      [&] { return w.session->progress().episodes >= episodes && rival.session().progress().episodes >= episodes; },
+      30'000));
   w.session->setRunning(false);
   ASSERT_TRUE(w.waitFor([&] { return !w.session->snapshot().running && !rival.session().snapshot().running; }));
   QTest::qWait(200);

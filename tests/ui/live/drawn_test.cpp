@@ -77,7 +77,8 @@ TEST(Drawn, MapsOfWideWorldsTakeTheRoomThereIs) {
   auto* maps = w.window->findChild<ValueMaps*>();
   double left = 1e9, right = 0;  // of the numbers below the large map
   for (const DrawnText& t : drawnTexts(*maps))
-    if (t.text == "0" || t.text == "10") left = std::min(left, t.place.left()), right = std::max(right, t.place.right());
+    if (t.text == "0" || t.text == "10")
+      left = std::min(left, t.place.left()), right = std::max(right, t.place.right());
   EXPECT_GT(right - left, maps->width() / 2.0);
 }
 

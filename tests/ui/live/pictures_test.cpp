@@ -44,7 +44,8 @@ TEST(ScenePainter, NoLineGoesThroughWordsOverABody) {
   QImage image(200, 100, QImage::Format_RGB32);
   image.fill(Qt::white);
   QPainter p(&image);
-  paintScene(scene, ScenePainter(p, lightTheme(), false, [](Point at) { return QPointF(100 + 90 * at.x, 50); }, 90));
+  paintScene(scene, ScenePainter(
+                        p, lightTheme(), false, [](Point at) { return QPointF(100 + 90 * at.x, 50); }, 90));
   p.end();
   EXPECT_GT(pixelsOf(image, lightTheme().fall, {20, 40, 30, 20}), 20) << "the line is there";
   EXPECT_EQ(pixelsOf(image, lightTheme().fall, {82, 40, 36, 20}), 0) << "but not behind the words";
@@ -57,7 +58,8 @@ TEST(ScenePainter, WordsStayInTheirBounds) {
   const auto paint = [&](QImage& to, double left) {
     to.fill(Qt::white);
     QPainter p(&to);
-    ScenePainter painter(p, lightTheme(), false, [left](Point) { return QPointF(left, 20); }, 90);
+    ScenePainter painter(
+        p, lightTheme(), false, [left](Point) { return QPointF(left, 20); }, 90);
     painter.setBounds({0, 0, 200, 40});
     paintScene(scene, painter);
   };

@@ -64,7 +64,9 @@ TEST(Experiment, ResultsOfOddClaimsAndFiguresAreShownOrToldAndEndNothing) {
   view.evidence = {e};
   view.findings.plan.conditions = {e.record.condition};
   view.findings.plan.conditions[0].configuration = e.configuration.dump();
-  const Claim odd{.id = "X", .kind = "value", .says = "",
+  const Claim odd{.id = "X",
+                  .kind = "value",
+                  .says = "",
                   .arguments = {{"measure", 3}, {"conditions", Json::array({1})}, {"thesis", 5}, {"reference", true}}};
   ExperimentResults results(registry);
   results.begin({odd}, view.findings.plan);

@@ -103,8 +103,8 @@ TEST(Numbers, TheRuleOfThumbIsOneEverywhereAndItsButtonSetsIt) {
   EXPECT_EQ(lines[0], QString::fromStdString(text.threshold));
   EXPECT_TRUE(lines[1].contains(QString::fromStdString(text.formula))) << lines[1].toStdString();
   EXPECT_TRUE(lines[1].endsWith(lines[0])) << lines[1].toStdString();
-  EXPECT_EQ(w.statusWith("n*"), QString::fromStdString("n* " + text.transitions + " → rule-of-thumb threshold " +
-                                                       text.threshold));
+  EXPECT_EQ(w.statusWith("n*"),
+            QString::fromStdString("n* " + text.transitions + " → rule-of-thumb threshold " + text.threshold));
   EXPECT_TRUE(lines.back().contains("not in force")) << lines.back().toStdString();
   auto* button = w.rule->findChild<QPushButton*>();
   EXPECT_EQ(button->accessibleName(), button->text());

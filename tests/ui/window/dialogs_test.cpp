@@ -73,8 +73,8 @@ TEST(Dialogs, PreLearningIsReadableInEveryTask) {
 TEST(Dialogs, AllOthersAreReadable) {
   const UsualLook usual;
   Window w;
-  for (const char* name : {"&Shortcuts", "&About Surefoot", "Pre&ferences …", "Another &seed …", "&Words",
-                           "&Keep this one as …"}) {
+  for (const char* name :
+       {"&Shortcuts", "&About Surefoot", "Pre&ferences …", "Another &seed …", "&Words", "&Keep this one as …"}) {
     const auto open = [&] { trigger(w, name); };
     ASSERT_NO_FATAL_FAILURE(expectDialogReadable(w, open, QString::fromUtf8(name).remove('&')));
   }
@@ -86,8 +86,11 @@ TEST(Dialogs, AllOthersAreReadable) {
 TEST(Dialogs, TheListOfExperimentsIsReadable) {
   const UsualLook usual;
   PlanChooser box("Experiment", {{.title = "Quick", .path = "q.toml"},
-                                 {.title = "After pre-learning on another pendulum", .path = "a.toml", .recipe = true,
-                                  .group = "Chapter 4", .shows = {"4.4", "4.5", "4.6", "table 4.2"},
+                                 {.title = "After pre-learning on another pendulum",
+                                  .path = "a.toml",
+                                  .recipe = true,
+                                  .group = "Chapter 4",
+                                  .shows = {"4.4", "4.5", "4.6", "table 4.2"},
                                   .answers = "Which policy falls the least after pre-learning, and how much less than "
                                              "the one that is in common use?",
                                   .minutes = 40}});

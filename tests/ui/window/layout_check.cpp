@@ -35,8 +35,8 @@ void addLabel(const QLabel& label, std::vector<Need>& needs) {
   if (label.text().isEmpty()) return;
   const bool wraps = label.wordWrap();
   if (!wraps) needs.push_back({label.text(), label.width(), label.sizeHint().width()});
-  needs.push_back({label.text(), label.height() + 1,
-                   wraps ? label.heightForWidth(label.width()) : label.sizeHint().height()});
+  needs.push_back(
+      {label.text(), label.height() + 1, wraps ? label.heightForWidth(label.width()) : label.sizeHint().height()});
 }
 
 void addField(const QLineEdit& field, std::vector<Need>& needs) {

@@ -68,7 +68,8 @@ TEST(MainWindow, ASessionOfAnotherVersionSaysThatItsLifeTakesAnotherCourse) {
   file.close();
   w.window->openFile(path);
   ASSERT_TRUE(w.waitFor([&] { return w.window->messages().accessibleName().contains("number 7"); }));
-  EXPECT_TRUE(w.window->messages().accessibleName().contains("goes on")) << w.window->messages().accessibleName().toStdString();
+  EXPECT_TRUE(w.window->messages().accessibleName().contains("goes on"))
+      << w.window->messages().accessibleName().toStdString();
 }
 
 // What the bar says after a save can be copied into a shell, whatever the name and the environment.

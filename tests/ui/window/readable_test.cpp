@@ -146,7 +146,7 @@ std::map<QString, QRect> places(const QWidget& window) {
   for (const auto* widget : window.findChildren<QWidget*>())
     if (widget->isVisible())
       all[QStringLiteral("%1 %2").arg(nameOf(*widget)).arg(all.size())] = {widget->mapTo(&window, QPoint()),
-                                                                          widget->size()};
+                                                                           widget->size()};
   return all;
 }
 
@@ -167,8 +167,7 @@ TEST(Readable, ASizeAndBackLeavesEverythingWhereItWas) {
     }
     const auto after = places(*w.window);
     ASSERT_EQ(before.size(), after.size());
-    for (const auto& [name, place] : before)
-      EXPECT_TRUE(place == after.at(name)) << page << " " << name.toStdString();
+    for (const auto& [name, place] : before) EXPECT_TRUE(place == after.at(name)) << page << " " << name.toStdString();
   }
 }
 

@@ -50,12 +50,12 @@ class FigurePainter {
 
  private:
   struct BarLayout {
-    QRectF plot;              ///< of the bars that can be seen
-    double column = 0;        ///< width of one [px]
-    double gap = 0;           ///< before every group but the first
-    std::vector<double> x;    ///< middles, by place, without the scroll
+    QRectF plot;            ///< of the bars that can be seen
+    double column = 0;      ///< width of one [px]
+    double gap = 0;         ///< before every group but the first
+    std::vector<double> x;  ///< middles, by place, without the scroll
     int labelLines = 1;
-    double whole = 0;         ///< width of all columns
+    double whole = 0;  ///< width of all columns
   };
   BarLayout barLayout(QSizeF size) const;
   QRectF curvePlot(QSizeF size) const;

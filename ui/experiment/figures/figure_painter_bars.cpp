@@ -64,7 +64,8 @@ QStringList FigurePainter::barHead() const {
   if (any([](const FigureSeries& s) { return !s.marked.empty() && s.marked[0]; }))
     head << QObject::tr("✕ differs from the reference, p < .01");
   if (any([](const FigureSeries& s) { return s.thesis.has_value(); })) head << QObject::tr("◇ the thesis");
-  if (any([](const FigureSeries& s) { return !s.complete(); })) head << QObject::tr("open bars: so far, lives are missing");
+  if (any([](const FigureSeries& s) { return !s.complete(); }))
+    head << QObject::tr("open bars: so far, lives are missing");
   return head;
 }
 
@@ -98,7 +99,8 @@ FigurePainter::BarLayout FigurePainter::barLayout(QSizeF size) const {
     l.labelLines = std::max(l.labelLines, static_cast<int>(wrapped(names_.labels[place], l.column - 6).size()));
   }
   l.whole = x - left();
-  const bool open = std::any_of(figure_.series.begin(), figure_.series.end(), [](const auto& s) { return !s.complete(); });
+  const bool open =
+      std::any_of(figure_.series.begin(), figure_.series.end(), [](const auto& s) { return !s.complete(); });
   const double below =
       (l.labelLines + (open ? 1 : 0) + (names_.families.empty() ? 0 : 1) + (names_.groups.empty() ? 0 : 1)) * line + 16;
   const double above = top() + headHeight(width);
@@ -121,7 +123,8 @@ void FigurePainter::paintBars(QPainter& p, const Theme& t, QSizeF size, double s
   p.save();
   p.setClipRect(QRectF(l.plot.left(), 0, l.plot.width() + 12, size.height()));
   paintReferences(p, t, l);
-  for (std::size_t place = 0; place < l.x.size(); ++place) paintBar(p, t, l.plot, l.x[place], l.column, names_.order[place]);
+  for (std::size_t place = 0; place < l.x.size(); ++place)
+    paintBar(p, t, l.plot, l.x[place], l.column, names_.order[place]);
   paintBarLabels(p, t, l);
   p.restore();
 }

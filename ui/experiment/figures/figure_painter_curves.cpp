@@ -93,8 +93,7 @@ void FigurePainter::paintList(QPainter& p, const Theme& t, QSizeF size) const {
   p.setPen(t.quiet);
   const QString head = p.fontMetrics().elidedText(QObject::tr("highest at the end first"), Qt::ElideRight,
                                                   static_cast<int>(size.width() - x - 6));
-  if (figure_.series.size() > 1)
-    drawSymbol(p, QRectF(x, plot.top(), size.width() - x, row), Qt::AlignLeft, head);
+  if (figure_.series.size() > 1) drawSymbol(p, QRectF(x, plot.top(), size.width() - x, row), Qt::AlignLeft, head);
   double y = listTop(size);
   const auto list = listed(size);
   for (const std::size_t i : list) {

@@ -75,7 +75,8 @@ bool FigureView::event(QEvent* event) {
   }
   if (event->type() != QEvent::ToolTip || curves()) return QWidget::event(event);  // curves are read at the line
   const auto* help = static_cast<QHelpEvent*>(event);
-  const QString text = words_.isEmpty() ? painter_.textAt(QPointF(help->pos()) / textSize(), drawn(), scroll_->value()) : QString();
+  const QString text =
+      words_.isEmpty() ? painter_.textAt(QPointF(help->pos()) / textSize(), drawn(), scroll_->value()) : QString();
   if (text.isEmpty())
     QToolTip::hideText();
   else

@@ -84,8 +84,7 @@ void ActionRows::drawLevelsOf(QPainter& p, const Theme& t, std::size_t variable,
   drawLevelScale(p, t, at, top + row * n);
   for (std::size_t l = 0; l < levels.size(); ++l) {
     at.middle = top + (n - static_cast<double>(l) - 0.5) * row;
-    const bool chosen =
-        chosen_ >= 0 && levelOf(task, static_cast<std::size_t>(chosen_), variable) == l;
+    const bool chosen = chosen_ >= 0 && levelOf(task, static_cast<std::size_t>(chosen_), variable) == l;
     if (chosen) {
       p.setPen(Qt::NoPen);
       p.setBrush(t.fill);

@@ -13,7 +13,6 @@ namespace surefoot {
 class Session;
 struct Task;
 
-
 /// Where a state of the life stands on the time axis: simulated minutes, or episodes where the task has no clock.
 double timeOf(const Task& task, std::int64_t episode, std::int64_t lifeSteps);
 inline double timeOf(const Task& task, const CurvePoint& point) {

@@ -51,8 +51,8 @@ QString LearningChart::reading() const {
   const auto at = read();
   if (!at) return {};
   const QString value = valueText(yOf(at->point));
-  return tr("%1: %2, %3").arg(timeText(xOf(at->point)),
-                              shows_ == Shows::Falls ? tr("%1 falls").arg(value) : value, nameOf(at->run));
+  return tr("%1: %2, %3")
+      .arg(timeText(xOf(at->point)), shows_ == Shows::Falls ? tr("%1 falls").arg(value) : value, nameOf(at->run));
 }
 
 void LearningChart::mousePressEvent(QMouseEvent* event) {
@@ -103,8 +103,7 @@ void LearningChart::replayNear(double pixel) {
   std::optional<std::size_t> nearest;
   for (std::size_t i = 0; i < session_.falls().size(); ++i) {
     const Fall& fall = session_.falls()[i];
-    const double distance =
-        std::abs(toPixel(timeOf(session_.task(), fall.episode, fall.lifeSteps), 0).x() - pixel);
+    const double distance = std::abs(toPixel(timeOf(session_.task(), fall.episode, fall.lifeSteps), 0).x() - pixel);
     if (distance <= least) least = distance, nearest = i;
   }
   if (nearest) session_.replayFall(*nearest);

@@ -59,8 +59,7 @@ std::vector<LearningChart::Mark> LearningChart::marks() const {
   }
   constexpr std::size_t kMost = 24;
   for (std::size_t i = groups.size() > kMost ? groups.size() - kMost : 0; i < groups.size(); ++i)
-    if (groups[i].change.before != groups[i].change.after)
-      list.push_back({groups[i].x, textOf(groups[i].change)});
+    if (groups[i].change.before != groups[i].change.after) list.push_back({groups[i].x, textOf(groups[i].change)});
   if (v->endOfLearning > 0) {
     const double end = timeOf(session_.task(), v->endOfLearning, v->endOfLearningSteps);
     if (end >= span_.from() && end <= span_.to()) list.push_back({end, tr("end of learning")});

@@ -34,8 +34,8 @@ void drawTest(QPainter& p, const Theme& t, const QPointF& at) {
   constexpr double kRadius = 3;  // [px]
   p.setPen(QPen(policyLook("greedy", t).colour, 1.25));
   p.setBrush(t.panel);
-  p.drawPolygon(QPolygonF({at - QPointF(kRadius, 0), at - QPointF(0, kRadius), at + QPointF(kRadius, 0),
-                           at + QPointF(0, kRadius)}));
+  p.drawPolygon(QPolygonF(
+      {at - QPointF(kRadius, 0), at - QPointF(0, kRadius), at + QPointF(kRadius, 0), at + QPointF(0, kRadius)}));
   p.setBrush(Qt::NoBrush);
 }
 
@@ -108,8 +108,7 @@ void LearningChart::drawTests(QPainter& p, const Theme& t) const {
   p.setRenderHint(QPainter::Antialiasing);
   for (const GreedyTest& test : v->tests) {
     const double x = timeOf(session_.task(), test.episode, test.lifeSteps);
-    if (x >= span_.from() && x <= span_.to())
-      drawTest(p, t, toPixel(x, std::clamp(test.reward, yLeast_, yMost_)));
+    if (x >= span_.from() && x <= span_.to()) drawTest(p, t, toPixel(x, std::clamp(test.reward, yLeast_, yMost_)));
   }
 }
 

@@ -38,8 +38,8 @@ LearningChart::LearningChart(Session& session, ChartSpan& span, Shows shows, QWi
   y->setVisible(false);
   c->addAxis(x, Qt::AlignBottom);
   c->addAxis(y, Qt::AlignLeft);
-  for (const auto changed : {&Session::valuesArrived, &Session::lifeReplaced, &Session::configurationChanged,
-                             &Session::curvesChanged})
+  for (const auto changed :
+       {&Session::valuesArrived, &Session::lifeReplaced, &Session::configurationChanged, &Session::curvesChanged})
     connect(&session_, changed, this, &LearningChart::refresh);
   connect(&span_, &ChartSpan::changed, this, &LearningChart::refresh);
   connect(&span_, &ChartSpan::cursorChanged, this, [this] {
@@ -78,8 +78,7 @@ std::string LearningChart::asCsv() const {
 }
 
 /// Of each column of pixels the first, the least, the greatest and the last point; all where they are few.
-void LearningChart::drawPiece(std::size_t index, const std::vector<CurvePoint>& piece, const QPen& pen,
-                              bool fromZero) {
+void LearningChart::drawPiece(std::size_t index, const std::vector<CurvePoint>& piece, const QPen& pen, bool fromZero) {
   while (series_.size() <= index) {
     series_.push_back(new QLineSeries);
     chart()->addSeries(series_.back());

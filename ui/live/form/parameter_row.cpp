@@ -17,8 +17,7 @@
 
 namespace surefoot {
 
-namespace {
-}  // namespace
+namespace {}  // namespace
 
 ParameterRow::ParameterRow(const Parameter& parameter, const std::string& policy, QWidget* parent)
     : Painted(parent),
@@ -178,9 +177,10 @@ void ParameterRow::numberTyped() {
     for (const std::string& reading : number.readings) readings << toText(reading);
     const bool whole = parameter_.kind == Kind::Integer && number.good && number.value != std::floor(number.value);
     const QString range = tr("%1 to %2").arg(toText(boundText(parameter_.low)), toText(boundText(parameter_.high)));
-    tellRefused(!readings.isEmpty() ? readings.join(tr(" or ")) + '?' : !number.good ? tr("no number")
-                                                                    : whole          ? tr("a whole number")
-                                                                                     : range,
+    tellRefused(!readings.isEmpty() ? readings.join(tr(" or ")) + '?'
+                : !number.good      ? tr("no number")
+                : whole             ? tr("a whole number")
+                                    : range,
                 toText(value.error().message));
     Q_EMIT refused(toText(value.error().message));
   }

@@ -236,7 +236,7 @@ void PreLearningDialog::refresh() {
   transfer_->setEnabled(there > 0 && table_->currentRow() >= 0);
   words_->setText(
       model_->empty()      ? tr("This environment's model has nothing to be wrong about; what is learned is "
-                                       "carried over as it is.")
+                                     "carried over as it is.")
       : pool_.busy()       ? tr("%1 of %2 are learned. The world goes on meanwhile.").arg(there).arg(pool_.asked())
       : pool_.asked() == 0 ? tr("The pool appears here: learn on the simulation, then choose one and begin a "
                                 "life in reality with it.")

@@ -26,7 +26,7 @@ struct MapChoice {
   Projection projection = Projection::Mean;
   bool locked = true;  ///< the colours span what rewards allow; else what the map shows now
 
-    /// Begins anew for a task.
+  /// Begins anew for a task.
   void fit(const Task& task);
   /// Whether the task has all that was chosen.
   bool suits(const Task& task) const;

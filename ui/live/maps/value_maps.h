@@ -52,8 +52,8 @@ class ValueMaps final : public Painted<>, public CsvSource {
   bool event(QEvent* event) override;
 
  private:
-  static constexpr int kCell = 3, kSmallCell = 2;    // [px]
-  static constexpr double kFamiliar = 0.25;          // share of the active tiles below which a state was never visited
+  static constexpr int kCell = 3, kSmallCell = 2;  // [px]
+  static constexpr double kFamiliar = 0.25;        // share of the active tiles below which a state was never visited
   static constexpr double kNever = std::numeric_limits<double>::quiet_NaN();
   /// Where the maps and their bars lie; Q, Q⁺ and Q⁻ share one bar.
   struct Geometry {

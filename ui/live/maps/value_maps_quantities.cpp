@@ -26,8 +26,8 @@ ValueMap::Quantity ValueMaps::quantity(Layer layer) const {
 
 ValueMap::Quantity ValueMaps::greedyAction() const {
   const ActionValueFunction& values = *session_.valuesShown();
-  return [&values, q = std::vector<double>(static_cast<std::size_t>(values.actions()))](
-             std::span<const double> s) mutable {
+  return [&values,
+          q = std::vector<double>(static_cast<std::size_t>(values.actions()))](std::span<const double> s) mutable {
     if (values.familiarity(s) < kFamiliar) return kNever;
     values.evaluate(s, Layer::Sum, q);
     return static_cast<double>(std::max_element(q.begin(), q.end()) - q.begin());

@@ -13,8 +13,8 @@
 namespace surefoot {
 
 namespace {
-constexpr std::size_t kTrail = 14;   // frames
-constexpr double kJump = 0.05;       // the tip does not move that far in a frame [m]: the trail starts afresh
+constexpr std::size_t kTrail = 14;  // frames
+constexpr double kJump = 0.05;      // the tip does not move that far in a frame [m]: the trail starts afresh
 }  // namespace
 
 WorldView::WorldView(Session& session, QWidget* parent) : Painted(parent), session_(session) {

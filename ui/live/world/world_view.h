@@ -66,9 +66,9 @@ class WorldView final : public Painted<> {
   Scene scene_;
   std::vector<ReadOut> readOuts_;
   int ownColumns_ = 1, columns_ = 1;  // of the read-outs: that there is room for, that there are
-  double readOutsHeight_ = 0;    // [px]
-  double band_ = 0;              // height of all below the floor, where nobody has moved the picture [px]
-  double fit_ = 0;               // [px/m]
+  double readOutsHeight_ = 0;         // [px]
+  double band_ = 0;                   // height of all below the floor, where nobody has moved the picture [px]
+  double fit_ = 0;                    // [px/m]
   bool ring_ = false;
   double camera_ = 0;  // what stands in the middle [m]
   std::deque<Point> trail_;

@@ -19,16 +19,16 @@ namespace surefoot {
 namespace {
 
 // [px], with texts of the usual size
-constexpr double kScale = 46;            // from the floor down: metre scale, and which leg stands
-constexpr double kNoScale = 20;          // … where there is neither
-constexpr double kReadOut = 22;          // height of a row of read-outs
-constexpr double kUnderReadOuts = 20;    // from the last one's baseline to the bottom edge
-constexpr double kHeadroom = 28;         // above the highest thing drawn
-constexpr double kCaption = 26;          // of two worlds: what acts in this one
-constexpr double kSide = 24;             // beside the widest
-constexpr double kMostScale = 1700;      // [px/m]
-constexpr std::size_t kTrail = 14;       // frames
-constexpr double kGap = 6;               // between symbol, value and unit [px]
+constexpr double kScale = 46;          // from the floor down: metre scale, and which leg stands
+constexpr double kNoScale = 20;        // … where there is neither
+constexpr double kReadOut = 22;        // height of a row of read-outs
+constexpr double kUnderReadOuts = 20;  // from the last one's baseline to the bottom edge
+constexpr double kHeadroom = 28;       // above the highest thing drawn
+constexpr double kCaption = 26;        // of two worlds: what acts in this one
+constexpr double kSide = 24;           // beside the widest
+constexpr double kMostScale = 1700;    // [px/m]
+constexpr std::size_t kTrail = 14;     // frames
+constexpr double kGap = 6;             // between symbol, value and unit [px]
 
 /// Room for the value: it stands still while its digits change.
 double valueWidth(const ReadOut& r) {
