@@ -6,13 +6,14 @@
 #   e.g.  experiment.sh my-plan.toml 20 /scratch/me/my.sqlite --lives 200
 #
 # Every shard writes STORE.shard-I-of-N beside STORE, so the folder must be one that all nodes share. A shard that is
-# stopped (a node fails, its time is up) goes on where it was when this script is called again with the same arguments. Environment:
+# stopped (a node fails, its time is up) goes on where it was when this script is called again with the same
+# arguments. Environment:
 #   SUREFOOT           the program [surefoot]
 #   SUREFOOT_SBATCH    options for every job, e.g. "--partition=short --time=2:00:00"
 #   SUREFOOT_CPUS      processors a shard [1]
 set -euo pipefail
 if [ $# -lt 3 ] || ! [[ $2 =~ ^[1-9][0-9]{0,4}$ ]]; then
-  sed -n 's/^# \{0,1\}//; 5,13p' "$0" >&2
+  sed -n 's/^# \{0,1\}//; 5,14p' "$0" >&2
   exit 2
 fi
 plan=$1 shards=$2 store=$(realpath -m "$3")
