@@ -24,9 +24,9 @@ Estimate<Table> estimate(const EstimateSettings& learning) {
 }
 
 struct Shaped {
-  explicit Shaped(Shaping kind) {
+  explicit Shaped(Shaping kind, double traceDecay = 0.0) {
     auto inner = std::make_unique<TdControl<SarsaTarget, Table>>(estimate({1.0, 0.0}), ControlSettings{0.9, {}});
-    agent = std::make_unique<ShapedAgent<Table>>(std::move(inner), estimate({0.5, 0.0}),
+    agent = std::make_unique<ShapedAgent<Table>>(std::move(inner), estimate({0.5, traceDecay}),
                                                  ShapingSettings{kind, 0.8, 0.5}, 2);
     agent->setPolicy(policy);
   }
@@ -74,6 +74,28 @@ TEST(ShapedAgent, ThePotentialLearnsFromTheRewardsItIsGiven) {
   gains.episode();
   EXPECT_NEAR(losses.v(1), -2.0, 1e-12);
   EXPECT_NEAR(gains.v(1), 5.0, 1e-12);
+}
+
+// Cut off at 1, after the first episode of above: V(S′) = 3 counts, so F = .8·3 − 0 = 2.4, Q(0) = 2.4 + .9·6 = 7.8,
+// V(0) = .5·.8·3 = 1.2.
+TEST(ShapedAgent, WhereATimeLimitCutsOffTheStateAfterItHasItsValue) {
+  Shaped s(Shaping::All);
+  s.episode();
+  s.agent->start(std::vector<double>{0}, s.random);
+  s.agent->truncate({.ending = Ending::Truncated}, std::vector<double>{1}, s.random);
+  EXPECT_NEAR(s.q(0), 7.8, 1e-12);
+  EXPECT_NEAR(s.v(0), 1.2, 1e-12);
+}
+
+TEST(ShapedAgent, AnAbandonedEpisodeLeavesThePotentialNoTrace) {
+  Shaped s(Shaping::All, 0.9);
+  s.agent->start(std::vector<double>{0}, s.random);
+  s.agent->step({}, std::vector<double>{1}, s.random);
+  s.agent->abandon();
+  s.agent->start(std::vector<double>{3}, s.random);
+  s.agent->end({.reward = 10, .ending = Ending::Terminal});
+  EXPECT_NEAR(s.v(3), 5.0, 1e-12);
+  EXPECT_EQ(s.v(0), 0.0);
 }
 
 // A potential that never learns stays 0 everywhere, so F is 0.

@@ -207,4 +207,22 @@ TEST(Sarsa, WithoutTracesIsTheOneStepRule) {
   }
 }
 
+// An episode that is given up teaches nothing any more: what comes after it must not reach back over its trace.
+TEST(Sarsa, AnAbandonedEpisodeLeavesNoTrace) {
+  for (const TraceKind kind : {TraceKind::Replacing, TraceKind::Accumulating}) {
+    Corridor<> c({0.5, 0.9, 0.8, kind});
+    c.start(0);
+    c.step(1, 1);
+    EXPECT_NEAR(c.q(0, 0), 0.5, kExact);
+    c.agent->abandon();
+    std::vector<Eligibility> z;
+    c.agent->eligibility(z);
+    EXPECT_TRUE(z.empty());
+    c.start(5);
+    c.end(10);
+    EXPECT_NEAR(c.q(5, 0), 5.0, kExact);
+    EXPECT_NEAR(c.q(0, 0), 0.5, kExact);
+  }
+}
+
 }  // namespace surefoot

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/life/life.h"
 
+#include <algorithm>
+
 #include "tests/core/experiment/test_setup.h"
 
 namespace surefoot {
@@ -82,6 +84,29 @@ TEST(Life, DivergenceStopsItAndNamesTheParameter) {
   while (!life->finished()) life->step();
   ASSERT_TRUE(life->diverged());
   EXPECT_NE(life->divergence().find("agent.trace"), std::string::npos) << life->divergence();
+}
+
+// Values from 10, step size 1, γ = .98: one step that the limit cuts off leaves R + .98·10, one that ends leaves R.
+TEST(Life, AStepLimitIsNoEnd) {
+  const Registry r = fullRegistry();
+  Names names;
+  names.environment = "cliff";
+  names.features = "table";
+  names.policy = "greedy";
+  auto c = configure(r, names,
+                     {{"environment.max_steps", "1"},
+                      {"agent.step_size", "1"},
+                      {"agent.discount", "0.98"},
+                      {"features.initial_low", "10"},
+                      {"features.initial_high", "10"}});
+  ASSERT_TRUE(c) << c.error().message;
+  auto life = lifeOf(r, *c);
+  life->step();
+  ASSERT_EQ(life->log().totals().episodes, 1);
+  std::vector<double> q(4);
+  life->agent().values().evaluate(std::vector<double>{0, 0}, Layer::Sum, q);
+  const double learned = *std::min_element(q.begin(), q.end());
+  EXPECT_NEAR(learned, life->log().last().reward + 9.8, 1e-12);
 }
 
 }  // namespace surefoot

@@ -26,7 +26,7 @@ void ActionKey::refresh() {
   if (!session_.task().actionVariables.empty()) {
     const std::string& now = session_.configuration().names.policy;
     for (const auto& entry : session_.registry().policies)
-      if (entry.name == now || entry.name == "epsilon-greedy" || entry.name == "trl" || entry.name == "softmax")
+      if (entry.name == now || entry.name != "greedy")
         items.push_back({toText(entry.title), entry.name, entry.name == now});
   } else if (!session_.shown().qPositive.empty()) {
     items = {{kNegative, "", false}, {kPositive, "", false}, {QStringLiteral("Q"), "", false}};

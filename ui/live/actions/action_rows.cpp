@@ -18,7 +18,6 @@ namespace surefoot {
 
 namespace {
 constexpr int kUpdateEvery = 200;  // [ms]: numbers that change faster cannot be read; bars are of the same moment
-constexpr const char* kShown[] = {"epsilon-greedy", "trl", "softmax"};
 }  // namespace
 
 ActionRows::ActionRows(Session& session, QWidget* parent) : Painted(parent), session_(session) {
@@ -42,7 +41,9 @@ ActionRows::ActionRows(Session& session, QWidget* parent) : Painted(parent), ses
 
 void ActionRows::rebuild() {
   columns_.clear();
-  std::vector<std::string> names(std::begin(kShown), std::end(kShown));
+  std::vector<std::string> names;
+  for (const auto& entry : session_.registry().policies)
+    if (entry.name != "greedy") names.push_back(entry.name);  // the others say which action that is
   if (const std::string& now = session_.configuration().names.policy;
       std::find(names.begin(), names.end(), now) == names.end())
     names.insert(names.begin(), now);
