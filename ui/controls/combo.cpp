@@ -17,6 +17,14 @@ Combo::Combo(const QString& name, QWidget* parent) : QComboBox(parent) {
   setFocusPolicy(Qt::TabFocus);  // one that is chosen by mouse leaves the keys to the page
 }
 
+std::string Combo::chosen() const {
+  return currentData().toString().toStdString();
+}
+
+void Combo::choose(const std::string& name) {
+  if (const int item = findData(toText(name)); item >= 0) setCurrentIndex(item);
+}
+
 void Combo::setPolicyMarkers() {
   markers_ = true;
   setIconSize(scaled({16, 16}));

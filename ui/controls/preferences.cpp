@@ -62,7 +62,7 @@ PreferencesDialog::PreferencesDialog(QWidget* parent) : QDialog(parent) {
     grid->setVerticalSpacing(scaled(10));
   });
   int row = 0;
-  const auto label = [&](const QString& text) { grid->addWidget(new QLabel(text), row, 0, Qt::AlignTop); };
+  const auto label = [&](const QString& text) { grid->addWidget(new QLabel(text), row, 0, Qt::AlignVCenter); };
 
   label(tr("Colours"));
   auto* group = new QButtonGroup(this);

@@ -28,6 +28,7 @@ PlanEditor::PlanEditor(Experiment& experiment, QWidget* parent)
     : QWidget(parent),
       experiment_(experiment),
       edit_(new QPlainTextEdit),
+      form_(new ConditionForm(experiment.registry())),
       verdict_(new QLabel),
       use_(new QPushButton(tr("Use this plan"))) {
   edit_->setAccessibleName(tr("Plan"));
@@ -37,7 +38,6 @@ PlanEditor::PlanEditor(Experiment& experiment, QWidget* parent)
   verdict_->setTextFormat(Qt::PlainText);
   auto* live = new QPushButton(tr("Add what the Live page runs"));
   auto* column = new QVBoxLayout(this);
-  auto* form = new ConditionForm(experiment.registry());
   auto* scroll = new QScrollArea;
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
@@ -51,13 +51,13 @@ PlanEditor::PlanEditor(Experiment& experiment, QWidget* parent)
     column->setContentsMargins(scaled({12, 4, 12, 12}));
     scroll->setFixedWidth(scaled(360));
   });
-  scroll->setWidget(form);
+  scroll->setWidget(form_);
   auto* upper = new QHBoxLayout;
   upper->addWidget(edit_, 1);
   upper->addWidget(scroll);
   column->addLayout(upper, 1);
-  connect(form, &ConditionForm::addAsked, this, [this, form] {
-    const auto toml = form->toml();
+  connect(form_, &ConditionForm::addAsked, this, [this] {
+    const auto toml = form_->toml();
     if (toml)
       addCondition(*toml);
     else
@@ -80,6 +80,7 @@ PlanEditor::PlanEditor(Experiment& experiment, QWidget* parent)
     // Edits that are not used yet stay while the plan is the one that they began with; else undo brings them back.
     const QString now = toText(experiment_.text());
     if (std::exchange(used_, now) == now && !text().isEmpty()) return;
+    form_->forget();
     setText(now);
   });
 }
@@ -166,6 +167,7 @@ void PlanEditor::check() {
       [this, made] {
         const Result<Plan>& plan = **made;
         use_->setEnabled(static_cast<bool>(plan));
+        if (plan && !plan->conditions.empty()) form_->beginAs(plan->conditions.front());
         say(plan ? tr("%n conditions", nullptr, static_cast<int>(plan->conditions.size())) +
                        tr(", %1 each").arg(livesText(plan->lives))
                  : toText(plan.error().message));

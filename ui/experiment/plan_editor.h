@@ -14,6 +14,7 @@ class QPushButton;
 
 namespace surefoot {
 
+class ConditionForm;
 class Experiment;
 
 class PlanEditor final : public QWidget {
@@ -49,6 +50,7 @@ class PlanEditor final : public QWidget {
   Experiment& experiment_;
   QString used_;  // the experiment's plan
   QPlainTextEdit* edit_;
+  ConditionForm* form_;
   QLabel* verdict_;
   QPushButton* use_;
   Background checking_;  // last: it is waited for first

@@ -96,9 +96,7 @@ void CompareStrip::makeChoices() {
   starts_->addItem(tr("same start"), static_cast<int>(Rival::Start::Same));
   starts_->addItem(tr("empty"), static_cast<int>(Rival::Start::Empty));
   starts_->addItem(tr("a file …"), static_cast<int>(Rival::Start::File));
-  const auto chosen = [this] {
-    rival_.choose(agents_->currentData().toString().toStdString(), policies_->currentData().toString().toStdString());
-  };
+  const auto chosen = [this] { rival_.choose(agents_->chosen(), policies_->chosen()); };
   connect(agents_, &QComboBox::activated, this, chosen);
   connect(policies_, &QComboBox::activated, this, chosen);
   connect(starts_, &QComboBox::activated, this, &CompareStrip::chooseStart);
@@ -111,7 +109,7 @@ void CompareStrip::fillAgents() {
   for (const auto& entry : rival_.first().registry().agents)
     if (entry.name != "scripted" || rival_.first().task().handMade)
       agents_->addItem(toText(entry.title), toText(entry.name));
-  agents_->setCurrentIndex(agents_->findData(toText(rival_.agent())));
+  agents_->choose(rival_.agent());
 }
 
 void CompareStrip::chooseStart(int index) {

@@ -17,6 +17,18 @@ namespace {
 constexpr int kFieldMargin = 9, kChevron = 18, kShortestHandle = 24;               // [px]
 constexpr int kMenuItemMargin = 5, kSeparator = 9, kCellMargin = 10, kField = 26;  // [px]
 constexpr int kSpinMargin = 6;
+constexpr int kSpinButtons = 22;
+
+/// The buttons stand above each other at the right end, as large as the text is.
+QRect spinBoxPart(const QStyleOptionSpinBox& box, QStyle::SubControl part, const QRect& usual) {
+  const int buttons = box.buttonSymbols == QAbstractSpinBox::NoButtons ? 0 : scaled(kSpinButtons);
+  const QRect right(box.rect.right() + 1 - buttons, box.rect.top(), buttons, box.rect.height());
+  if (part == QStyle::SC_SpinBoxUp) return right.adjusted(0, 0, 0, -right.height() / 2);
+  if (part == QStyle::SC_SpinBoxDown) return right.adjusted(0, right.height() / 2, 0, 0);
+  if (part != QStyle::SC_SpinBoxEditField) return usual;
+  return QRect(usual.left() + scaled(kSpinMargin), usual.top(), right.left() - usual.left() - scaled(kSpinMargin),
+               usual.height());
+}
 
 /// The handle, or the groove before or after it. There are no buttons at the ends.
 QRect scrollBarPart(const QStyleOptionSlider& bar, QStyle::SubControl part) {
@@ -111,7 +123,7 @@ QSize FlatStyle::sizeFromContents(ContentsType type, const QStyleOption* option,
     case CT_LineEdit:
       return isFramed(option) ? contents + scaled({2 * kFieldMargin, 8}) : usual;
     case CT_SpinBox:
-      return (usual + QSize(scaled(kSpinMargin), 0)).expandedTo({0, scaled(kField)});
+      return (usual + QSize(scaled(kSpinMargin + kSpinButtons), 0)).expandedTo({0, scaled(kField)});
     case CT_MenuBarItem:
       return contents + scaled({16, 8});
     case CT_MenuItem: {
@@ -140,8 +152,8 @@ QRect FlatStyle::subControlRect(ComplexControl control, const QStyleOptionComple
     return scrollBarPart(*bar, part);
   if (control == CC_ComboBox && part == SC_ComboBoxEditField)
     return option->rect.adjusted(scaled(kFieldMargin), 3, -scaled(kFieldMargin + kChevron), -3);  // its frame is seen
-  if (control == CC_SpinBox && part == SC_SpinBoxEditField)
-    return QProxyStyle::subControlRect(control, option, part, widget).adjusted(scaled(kSpinMargin), 0, 0, 0);
+  if (const auto* box = qstyleoption_cast<const QStyleOptionSpinBox*>(option); box && control == CC_SpinBox)
+    return spinBoxPart(*box, part, QProxyStyle::subControlRect(control, option, part, widget));
   if (control == CC_ComboBox && part == SC_ComboBoxArrow)
     return {option->rect.right() - scaled(kField), option->rect.top(), scaled(20), option->rect.height()};
   return QProxyStyle::subControlRect(control, option, part, widget);

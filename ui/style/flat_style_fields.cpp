@@ -146,12 +146,11 @@ void FlatStyle::drawSpinBox(const QStyleOptionSpinBox& option, QPainter& painter
   drawPlate(painter, option, t.panel, enabled ? t.outline : t.hairline);
   if (option.buttonSymbols == QAbstractSpinBox::NoButtons) return;
   for (const bool up : {true, false}) {
-    QRectF place = subControlRect(CC_SpinBox, &option, up ? SC_SpinBoxUp : SC_SpinBoxDown, widget);
-    place.moveRight(std::min(place.right(), option.rect.right() - scaled(5.0)));
+    const QRectF place = subControlRect(CC_SpinBox, &option, up ? SC_SpinBoxUp : SC_SpinBoxDown, widget);
     const bool possible =
         enabled && (option.stepEnabled & (up ? QAbstractSpinBox::StepUpEnabled : QAbstractSpinBox::StepDownEnabled));
     painter.save();
-    enlargeAround(painter, place.center());
+    enlargeAround(painter, QPointF(place.center().x(), up ? place.bottom() - scaled(6.0) : place.top() + scaled(6.0)));
     if (up) painter.rotate(180);
     drawIcon(painter, Icon::Chevron, QRectF(-5, -4, 10, 8), possible ? t.ink : t.outline);
     painter.restore();

@@ -4,12 +4,10 @@
 #include <fmt/format.h>
 
 #include <QFormLayout>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 
-#include "core/plans/plan_writing.h"
-#include "core/text/number_text.h"
-#include "core/text/text.h"
 #include "ui/controls/combo.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
@@ -17,10 +15,6 @@
 namespace surefoot {
 
 namespace {
-
-std::string chosen(const Combo* combo) {
-  return combo->currentData().toString().toStdString();
-}
 
 template <class Entries>
 void fill(Combo* combo, const Entries& entries) {
@@ -40,29 +34,14 @@ QLineEdit* field(const QString& name, const QString& text) {
   return edit;
 }
 
-/// "0; 50; 100" as numbers or choices of a parameter: 0 or [0, 50, 100].
-Result<std::string> valuesOf(const Parameter& parameter, const std::string& text) {
-  auto list = splitList(parameter.key, text);
-  const bool one = text.find_first_of(",;") == std::string::npos && parseValue(parameter, text);  // "9 min"
-  if (one) list = std::vector<std::string>{text};
-  if (!list) return list.error();
-  std::vector<std::string> values;
-  for (const std::string& item : *list) {
-    const auto value = parseValue(parameter, item);
-    if (!value) return value.error();
-    const std::string written = formatValue(parameter, *value);
-    values.push_back(parameter.choices.empty() ? written : tomlText(written));
-  }
-  return values.size() == 1 ? values[0] : fmt::format("[{}]", fmt::join(values, ", "));
-}
-
 }  // namespace
 
 ConditionForm::ConditionForm(const Registry& registry, QWidget* parent)
     : QWidget(parent),
       registry_(registry),
+      lengthLabel_(new QLabel),
       name_(field(tr("Name of the condition"), {})),
-      minutes_(field(tr("Length of a life"), "6")),
+      length_(field(tr("Length of a life"), {})),
       until_(field(tr("Average reward that ends the pre-learning"), "198")),
       pool_(field(tr("Q-functions in the pool"), "5")),
       environment_(new Combo(tr("Environment of the condition"))),
@@ -75,10 +54,10 @@ ConditionForm::ConditionForm(const Registry& registry, QWidget* parent)
   fill(agent_, registry.agents);
   fill(features_, registry.features);
   fill(policy_, registry.policies);
-  environment_->setCurrentIndex(environment_->findData(toText(Names().environment)));
-  agent_->setCurrentIndex(agent_->findData(toText(Names().agent)));
-  features_->setCurrentIndex(features_->findData(toText(Names().features)));
-  policy_->setCurrentIndex(policy_->findData(toText(Names().policy)));
+  environment_->choose(Names().environment);
+  agent_->choose(Names().agent);
+  features_->choose(Names().features);
+  policy_->choose(Names().policy);
   for (Combo* combo : {environment_, scenario_, agent_, features_, policy_, preLearned_}) narrow(combo);
   auto* form = new QFormLayout(this);
   whenScaled(this, [form] {
@@ -91,7 +70,7 @@ ConditionForm::ConditionForm(const Registry& registry, QWidget* parent)
   form->addRow(tr("Learning rule"), agent_);
   form->addRow(tr("Representation"), features_);
   form->addRow(tr("Policy"), policy_);
-  form->addRow(tr("A life [min, or episodes]"), minutes_);
+  form->addRow(lengthLabel_, length_);
   int number = 0;
   for (Sweep& sweep : sweeps_) {
     ++number;
@@ -107,10 +86,57 @@ ConditionForm::ConditionForm(const Registry& registry, QWidget* parent)
   auto* add = new QPushButton(tr("Add the condition"));
   form->addRow({}, add);
   connect(add, &QPushButton::clicked, this, &ConditionForm::addAsked);
-  connect(environment_, &QComboBox::activated, this, &ConditionForm::fillForEnvironment);
+  watch();
+  setCounted(!hasClock());
+  fillForEnvironment();
+}
+
+void ConditionForm::watch() {
+  connect(environment_, &QComboBox::activated, this, [this] {
+    features_->choose(Names().features);  // which suit every environment
+    if (episodes_ == hasClock()) setCounted(!hasClock());
+    fillForEnvironment();
+  });
   for (Combo* combo : {agent_, features_, policy_})
     connect(combo, &QComboBox::activated, this, &ConditionForm::fillKeys);
+  const auto touch = [this] { touched_ = true; };
+  for (Combo* combo : findChildren<Combo*>()) connect(combo, &QComboBox::activated, this, touch);
+  for (QLineEdit* edit : findChildren<QLineEdit*>()) connect(edit, &QLineEdit::textEdited, this, touch);
+}
+
+void ConditionForm::beginAs(const Condition& condition) {
+  if (touched_) return;
+  const Configuration& c = condition.configuration;
+  environment_->choose(c.names.environment);
+  agent_->choose(c.names.agent);
+  features_->choose(c.names.features);
+  policy_->choose(c.names.policy);
+  setCounted(c.episodes && (!c.minutes || !hasClock()));
+  if (episodes_)
+    length_->setText(QString::number(*c.episodes));
+  else if (c.minutes)
+    length_->setText(toText(fmt::format("{}", *c.minutes)));
   fillForEnvironment();
+  scenario_->choose(c.names.scenario);
+  if (!condition.preLearning) return;
+  preLearned_->choose(condition.preLearning->configuration.names.scenario);
+  if (const auto& until = condition.preLearning->configuration.until)
+    until_->setText(toText(fmt::format("{}", *until)));
+  pool_->setText(QString::number(condition.preLearning->pool));
+}
+
+/// In what a life's length is counted, with a usual length.
+void ConditionForm::setCounted(bool episodes) {
+  episodes_ = episodes;
+  lengthLabel_->setText(episodes ? tr("A life [episodes]") : tr("A life [min]"));
+  length_->setText(episodes ? "500" : "6");
+}
+
+bool ConditionForm::hasClock() const {
+  const auto c = configure(registry_, names(), {});
+  if (!c) return false;
+  const auto environment = makeEnvironment(registry_, *c);
+  return environment && (*environment)->task().stepTime;
 }
 
 void ConditionForm::makePreLearning(QFormLayout* form) {
@@ -118,7 +144,7 @@ void ConditionForm::makePreLearning(QFormLayout* form) {
   form->addRow(tr("until reward"), until_);
   form->addRow(tr("Q-functions"), pool_);
   const auto enable = [this] {
-    for (QLineEdit* edit : {until_, pool_}) edit->setEnabled(!chosen(preLearned_).empty());
+    for (QLineEdit* edit : {until_, pool_}) edit->setEnabled(!preLearned_->chosen().empty());
   };
   connect(preLearned_, &QComboBox::currentIndexChanged, this, enable);
   enable();
@@ -129,7 +155,7 @@ void ConditionForm::fillForEnvironment() {
   preLearned_->clear();
   preLearned_->addItem(tr("nothing"));
   for (const auto& entry : registry_.scenarios) {
-    if (entry.environment != chosen(environment_)) continue;
+    if (entry.environment != environment_->chosen()) continue;
     scenario_->addItem(toText(entry.title), toText(entry.name));
     preLearned_->addItem(toText(entry.title), toText(entry.name));
   }
@@ -140,11 +166,11 @@ void ConditionForm::fillForEnvironment() {
 
 Names ConditionForm::names() const {
   Names n;
-  n.environment = chosen(environment_);
-  n.scenario = chosen(scenario_);
-  n.agent = chosen(agent_);
-  n.features = chosen(features_);
-  n.policy = chosen(policy_);
+  n.environment = environment_->chosen();
+  n.scenario = scenario_->chosen();
+  n.agent = agent_->chosen();
+  n.features = features_->chosen();
+  n.policy = policy_->chosen();
   return n;
 }
 
@@ -154,7 +180,7 @@ void ConditionForm::fillKeys() {
   const auto policies = findEntry(registry_.policies, "policy", names().policy);
   const std::vector<std::string> own = policies ? policyKeys(**policies) : std::vector<std::string>{};
   for (Sweep& sweep : sweeps_) {
-    const std::string before = chosen(sweep.key);
+    const std::string before = sweep.key->chosen();
     sweep.key->clear();
     sweep.key->addItem(tr("nothing"));
     for (const auto& entry : c->parameters.all()) {
@@ -162,66 +188,8 @@ void ConditionForm::fillKeys() {
       if (key.starts_with("policy.") && std::find(own.begin(), own.end(), key) == own.end()) continue;
       sweep.key->addItem(toText(fmt::format("{} ({})", entry.parameter.title, key)), toText(key));
     }
-    sweep.key->setCurrentIndex(std::max(0, sweep.key->findData(toText(before))));
+    sweep.key->choose(before);
   }
-}
-
-/// Its policy, and in braces what is varied.
-std::string ConditionForm::name() const {
-  if (const QString name = name_->text().simplified(); !name.isEmpty()) return name.toStdString();
-  std::string name = policy_->currentText().toStdString();
-  if (const std::string on = chosen(preLearned_); !on.empty()) name = fmt::format("pre({}): {}", on, name);
-  for (const Sweep& sweep : sweeps_) {
-    const std::string key = chosen(sweep.key);
-    if (!key.empty()) name += fmt::format(", {} {{{}}}", key.substr(key.rfind('.') + 1), key);
-  }
-  return name;
-}
-
-Result<std::string> ConditionForm::toml() const {
-  const auto c = configure(registry_, names(), {});
-  if (!c) return c.error();
-  const auto environment = makeEnvironment(registry_, *c);
-  if (!environment) return environment.error();
-  std::string toml = fmt::format("[[condition]]\nname = {}\nbase = false\n", tomlText(name()));
-  const auto line = [&](const char* key, const std::string& value) {
-    if (!value.empty()) toml += fmt::format("{} = \"{}\"\n", key, value);
-  };
-  const Names n = names();
-  line("environment", n.environment);
-  line("scenario", n.scenario);
-  line("agent", n.agent);
-  line("features", n.features);
-  line("policy", n.policy);
-  const bool clock = (*environment)->task().stepTime.has_value();
-  const auto length = parseValue({.key = clock ? "minutes" : "episodes",
-                                  .unit = clock ? "min" : "episodes",
-                                  .low = clock ? 0.001 : 1,
-                                  .high = 1e6,
-                                  .kind = clock ? Kind::Real : Kind::Integer},
-                                 minutes_->text().trimmed().toStdString());
-  if (!length) return length.error();
-  toml += clock ? fmt::format("minutes = {}\n", *length) : fmt::format("episodes = {:.0f}\n", *length);
-  if (!chosen(sweeps_[0].key).empty() && chosen(sweeps_[0].key) == chosen(sweeps_[1].key))
-    return Error{fmt::format("{}: it is set twice; take it out of one of the two rows.", chosen(sweeps_[0].key))};
-  for (const Sweep& sweep : sweeps_) {
-    const Parameters::Entry* entry = c->parameters.find(chosen(sweep.key));
-    if (!entry) continue;
-    const auto values = valuesOf(entry->parameter, sweep.values->text().trimmed().toStdString());
-    if (!values) return values.error();
-    toml += fmt::format("set.{} = {}\n", entry->parameter.key, *values);
-  }
-  if (const std::string on = chosen(preLearned_); !on.empty()) {
-    const auto until =
-        parseValue({.key = "pre-learning.until", .low = -1e9, .high = 1e9}, until_->text().trimmed().toStdString());
-    if (!until) return until.error();
-    const auto pool = parseValue({.key = "pre-learning.pool", .low = 1, .high = 1000, .kind = Kind::Integer},
-                                 pool_->text().trimmed().toStdString());
-    if (!pool) return pool.error();
-    toml += fmt::format("pre-learning.scenario = \"{}\"\npre-learning.until = {}\npre-learning.pool = {:.0f}\n", on,
-                        *until, *pool);
-  }
-  return toml;
 }
 
 }  // namespace surefoot

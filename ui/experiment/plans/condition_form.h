@@ -5,9 +5,10 @@
 #include <QWidget>
 #include <array>
 
-#include "core/experiment/configuration.h"
+#include "core/plans/plan.h"
 
 class QFormLayout;
+class QLabel;
 class QLineEdit;
 
 namespace surefoot {
@@ -21,6 +22,10 @@ class ConditionForm final : public QWidget {
   explicit ConditionForm(const Registry& registry, QWidget* parent = nullptr);
   /// The block as the form is filled in; an error names the field.
   Result<std::string> toml() const;
+  /// Says what this condition says, unless somebody has filled something in.
+  void beginAs(const Condition& condition);
+  /// What was filled in may go.
+  void forget() { touched_ = false; }
 
  Q_SIGNALS:
   void addAsked();
@@ -31,13 +36,21 @@ class ConditionForm final : public QWidget {
     QLineEdit* values;
   };
   void makePreLearning(QFormLayout* form);
+  void watch();
   void fillForEnvironment();
   void fillKeys();
+  void setCounted(bool episodes);
+  bool hasClock() const;
+  Result<std::string> length() const;
+  Result<std::string> preLearning() const;
   Names names() const;
   std::string name() const;
 
   const Registry& registry_;
-  QLineEdit *name_, *minutes_, *until_, *pool_;
+  bool touched_ = false;
+  bool episodes_ = false;  // a life's length is counted in episodes, not in minutes
+  QLabel* lengthLabel_;
+  QLineEdit *name_, *length_, *until_, *pool_;
   Combo *environment_, *scenario_, *agent_, *features_, *policy_, *preLearned_;
   std::array<Sweep, 2> sweeps_;
 };

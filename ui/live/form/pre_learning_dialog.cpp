@@ -86,12 +86,11 @@ void PreLearningDialog::makeModel(QGridLayout* grid) {
   }
   grid->addWidget(model_, 1, 0, 1, 3);
   model_->setVisible(!model_->empty());
-  connect(scenario_, &QComboBox::activated, this,
-          [this] { useScenario(scenario_->currentData().toString().toStdString()); });
+  connect(scenario_, &QComboBox::activated, this, [this] { useScenario(scenario_->chosen()); });
   connect(model_, &ModelRows::simulationTyped, scenario_, [this] { scenario_->setCurrentIndex(0); });
   if (scenario_->count() > 2) {
-    scenario_->setCurrentIndex(scenario_->findData(QStringLiteral("2")));
-    useScenario(scenario_->currentData().toString().toStdString());
+    scenario_->choose("2");
+    useScenario(scenario_->chosen());
   }
 }
 
