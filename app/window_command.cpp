@@ -105,9 +105,9 @@ int windowCommand(const Registry& registry, const WindowRequest& request, int ar
   setup.asksOnQuit = !request.json && !request.log;  // then quitting writes what came out
   MainWindow window(session, std::move(setup));
   window.show();
-  application.tell = [&session](const QString& sentence) { Q_EMIT session.refused(sentence); };
-  session.setTurbo(request.turbo);
-  session.setRunning(preferences.beginRunning);
+  application.tell = [&session](const QString& sentence) { Q_EMIT session.newLives().refused(sentence); };
+  session.life().setTurbo(request.turbo);
+  session.life().setRunning(preferences.beginRunning);
 
   const std::atomic<bool>& interrupted = watchForInterrupt();
   QTimer watch;
@@ -118,8 +118,8 @@ int windowCommand(const Registry& registry, const WindowRequest& request, int ar
 
   QApplication::exec();
   application.tell = nullptr;
-  const std::unique_ptr<Life> life = session.finish();
-  const int code = report(request, session.configuration(), *life, std::move(log));
+  const std::unique_ptr<Life> life = session.life().finish();
+  const int code = report(request, session.life().configuration(), *life, std::move(log));
   if (const auto& why = window.whyNotKept())
     return fail({fmt::format("the session is not kept for the next start: {}", why->message), why->kind});
   return code == kDone && interrupted && !life->finished() ? kInterrupted : code;

@@ -38,7 +38,7 @@ LearnerThread::LearnerThread(std::unique_ptr<Life> life)
       thread_([this] { run(); }) {}
 
 LearnerThread::~LearnerThread() {
-  if (thread_.joinable()) stop();
+  stop();
 }
 
 std::unique_ptr<Life> LearnerThread::stop() {
@@ -47,7 +47,7 @@ std::unique_ptr<Life> LearnerThread::stop() {
     stop_ = true;
   }
   wake_.notify_one();
-  thread_.join();
+  if (thread_.joinable()) thread_.join();
   return std::move(life_);
 }
 

@@ -86,7 +86,7 @@ class LearnerThread {
   /// The falls since the last call, the newest last; at most kMostFalls, thinned out as thinOut() says.
   std::vector<Fall> takeFalls();
 
-  /// Ends the thread and hands the life over, as it is.
+  /// Ends the thread and hands the life over, as it is; nullptr where that was done before.
   std::unique_ptr<Life> stop();
 
  private:

@@ -143,13 +143,13 @@ Speed withoutWindow(Headless& headless) {
 
 /// In turbo. Steps are those of the snapshots of the first frame and the last, taken when these were.
 Speed withWindow(Session& session, PaintCounter& frames) {
-  session.setRunning(true);
+  session.life().setRunning(true);
   processEventsFor(kSettle);
   std::optional<Stopwatch> watch;
   std::int64_t first = 0, last = 0;
   Clock::time_point end;
-  const auto connection = QObject::connect(&session, &Session::frame, [&] {
-    last = session.snapshot().steps;
+  const auto connection = QObject::connect(&session.looking(), &Looking::frame, [&] {
+    last = session.life().snapshot().steps;
     end = Clock::now();
     if (!watch) watch.emplace(), first = last;
   });
@@ -160,7 +160,7 @@ Speed withWindow(Session& session, PaintCounter& frames) {
   frames.seconds += whole.secondsUntil(Clock::now());
   QObject::disconnect(connection);
   const Speed speed = watch ? watch->of(last - first, end) : Speed{};
-  session.setRunning(false);
+  session.life().setRunning(false);
   processEventsFor(kSettle);
   return speed;
 }
@@ -211,7 +211,7 @@ int main(int argc, char** argv) {
   if (everyPanel) openEveryPanel(window.livePage());
   PaintCounter frames;
   window.findChild<WorldView*>()->installEventFilter(&frames);
-  session.setTurbo(true);
+  session.life().setTurbo(true);
 
   const auto start = Clock::now();
   const auto elapsed = [&] { return std::chrono::duration<double>(Clock::now() - start).count() / 60; };

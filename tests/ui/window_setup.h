@@ -52,11 +52,11 @@ struct Window {
 /// A window in another environment, which learns flat out.
 struct Elsewhere : Window {
   explicit Elsewhere(const std::string& environment, const std::string& policy = "epsilon-greedy") : Window(policy) {
-    EXPECT_TRUE(session->beginEnvironment(environment));
-    EXPECT_TRUE(waitFor([&] { return session->snapshot().life == 2 && session->values(); }, 30'000));
-    session->setTurbo(true);
-    session->setRunning(true);
-    EXPECT_TRUE(waitFor([&] { return session->snapshot().totals.episodes > 3; }, 30'000));
+    EXPECT_TRUE(session->newLives().beginEnvironment(environment));
+    EXPECT_TRUE(waitFor([&] { return session->life().snapshot().life == 2 && session->life().values(); }, 30'000));
+    session->life().setTurbo(true);
+    session->life().setRunning(true);
+    EXPECT_TRUE(waitFor([&] { return session->life().snapshot().totals.episodes > 3; }, 30'000));
     QTest::qWait(300);
   }
 };

@@ -20,7 +20,7 @@
 #include "ui/experiment/figures/condition_name.h"
 #include "ui/experiment/plan_editor.h"
 #include "ui/experiment/plans/plan_chooser.h"
-#include "ui/session/session.h"
+#include "ui/session/running_life.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
@@ -39,11 +39,11 @@ QString storeText(const std::string& path) {
 
 }  // namespace
 
-ExperimentPage::ExperimentPage(Session& session, std::vector<PlanSource> sources, const QString& folder,
+ExperimentPage::ExperimentPage(const RunningLife& life, std::vector<PlanSource> sources, const QString& folder,
                                QWidget* parent)
     : QWidget(parent),
-      session_(session),
-      experiment_(session.registry(), std::move(sources), folder) {
+      life_(life),
+      experiment_(life.registry(), std::move(sources), folder) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
@@ -72,8 +72,7 @@ ExperimentPage::ExperimentPage(Session& session, std::vector<PlanSource> sources
   column->addWidget(scroll, 1);
 
   connect(editor_, &PlanEditor::used, this, [this] { showPlan(false); });
-  connect(editor_, &PlanEditor::liveConditionAsked, this,
-          [this] { editor_->addConfiguration(session_.configuration()); });
+  connect(editor_, &PlanEditor::liveConditionAsked, this, [this] { editor_->addConfiguration(life_.configuration()); });
   connect(&experiment_, &Experiment::failed, this, [this](const QString& why) {
     runWhenOpen_ = false;
     Q_EMIT refused(why);

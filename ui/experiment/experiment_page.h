@@ -20,13 +20,14 @@ class LinkButton;
 class PlanChooser;
 class PanelHeader;
 class PlanEditor;
-class Session;
+class RunningLife;
 
 class ExperimentPage final : public QWidget {
   Q_OBJECT
 
  public:
-  ExperimentPage(Session& session, std::vector<PlanSource> sources, const QString& folder, QWidget* parent = nullptr);
+  ExperimentPage(const RunningLife& life, std::vector<PlanSource> sources, const QString& folder,
+                 QWidget* parent = nullptr);
   Experiment& experiment() { return experiment_; }
   /// A plan, a recipe or a store of results.
   void open(const QString& path);
@@ -70,7 +71,7 @@ class ExperimentPage final : public QWidget {
   void writeCharts(const QString& folder);
   void exportTables(bool forSpreadsheets);
 
-  Session& session_;
+  const RunningLife& life_;
   Experiment experiment_;
   PlanChooser* source_ = nullptr;
   QSpinBox* lives_ = nullptr;

@@ -12,30 +12,30 @@ namespace surefoot {
 namespace {
 
 /// How long a new life may be.
-std::string usualLength(const Session& session) {
-  return session.task().stepTime ? "--minutes 9" : "--episodes 900";
+std::string usualLength(const RunningLife& life) {
+  return life.task().stepTime ? "--minutes 9" : "--episodes 900";
 }
 
 /// Some more than the life has lived: the limits of --resume count from its beginning.
-std::string somewhatLonger(const Session& session) {
-  const Snapshot& now = session.snapshot();
-  const auto& stepTime = session.task().stepTime;
+std::string somewhatLonger(const RunningLife& life) {
+  const Snapshot& now = life.snapshot();
+  const auto& stepTime = life.task().stepTime;
   std::string length;
   if (stepTime)
     length = fmt::format("--minutes {:.0f}", std::ceil(static_cast<double>(now.steps) * *stepTime / 60) + 10);
-  if (!stepTime || session.configuration().episodes)
+  if (!stepTime || life.configuration().episodes)
     length += fmt::format("{}--episodes {}", stepTime ? " " : "", now.totals.episodes + 1000);
   return length;
 }
 
 }  // namespace
 
-QString suggestedCommand(SavedAs what, const QString& path, const Session& session) {
+QString suggestedCommand(SavedAs what, const QString& path, const RunningLife& life) {
   const std::string file = shellQuoted(path.toStdString());
   const std::string command = what == SavedAs::Journal ? "surefoot replay " + file
                               : what == SavedAs::QFunction
-                                  ? fmt::format("surefoot train --load {} {}", file, usualLength(session))
-                                  : fmt::format("surefoot train --resume {} {}", file, somewhatLonger(session));
+                                  ? fmt::format("surefoot train --load {} {}", file, usualLength(life))
+                                  : fmt::format("surefoot train --resume {} {}", file, somewhatLonger(life));
   return QString::fromStdString(command);
 }
 

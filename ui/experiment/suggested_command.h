@@ -4,11 +4,11 @@
 
 #include <QString>
 
-#include "ui/session/session.h"
+#include "ui/session/running_life.h"
 
 namespace surefoot {
 
 /// The command that goes on with the file; it works as it is, whatever the name and the environment.
-QString suggestedCommand(SavedAs what, const QString& path, const Session& session);
+QString suggestedCommand(SavedAs what, const QString& path, const RunningLife& life);
 
 }  // namespace surefoot

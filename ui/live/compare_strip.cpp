@@ -28,8 +28,8 @@ QString count(std::int64_t number) {
   return toText(countText(static_cast<double>(number)));
 }
 
-QString beganAs(const Session& session) {
-  const QString beginning = session.beginning();
+QString beganAs(const RunningLife& life) {
+  const QString beginning = life.beginning();
   return beginning.isEmpty() ? CompareStrip::tr("began empty") : CompareStrip::tr("began %1").arg(beginning);
 }
 
@@ -78,12 +78,12 @@ CompareStrip::CompareStrip(Rival& rival)
   grid->addWidget(new QLabel(tr("Falls")), 3, 0);
   grid->addWidget(falls_, 3, 1, 1, 3);
   makeChoices();
-  for (Session* session : {&rival_.first(), &rival_.session()}) {
-    connect(session, &Session::valuesArrived, this, &CompareStrip::refreshFalls);
-    connect(session, &Session::configurationChanged, this, &CompareStrip::refresh);
-    connect(session, &Session::lifeReplaced, this, &CompareStrip::refresh);
+  for (RunningLife* life : {&rival_.first(), &rival_.session().life()}) {
+    connect(life, &RunningLife::valuesArrived, this, &CompareStrip::refreshFalls);
+    connect(life, &RunningLife::configurationChanged, this, &CompareStrip::refresh);
+    connect(life, &RunningLife::replaced, this, &CompareStrip::refresh);
   }
-  connect(&rival_.first(), &Session::parametersReplaced, this, &CompareStrip::fillAgents);
+  connect(&rival_.first(), &RunningLife::parametersReplaced, this, &CompareStrip::fillAgents);
   connect(&rival_, &Rival::changed, this, &CompareStrip::refresh);
   refresh();
 }
@@ -121,15 +121,15 @@ void CompareStrip::chooseStart(int index) {
 }
 
 QString CompareStrip::first() const {
-  Session& session = rival_.first();
+  const RunningLife& first = rival_.first();
   RunCurve now;
-  now.agent = session.configuration().names.agent;
-  now.pieces = {{.policy = session.configuration().names.policy, .points = {}}};
-  return toText(nameOf(now, session.registry())) + QStringLiteral(", ") + beganAs(session);
+  now.agent = first.configuration().names.agent;
+  now.pieces = {{.policy = first.configuration().names.policy, .points = {}}};
+  return toText(nameOf(now, first.registry())) + QStringLiteral(", ") + beganAs(first);
 }
 
 QString CompareStrip::falls() const {
-  const RunCurve &a = rival_.first().curves().live(), &b = rival_.session().curves().live();
+  const RunCurve &a = rival_.first().curves().live(), &b = rival_.session().life().curves().live();
   const auto episodes = fallsAtEqualEpisodes(a, b);
   if (b.points.empty()) return tr("The second has not finished an episode yet.");
   if (!episodes) return tr("No episode has ended in both yet.");
@@ -160,7 +160,8 @@ void CompareStrip::refresh() {
     combo->setMinimumWidth(QFontMetrics(scaledFont(13)).horizontalAdvance(combo->currentText()) +
                            scaled(kAround + (combo == policies_ ? kMarker : 0)));
   const QString own = rival_.ownParameters();
-  own_->setText(own.isEmpty() ? beganAs(rival_.session()) : tr("%1; its own: %2").arg(beganAs(rival_.session()), own));
+  own_->setText(own.isEmpty() ? beganAs(rival_.session().life())
+                              : tr("%1; its own: %2").arg(beganAs(rival_.session().life()), own));
   refreshFalls();
 }
 

@@ -9,7 +9,8 @@
 #include <QPainter>
 
 #include "core/text/text.h"
-#include "ui/session/session.h"
+#include "ui/session/looking.h"
+#include "ui/session/running_life.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
 #include "ui/support/keyboard.h"
@@ -30,16 +31,19 @@ QString handOf(const Fall& fall) {
 
 class FallsModel final : public QAbstractTableModel {
  public:
-  FallsModel(Session& session, QWidget* parent) : QAbstractTableModel(parent), session_(session) {
-    connect(&session_, &Session::fallsArrived, this, [this, parent] {
-      if (parent->isVisible() || session_.falls().empty()) refresh();
+  FallsModel(RunningLife& life, Looking& looking, QWidget* parent)
+      : QAbstractTableModel(parent),
+        life_(life),
+        looking_(looking) {
+    connect(&looking_, &Looking::fallsArrived, this, [this, parent] {
+      if (parent->isVisible() || looking_.falls().empty()) refresh();
     });
   }
   void refresh() {
     beginResetModel();
     endResetModel();
   }
-  int rowCount(const QModelIndex&) const override { return static_cast<int>(session_.falls().size()); }
+  int rowCount(const QModelIndex&) const override { return static_cast<int>(looking_.falls().size()); }
   int columnCount(const QModelIndex&) const override { return 5; }
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override {
     static const char* const kHeads[] = {QT_TR_NOOP("Fall"), QT_TR_NOOP("Episode"), QT_TR_NOOP("Time min"),
@@ -52,8 +56,8 @@ class FallsModel final : public QAbstractTableModel {
     if (role == Qt::TextAlignmentRole) return QVariant::fromValue(alignmentOf(index.column()));
     if (role == Qt::ToolTipRole) return QObject::tr("Click to see the last seconds of this fall again");
     if (role != Qt::DisplayRole) return {};
-    const Fall& fall = session_.falls()[session_.falls().size() - 1 - static_cast<std::size_t>(index.row())];
-    const double perStep = session_.task().stepTime.value_or(0.0) / 60.0;
+    const Fall& fall = looking_.falls()[looking_.falls().size() - 1 - static_cast<std::size_t>(index.row())];
+    const double perStep = life_.task().stepTime.value_or(0.0) / 60.0;
     switch (index.column()) {
       case 0:
         return toText(countText(static_cast<double>(fall.number)));
@@ -64,7 +68,7 @@ class FallsModel final : public QAbstractTableModel {
       case 3:
         return toText(countText(static_cast<double>(fall.inputs.actions.size())));
       default: {
-        const auto entry = findEntry(session_.registry().policies, "policy", fall.policy);
+        const auto entry = findEntry(life_.registry().policies, "policy", fall.policy);
         const QString policy = toText(entry ? (*entry)->title : fall.policy);
         return fall.byHand() ? QObject::tr("%1, %2 by hand").arg(policy, handOf(fall)) : policy;
       }
@@ -72,13 +76,17 @@ class FallsModel final : public QAbstractTableModel {
   }
 
  private:
-  Session& session_;
+  RunningLife& life_;
+  Looking& looking_;
 };
 
 }  // namespace
 
-FallsList::FallsList(Session& session, QWidget* parent) : QTableView(parent), session_(session) {
-  setModel(new FallsModel(session, this));
+FallsList::FallsList(RunningLife& life, Looking& looking, QWidget* parent)
+    : QTableView(parent),
+      life_(life),
+      looking_(looking) {
+  setModel(new FallsModel(life, looking, this));
   verticalHeader()->hide();
   whenScaled(this, [this] {
     verticalHeader()->setDefaultSectionSize(scaled(24));
@@ -102,10 +110,10 @@ void FallsList::showEvent(QShowEvent* event) {
 }
 
 std::string FallsList::asCsv() const {
-  if (session_.falls().empty()) return "";
+  if (looking_.falls().empty()) return "";
   std::string csv = "fall,episode,minutes,steps,policy,by_hand\n";
-  const double perStep = session_.task().stepTime.value_or(0.0) / 60.0;
-  for (const Fall& fall : session_.falls())
+  const double perStep = life_.task().stepTime.value_or(0.0) / 60.0;
+  for (const Fall& fall : looking_.falls())
     csv += fmt::format("{},{},{},{},{},{}\n", fall.number, fall.episode,
                        perStep > 0 ? fmt::format("{:.9g}", static_cast<double>(fall.lifeSteps) * perStep) : "",
                        fall.inputs.actions.size(), fall.policy,
@@ -115,23 +123,23 @@ std::string FallsList::asCsv() const {
 
 void FallsList::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Left || event->key() == Qt::Key_Right)
-    return session_.lookBack(event->key() == Qt::Key_Left ? -1 : 1);
+    return looking_.lookBack(event->key() == Qt::Key_Left ? -1 : 1);
   QTableView::keyPressEvent(event);
 }
 
 void FallsList::replay(const QModelIndex& index) {
-  session_.replayFall(session_.falls().size() - 1 - static_cast<std::size_t>(index.row()));
+  looking_.replayFall(looking_.falls().size() - 1 - static_cast<std::size_t>(index.row()));
 }
 
 void FallsList::paintEvent(QPaintEvent* event) {
   QTableView::paintEvent(event);
-  if (!session_.falls().empty()) return;
+  if (!looking_.falls().empty()) return;
   const Theme& t = themeOf(*this);
   QPainter p(viewport());
   p.setFont(scaledFont(11));
   p.setPen(t.quiet);
   p.drawText(viewport()->rect(), Qt::AlignCenter,
-             session_.snapshot().totals.falls > 0
+             life_.snapshot().totals.falls > 0
                  ? tr("The next falls appear here.\nThose before were not recorded in this window.")
                  : tr("Falls appear here. None so far."));
 }

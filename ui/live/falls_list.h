@@ -10,13 +10,14 @@
 
 namespace surefoot {
 
-class Session;
+class Looking;
+class RunningLife;
 
 class FallsList final : public QTableView, public CsvSource {
   Q_OBJECT
 
  public:
-  explicit FallsList(Session& session, QWidget* parent = nullptr);
+  explicit FallsList(RunningLife& life, Looking& looking, QWidget* parent = nullptr);
   QSize sizeHint() const override { return scaled({440, 190}); }
   /// A row a fall that is kept.
   std::string asCsv() const override;
@@ -28,7 +29,8 @@ class FallsList final : public QTableView, public CsvSource {
 
  private:
   void replay(const QModelIndex& index);
-  Session& session_;
+  RunningLife& life_;
+  Looking& looking_;
 };
 
 }  // namespace surefoot

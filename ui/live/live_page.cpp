@@ -40,9 +40,9 @@ LivePage::LivePage(Session& session, QWidget* parent) : QMainWindow(parent), ses
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   setCentralWidget(makeCentre());
 
-  form_ = new ParameterForm(session_);
+  form_ = new ParameterForm(session_.life(), session_.editing(), session_.history());
   Panel* parameters = addPanel(tr("Parameters"), "parameters", form_, Qt::LeftDockWidgetArea);
-  if (const std::string& preset = session_.configuration().names.preset; !preset.empty())
+  if (const std::string& preset = session_.life().configuration().names.preset; !preset.empty())
     parameters->header().setNote(tr("preset %1").arg(toText(preset)));
   auto* links = new QWidget;
   auto* row = new QHBoxLayout(links);
@@ -62,8 +62,9 @@ LivePage::LivePage(Session& session, QWidget* parent) : QMainWindow(parent), ses
   connect(form_, &ParameterForm::refused, this, &LivePage::refused);
 
   Panel* actions =
-      addPanel(tr("What the robot would do now"), "actions", new ActionRows(session_), Qt::BottomDockWidgetArea);
-  actions->header().addWidget(new ActionKey(session_));
+      addPanel(tr("What the robot would do now"), "actions",
+               new ActionRows(session_.life(), session_.looking(), session_.editing()), Qt::BottomDockWidgetArea);
+  actions->header().addWidget(new ActionKey(session_.life(), session_.looking()));
   makeMaps();
   makeCharts();
   makeWords();
@@ -73,39 +74,44 @@ LivePage::LivePage(Session& session, QWidget* parent) : QMainWindow(parent), ses
     actions->header().setNote(actionsNote());
     worldHeader_->setNote(worldNote());
   };
-  connect(&session_, &Session::frame, this, note);
-  connect(&session_, &Session::stateChanged, this, note);
+  connect(&session_.looking(), &Looking::frame, this, note);
+  connect(&session_.life(), &RunningLife::stateChanged, this, note);
 }
 
 void LivePage::makeWords() {
-  steps_ = addPanel(tr("This step"), "step", new StepView(session_), Qt::BottomDockWidgetArea);
+  steps_ =
+      addPanel(tr("This step"), "step", new StepView(session_.life(), session_.looking()), Qt::BottomDockWidgetArea);
   steps_->header().setNote(tr("what the last one taught"));
-  rule_ = addPanel(tr("Rule of thumb"), "rule", new RuleView(session_), Qt::BottomDockWidgetArea);
+  rule_ = addPanel(tr("Rule of thumb"), "rule", new RuleView(session_.life(), session_.editing()),
+                   Qt::BottomDockWidgetArea);
   rule_->header().setNote(tr("TRL's threshold"));
-  list_ = addPanel(tr("List of falls"), "list", new FallsList(session_), Qt::RightDockWidgetArea);
+  list_ = addPanel(tr("List of falls"), "list", new FallsList(session_.life(), session_.looking()),
+                   Qt::RightDockWidgetArea);
   list_->header().setNote(tr("a click shows one again"));
 }
 
 void LivePage::makeCharts() {
-  auto* span = new ChartSpan(session_, this);
-  auto* average = new LearningChart(session_, *span, LearningChart::Shows::AverageReward);
-  auto* cumulative = new LearningChart(session_, *span, LearningChart::Shows::Falls);
+  auto* span = new ChartSpan(session_.life(), this);
+  auto* average = new LearningChart(session_.life(), session_.looking(), session_.history(), *span,
+                                    LearningChart::Shows::AverageReward);
+  auto* cumulative =
+      new LearningChart(session_.life(), session_.looking(), session_.history(), *span, LearningChart::Shows::Falls);
   average->setBelow(cumulative);
   Panel* reward = addPanel(tr("Average reward"), "reward", average, Qt::RightDockWidgetArea);
   const auto noteReward = [this, reward] {
-    const std::int64_t episodes = session_.numbers().episodes;
+    const std::int64_t episodes = session_.life().numbers().episodes;
     reward->header().setNote(episodes == 0 || episodes >= EpisodeLog::kAverageOver
                                  ? tr("last %1 episodes").arg(EpisodeLog::kAverageOver)
                                  : tr("all %1 so far").arg(episodesText(episodes)));
   };
   noteReward();
-  for (const auto changed : {&Session::lifeReplaced, &Session::valuesArrived})
-    connect(&session_, changed, this, noteReward);
-  connect(&session_, &Session::parametersReplaced, this, &LivePage::followTask);
+  for (const auto changed : {&RunningLife::replaced, &RunningLife::valuesArrived})
+    connect(&session_.life(), changed, this, noteReward);
+  connect(&session_.life(), &RunningLife::parametersReplaced, this, &LivePage::followTask);
   Panel* falls = addPanel(tr("Falls"), "falls", cumulative, Qt::RightDockWidgetArea);
   const auto noteFalls = [this, span, falls] { falls->header().setNote(fallsNote(*span)); };
   connect(span, &ChartSpan::changed, this, noteFalls);
-  connect(&session_, &Session::valuesArrived, this, noteFalls);
+  connect(&session_.life(), &RunningLife::valuesArrived, this, noteFalls);
   noteFalls();
   auto* range = new LinkButton(tr("Whole life"));
   range->setToolTip(
@@ -127,39 +133,42 @@ void LivePage::makeCharts() {
 
 /// The numbers at the curves are those at the end of what is shown, so that is said where it is not the life's end.
 QString LivePage::fallsNote(const ChartSpan& span) const {
-  const bool all = timeOf(session_.task(), session_.latest()) <= span.to();
+  const bool all = timeOf(session_.life().task(), session_.life().latest()) <= span.to();
   const QString end = toText(countText(span.to()));
-  const QString counted = all                        ? tr("cumulative")
-                          : session_.task().stepTime ? tr("up to minute %1").arg(end)
-                                                     : tr("up to episode %1").arg(end);
-  const std::int64_t byHand = session_.numbers().fallsByHand;
+  const QString counted = all                               ? tr("cumulative")
+                          : session_.life().task().stepTime ? tr("up to minute %1").arg(end)
+                                                            : tr("up to episode %1").arg(end);
+  const std::int64_t byHand = session_.life().numbers().fallsByHand;
   const QString hands = toText(countText(static_cast<double>(byHand)));
   return byHand > 0 ? tr("%1; %2 after a push or placing by hand").arg(counted, hands)
                     : tr("%1; click a mark to replay it").arg(counted);
 }
 
 void LivePage::makeMaps() {
-  auto* maps = new ValueMaps(session_);
+  auto* maps = new ValueMaps(session_.life(), session_.looking());
   Panel* panel = addPanel(tr("Value maps"), "maps", maps, Qt::RightDockWidgetArea);
   auto* bar = new MapBar;
   panel->header().addWidget(bar);
   connect(maps, &ValueMaps::placeAsked, this, [this](const std::vector<double>& state) {
-    if (const Status s = session_.place(state); !s) Q_EMIT refused(toText(s.error().message));
+    if (const Status s = session_.life().place(state); !s) Q_EMIT refused(toText(s.error().message));
   });
   connect(bar, &MapBar::chosen, maps, &ValueMaps::setChoice);
-  const auto show = [this, maps, bar] { bar->show(maps->choice(), session_.task(), session_.shown().state); };
+  const auto show = [this, maps, bar] {
+    bar->show(maps->choice(), session_.life().task(), session_.looking().shown().state);
+  };
   connect(maps, &ValueMaps::shown, bar, show);
-  connect(&session_, &Session::lifeReplaced, bar, show);
-  if (!session_.task().state.empty()) show();
+  connect(&session_.life(), &RunningLife::replaced, bar, show);
+  if (!session_.life().task().state.empty()) show();
 }
 
 QString LivePage::actionsNote() const {
-  if (session_.pinned()) return tr("in the state fixed on the map; Escape on the map lets go");
-  if (!session_.examined().empty()) return tr("in the state under the cursor on the map");
-  if (!session_.task().actionVariables.empty())
-    return tr("the next action is shaded; %1 actions, by joint").arg(session_.task().actions.size());
-  if (session_.playback()) return tr("in the replay");
-  return session_.turbo() && session_.running() ? tr("in the real-time world") : tr("the next action is shaded");
+  if (session_.looking().pinned()) return tr("in the state fixed on the map; Escape on the map lets go");
+  if (!session_.looking().examined().empty()) return tr("in the state under the cursor on the map");
+  if (!session_.life().task().actionVariables.empty())
+    return tr("the next action is shaded; %1 actions, by joint").arg(session_.life().task().actions.size());
+  if (session_.looking().playback()) return tr("in the replay");
+  return session_.life().turbo() && session_.life().running() ? tr("in the real-time world")
+                                                              : tr("the next action is shaded");
 }
 
 void LivePage::resetParameters() {
@@ -167,17 +176,18 @@ void LivePage::resetParameters() {
 }
 
 QString LivePage::worldNote() const {
-  if (const Playback* p = session_.playback())
+  if (const Playback* p = session_.looking().playback())
     return p->rate > 0 ? tr("%1; Escape: back to live").arg(p->title)
                        : tr("%1; ← → move, Escape: back to live").arg(p->title);
-  if (session_.runFinished()) return tr("the life is complete");
-  if (!session_.running())
-    return session_.turbo() ? tr("the learner's own, paused; turbo is on") : tr("the learner's own, paused");
-  const QString beginning = session_.beginning();
-  if (!beginning.isEmpty() && !session_.turbo()) return tr("the learner's own; it began %1").arg(beginning);
-  const QString speed = session_.factorText();
-  if (session_.turbo() && world_->held()) return tr("real time; only this world is held, the learner's own is not");
-  if (session_.turbo())
+  if (session_.life().finished()) return tr("the life is complete");
+  if (!session_.life().running())
+    return session_.life().turbo() ? tr("the learner's own, paused; turbo is on") : tr("the learner's own, paused");
+  const QString beginning = session_.life().beginning();
+  if (!beginning.isEmpty() && !session_.life().turbo()) return tr("the learner's own; it began %1").arg(beginning);
+  const QString speed = session_.life().factorText();
+  if (session_.life().turbo() && world_->held())
+    return tr("real time; only this world is held, the learner's own is not");
+  if (session_.life().turbo())
     return speed.isEmpty() ? tr("real time, newest Q-function")
                            : tr("real time, newest Q-function; the learner runs %1").arg(speed);
   return speed.isEmpty() ? tr("the learner's own") : tr("the learner's own, %1").arg(speed);
@@ -190,8 +200,8 @@ QWidget* LivePage::makeCentre() {
   column->setSpacing(0);
   worldHeader_ = new PanelHeader(tr("World"), true, centre);
   worldHeader_->setOnPaper(true);
-  worldHeader_->addWidget(new Scrubber(session_));
-  world_ = new WorldView(session_, centre);
+  worldHeader_->addWidget(new Scrubber(session_.looking()));
+  world_ = new WorldView(session_.life(), session_.looking(), centre);
   new ViewMenu(*world_);
   column->addWidget(worldHeader_);
   worlds_ = new QSplitter(Qt::Horizontal);
@@ -227,11 +237,12 @@ void LivePage::setComparing(bool comparing) {
   second.setResting(!comparing);
   world_->setBeside(rival_ ? &rival_->world() : nullptr, tr("First"));
   second.world().setBeside(rival_ ? world_ : nullptr, tr("Second"));
-  for (LearningChart* chart : findChildren<LearningChart*>()) chart->setSecond(rival_ ? &rival_->session() : nullptr);
+  for (LearningChart* chart : findChildren<LearningChart*>())
+    chart->setSecond(rival_ ? &rival_->session().life() : nullptr);
 }
 
 void LivePage::makeRival() {
-  resting_ = new Rival(session_);
+  resting_ = new Rival(session_.life());
   connect(resting_, &Rival::refused, this, &LivePage::refused);
   connect(resting_, &Rival::told, this, &LivePage::told);
   connect(resting_, &Rival::newTableAsked, this, &LivePage::newTableAsked);

@@ -111,7 +111,7 @@ void LivePage::resetLayout() {
 
 /// A task without falls needs no panels for them.
 void LivePage::followTask() {
-  const bool falls = session_.task().canFall;
+  const bool falls = session_.life().task().canFall;
   if (full_) return;
   for (const char* name : {"falls", "list"}) {
     auto* panel = findChild<Panel*>(QLatin1String(name));

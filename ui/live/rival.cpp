@@ -28,7 +28,7 @@ std::map<std::string, double> valuesOf(const Parameters& parameters) {
 
 }  // namespace
 
-Rival::Rival(Session& first, QWidget* parent)
+Rival::Rival(RunningLife& first, QWidget* parent)
     : QWidget(parent),
       first_(first),
       policy_(otherPolicy(first.configuration().names.policy)),
@@ -39,25 +39,25 @@ Rival::Rival(Session& first, QWidget* parent)
       ranBeside_(lineage_),
       keptBeside_(lineage_) {
   connect(&reading_, &Background::failed, this, &Rival::refused);
-  world_ = new WorldView(*session_, this);
+  world_ = new WorldView(session_->life(), session_->looking(), this);
   world_->setAccessibleName(tr("World of the second"));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(world_, 1);
   strip_ = new CompareStrip(*this);
-  connect(&first_, &Session::stateChanged, this, &Rival::follow);
-  connect(&first_, &Session::configurationChanged, this, &Rival::followParameters);
-  connect(&first_, &Session::lifeReplaced, this, &Rival::firstReplaced);
-  connect(session_.get(), &Session::refused, this, [this](const QString& why) {  // the life goes on as it was
+  connect(&first_, &RunningLife::stateChanged, this, &Rival::follow);
+  connect(&first_, &RunningLife::configurationChanged, this, &Rival::followParameters);
+  connect(&first_, &RunningLife::replaced, this, &Rival::firstReplaced);
+  connect(&session_->newLives(), &NewLives::refused, this, [this](const QString& why) {  // the life goes on as it was
     begin_ = began_;
     Q_EMIT changed();
     Q_EMIT refused(why);
   });
-  connect(session_.get(), &Session::lifeReplaced, this, &Rival::secondReplaced);
-  connect(session_.get(), &Session::needsNewTable, this, &Rival::askForNewTable);
-  connect(session_.get(), &Session::configurationChanged, this, &Rival::changed);
-  connect(session_.get(), &Session::lifeKept, this, [this] {
-    if (auto kept = session_->lastKept()) beside_[keptBeside_] = std::move(kept);
+  connect(&session_->life(), &RunningLife::replaced, this, &Rival::secondReplaced);
+  connect(&session_->editing(), &Editing::needsNewTable, this, &Rival::askForNewTable);
+  connect(&session_->life(), &RunningLife::configurationChanged, this, &Rival::changed);
+  connect(&session_->history(), &History::lifeKept, this, [this] {
+    if (auto kept = session_->history().lastKept()) beside_[keptBeside_] = std::move(kept);
   });
   follow();
 }
@@ -74,7 +74,7 @@ Configuration Rival::configurationLikeFirst() {
   Names names = first_.configuration().names;
   names.agent = agent_;
   names.policy = policy_;
-  auto like = first_.configurationUnder(names);
+  auto like = configurationUnder(first_.registry(), first_.configuration(), names);
   Configuration own = like ? std::move(*like) : first_.configuration();
   for (const auto& [key, value] : own_)
     if (own.parameters.find(key)) static_cast<void>(static_cast<bool>(own.parameters.set(key, value)));
@@ -103,7 +103,7 @@ void Rival::startAgain() {
   Configuration own = configurationLikeFirst();
   const bool empty = !own.start;
   const QString began = first_.beginning();
-  if (const Status s = session_->begin(std::move(own)); !s) {
+  if (const Status s = session_->newLives().begin(std::move(own)); !s) {
     begin_ = began_;
     return Q_EMIT refused(toText(s.error().message));
   }
@@ -123,10 +123,10 @@ void Rival::firstReplaced() {
   if (before == lineage_ || beside == beside_.end() || !beside->second->aside) return startAgain();
   std::shared_ptr<KeptLife> kept = beside->second;
   beside_.erase(beside);
-  session_->bringBack(kept);
+  session_->history().exchange(kept);
   beside_[keptBeside_] = std::move(kept);
-  agent_ = session_->configuration().names.agent;
-  policy_ = session_->configuration().names.policy;
+  agent_ = session_->life().configuration().names.agent;
+  policy_ = session_->life().configuration().names.policy;
   follow();
   Q_EMIT changed();
 }
@@ -137,10 +137,10 @@ void Rival::secondReplaced() {
 }
 
 void Rival::follow() {
-  if (session_->turbo() != first_.turbo()) session_->setTurbo(first_.turbo());
-  if (session_->pace() != first_.pace()) session_->setPace(first_.pace());
+  if (session_->life().turbo() != first_.turbo()) session_->life().setTurbo(first_.turbo());
+  if (session_->life().pace() != first_.pace()) session_->life().setPace(first_.pace());
   const bool runs = first_.running() && !resting_;
-  if (session_->running() != runs) session_->setRunning(runs);
+  if (session_->life().running() != runs) session_->life().setRunning(runs);
 }
 
 void Rival::followParameters() {
@@ -148,11 +148,11 @@ void Rival::followParameters() {
   const auto had = std::exchange(firstHad_, valuesOf(first_.configuration().parameters));
   for (const auto& entry : first_.configuration().parameters.all()) {
     const std::string& key = entry.parameter.key;
-    const Parameters::Entry* own = session_->configuration().parameters.find(key);
+    const Parameters::Entry* own = session_->life().configuration().parameters.find(key);
     const auto before = had.find(key);
     const bool was = before != had.end() && own && own->value == before->second;
     if (was && own->value != entry.value && entry.parameter.when != When::NewTable)
-      static_cast<void>(static_cast<bool>(session_->setParameter(key, entry.value)));
+      static_cast<void>(static_cast<bool>(session_->editing().setParameter(key, entry.value)));
   }
 }
 
@@ -163,18 +163,18 @@ void Rival::askToStartAgain(const QString& why, std::function<void()> choose) {
     startAgain();
     Q_EMIT changed();
   };
-  if (!session_->learned()) return goOn();
+  if (!session_->life().learned()) return goOn();
   Q_EMIT changed();  // until it is answered all is as it was
   Q_EMIT newTableAsked(
       tr("%1: the second starts again from the beginning, and what it learned in %2 episodes is given up.")
-          .arg(why, toText(countText(static_cast<double>(session_->progress().episodes)))),
+          .arg(why, toText(countText(static_cast<double>(session_->life().progress().episodes)))),
       goOn);
 }
 
 void Rival::choose(const std::string& agent, const std::string& policy) {
   if (agent == agent_) {
     policy_ = policy;
-    session_->setPolicy(policy_);
+    session_->editing().setPolicy(policy_);
     Q_EMIT changed();
   } else {
     askToStartAgain(tr("Another learning rule needs a new table"), [this, agent, policy] {
@@ -199,7 +199,7 @@ void Rival::startWith(const QString& path) {
 
 QString Rival::ownParameters() const {
   QStringList list;
-  for (const auto& entry : session_->configuration().parameters.all()) {
+  for (const auto& entry : session_->life().configuration().parameters.all()) {
     const Parameters::Entry* firsts = first_.configuration().parameters.find(entry.parameter.key);
     if (firsts && firsts->value != entry.value)
       list << toText(entry.parameter.title + " " + formatValue(entry.parameter, entry.value));
@@ -215,12 +215,12 @@ void Rival::showParameters() {
     parameters_->setWindowTitle(tr("Parameters of the second"));
     auto* column = new QVBoxLayout(parameters_);
     column->setContentsMargins(0, 0, 0, 0);
-    auto* form = new ParameterForm(*session_);
+    auto* form = new ParameterForm(session_->life(), session_->editing(), session_->history());
     column->addWidget(form);
     connect(form, &ParameterForm::refused, this, &Rival::refused);
-    connect(session_.get(), &Session::configurationChanged, parameters_, [this] {  // what differs stays so
+    connect(&session_->life(), &RunningLife::configurationChanged, parameters_, [this] {  // what differs stays so
       own_.clear();
-      for (const auto& entry : session_->configuration().parameters.all()) {
+      for (const auto& entry : session_->life().configuration().parameters.all()) {
         const Parameters::Entry* firsts = first_.configuration().parameters.find(entry.parameter.key);
         if (firsts && firsts->value != entry.value) own_[entry.parameter.key] = entry.value;
       }
@@ -231,7 +231,7 @@ void Rival::showParameters() {
 }
 
 void Rival::askForNewTable(const QString& key, double value) {
-  const auto* entry = session_->configuration().parameters.find(key.toStdString());
+  const auto* entry = session_->life().configuration().parameters.find(key.toStdString());
   Q_EMIT newTableAsked(tr("%1 = %2 needs a new table: the second starts again from the beginning.")
                            .arg(toText(entry->parameter.title), toText(formatValue(entry->parameter, value))),
                        [this, key = key.toStdString(), value] {
@@ -242,7 +242,7 @@ void Rival::askForNewTable(const QString& key, double value) {
 
 void Rival::setResting(bool resting) {
   resting_ = resting;
-  if (resting) return session_->setRunning(false);
+  if (resting) return session_->life().setRunning(false);
   followParameters();
   follow();
   if (std::exchange(startsLate_, false) && lineage_ != first_.lineage()) firstReplaced();

@@ -26,10 +26,10 @@ class Rival final : public QWidget {
   /// What the second learner begins with.
   enum class Start { Same, Empty, File };
 
-  explicit Rival(Session& first, QWidget* parent = nullptr);
+  explicit Rival(RunningLife& first, QWidget* parent = nullptr);
   ~Rival() override;
   Session& session() { return *session_; }
-  Session& first() { return first_; }
+  RunningLife& first() { return first_; }
   WorldView& world() { return *world_; }
   /// What stands above both worlds all the time: how both learn and began, and their falls.
   CompareStrip& strip();
@@ -65,7 +65,7 @@ class Rival final : public QWidget {
   void followParameters();
   void askForNewTable(const QString& key, double value);
 
-  Session& first_;
+  RunningLife& first_;
   struct Beginning {
     Start start = Start::Same;
     std::shared_ptr<const TensorFile> file{};

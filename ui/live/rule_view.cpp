@@ -9,7 +9,8 @@
 #include <cmath>
 
 #include "core/text/text.h"
-#include "ui/session/session.h"
+#include "ui/session/editing.h"
+#include "ui/session/running_life.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
 
@@ -33,25 +34,26 @@ QString richText(const QString& text) {
 }
 }  // namespace
 
-RuleView::RuleView(Session& session, QWidget* parent)
+RuleView::RuleView(RunningLife& life, Editing& editing, QWidget* parent)
     : Painted(parent),
-      session_(session),
+      life_(life),
+      editing_(editing),
       use_(new QPushButton(this)) {
   use_->setToolTip(tr("Sets TRL's threshold to the rule's number, rounded; Edit › Undo takes it back"));
   connect(use_, &QPushButton::clicked, this, &RuleView::use);
-  for (const auto changed : {&Session::valuesArrived, &Session::configurationChanged, &Session::lifeReplaced})
-    connect(&session_, changed, this, &RuleView::refresh);
+  for (const auto changed : {&RunningLife::valuesArrived, &RunningLife::configurationChanged, &RunningLife::replaced})
+    connect(&life_, changed, this, &RuleView::refresh);
   refresh();
 }
 
 const RuleOfThumb* RuleView::rule() const {
-  const ValueSnapshot* v = session_.values();
+  const ValueSnapshot* v = life_.values();
   return v && v->rule ? &*v->rule : nullptr;
 }
 
 void RuleView::use() {
   if (!rule()) return;
-  static_cast<void>(static_cast<bool>(session_.setParameter("policy.threshold", std::round(rule()->threshold))));
+  static_cast<void>(static_cast<bool>(editing_.setParameter("policy.threshold", std::round(rule()->threshold))));
 }
 
 void RuleView::refresh() {
@@ -65,24 +67,24 @@ void RuleView::refresh() {
       use_->setAccessibleName(text);
       resizeEvent(nullptr);
     }
-    use_->setEnabled(session_.configuration().parameters.get("policy.threshold") != rounded);
+    use_->setEnabled(life_.configuration().parameters.get("policy.threshold") != rounded);
   }
   setAccessibleDescription(lines().join(' '));
   update();
 }
 
 QString RuleView::inForce() const {
-  const std::string& policy = session_.configuration().names.policy;
-  const QString threshold = toText(countText(session_.threshold()));
+  const std::string& policy = life_.configuration().names.policy;
+  const QString threshold = toText(countText(life_.threshold()));
   if (policy == "trl") return tr("TRL's threshold in force: %1.").arg(threshold);
-  const auto entry = findEntry(session_.registry().policies, "policy", policy);
+  const auto entry = findEntry(life_.registry().policies, "policy", policy);
   return tr("TRL's threshold is %1; it is not in force while the policy is %2.")
       .arg(threshold, toText(entry ? (*entry)->title : policy));
 }
 
 QStringList RuleView::lines() const {
   const RuleOfThumb* r = rule();
-  if (!r) return {toText(whyNoRule(session_.task(), session_.configuration().parameters))};
+  if (!r) return {toText(whyNoRule(life_.task(), life_.configuration().parameters))};
   const RuleText text = textOf(*r);
   const bool timed = r->timeReward != 0;
   QStringList list = {toText(text.threshold)};

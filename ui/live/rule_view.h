@@ -12,14 +12,15 @@ class QPushButton;
 
 namespace surefoot {
 
-class Session;
+class Editing;
+class RunningLife;
 struct RuleOfThumb;
 
 class RuleView final : public Painted<> {
   Q_OBJECT
 
  public:
-  explicit RuleView(Session& session, QWidget* parent = nullptr);
+  explicit RuleView(RunningLife& life, Editing& editing, QWidget* parent = nullptr);
   QSize sizeHint() const override { return scaled({300, 200}); }
   QSize minimumSizeHint() const override { return scaled({240, 150}); }
   /// What it says: the number first; one sentence where there is no rule.
@@ -35,7 +36,8 @@ class RuleView final : public Painted<> {
   void refresh();
   void use();
 
-  Session& session_;
+  RunningLife& life_;
+  Editing& editing_;
   QPushButton* use_;
 };
 

@@ -14,7 +14,8 @@
 #include "ui/controls/bar_button.h"
 #include "ui/controls/combo.h"
 #include "ui/controls/slider.h"
-#include "ui/session/session.h"
+#include "ui/session/editing.h"
+#include "ui/session/running_life.h"
 #include "ui/style/icons.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
@@ -38,9 +39,10 @@ int positionOf(double pace) {
 
 }  // namespace
 
-RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
+RunBar::RunBar(RunningLife& life, Editing& editing, const RunActions& actions, QWidget* parent)
     : Painted(parent),
-      session_(session),
+      life_(life),
+      editing_(editing),
       actions_(actions) {
   auto* run = new BarButton(actions.run, Icon::Run, BarButton::Look::Main, this);
   buttons_ = {run, new BarButton(actions.step, Icon::Step, BarButton::Look::Quiet, this),
@@ -49,8 +51,8 @@ RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
   pace_->setAccessibleName(tr("Pace"));
   pace_->setToolTip(
       tipText(tr("How fast the world runs while turbo is off: %1 to %2 times real time").arg(kSlowest).arg(kFastest)));
-  pace_->setValue(positionOf(session.pace()));
-  connect(pace_, &QSlider::valueChanged, this, [this](int position) { session_.setPace(paceAt(position)); });
+  pace_->setValue(positionOf(life.pace()));
+  connect(pace_, &QSlider::valueChanged, this, [this](int position) { life_.setPace(paceAt(position)); });
   buttons_.push_back(new BarButton(actions.turbo, Icon::Turbo, BarButton::Look::Framed, this));
 
   task_ = new Combo(tr("Task"), this);
@@ -62,7 +64,7 @@ RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
     if (elsewhere)
       Q_EMIT environmentAsked(name);
     else if (!name.empty())
-      session_.setScenario(name);
+      editing_.setScenario(name);
   });
   task_->setPlaceholderText(tr("Changed model"));
   agent_ = new Combo(tr("Learning rule"), this);
@@ -70,28 +72,28 @@ RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
   connect(agent_, &QComboBox::activated, this, [this](int i) {
     const QString name = agent_->itemData(i).toString();
     refresh();  // until it is agreed to
-    if (name.toStdString() != session_.configuration().names.agent) Q_EMIT agentAsked(name, agent_->itemText(i));
+    if (name.toStdString() != life_.configuration().names.agent) Q_EMIT agentAsked(name, agent_->itemText(i));
   });
   policy_ = new Combo(tr("Policy"), this);
-  for (const auto& entry : session.registry().policies) {
+  for (const auto& entry : life.registry().policies) {
     policy_->addItem(toText(entry.title), toText(entry.name));
     policy_->setItemData(policy_->count() - 1, tipOf(entry.name, entry.help), Qt::ToolTipRole);
   }
   connect(policy_, &QComboBox::activated, this,
-          [this](int i) { session_.setPolicy(policy_->itemData(i).toString().toStdString()); });
+          [this](int i) { editing_.setPolicy(policy_->itemData(i).toString().toStdString()); });
 
-  connect(&session_, &Session::stateChanged, this, [this, run] {
-    run->setIcon(session_.running() ? Icon::Pause : Icon::Run);
+  connect(&life_, &RunningLife::stateChanged, this, [this, run] {
+    run->setIcon(life_.running() ? Icon::Pause : Icon::Run);
     refresh();
   });
-  connect(&session_, &Session::parametersReplaced, this, [this] {
+  connect(&life_, &RunningLife::parametersReplaced, this, [this] {
     fillTasks();
     fillAgents();
     refresh();
   });
-  connect(&session_, &Session::configurationChanged, this, &RunBar::refresh);
-  for (const auto changed : {&Session::valuesArrived, &Session::lifeReplaced, &Session::stateChanged})
-    connect(&session_, changed, this, &RunBar::readNumbers);
+  connect(&life_, &RunningLife::configurationChanged, this, &RunBar::refresh);
+  for (const auto changed : {&RunningLife::valuesArrived, &RunningLife::replaced, &RunningLife::stateChanged})
+    connect(&life_, changed, this, &RunBar::readNumbers);
   makeMeaning();
   whenScaled(this, [this] {
     setFixedHeight(scaled(48));
@@ -104,12 +106,11 @@ RunBar::RunBar(Session& session, const RunActions& actions, QWidget* parent)
 
 /// The counters are drawn from what was read here, and told to a screen reader.
 void RunBar::readNumbers() {
-  const Numbers& now = session_.numbers();
+  const Numbers& now = life_.numbers();
   texts_ = {toText(countText(static_cast<double>(now.falls))), toText(countText(static_cast<double>(now.episodes))),
-            session_.running() ? session_.factorText() : QString()};
-  setAccessibleDescription(session_.task().canFall
-                               ? tr("%1 in %2").arg(fallsText(now.falls), episodesText(now.episodes))
-                               : episodesText(now.episodes));
+            life_.running() ? life_.factorText() : QString()};
+  setAccessibleDescription(life_.task().canFall ? tr("%1 in %2").arg(fallsText(now.falls), episodesText(now.episodes))
+                                                : episodesText(now.episodes));
   if (counterWidth(kNothing) != counterWidth_) layOut();
   update();
 }
@@ -127,7 +128,7 @@ void RunBar::makeMeaning() {
     for (const QComboBox* combo : {task_, agent_, policy_}) {
       const bool scenario = combo == task_ && !combo->itemData(combo->currentIndex(), kIsEnvironment).toBool();
       const std::string name =
-          scenario ? session_.configuration().names.environment : combo->currentData().toString().toStdString();
+          scenario ? life_.configuration().names.environment : combo->currentData().toString().toStdString();
       const surefoot::Word* word = wordOf(name);
       if (!word) continue;
       connect(menu->addAction(menuText(toText(word->title))), &QAction::triggered, this,
@@ -156,15 +157,15 @@ void RunBar::fillTasks() {
     task_->setItemData(task_->count() - 1, tipOf(entry.name, entry.help), Qt::ToolTipRole);
     task_->setItemData(task_->count() - 1, isEnvironment, kIsEnvironment);
   };
-  const std::string& here = session_.configuration().names.environment;
-  const auto& scenarios = session_.registry().scenarios;
+  const std::string& here = life_.configuration().names.environment;
+  const auto& scenarios = life_.registry().scenarios;
   const auto isHere = [&](const auto& scenario) { return scenario.environment == here; };
   const bool any = std::any_of(scenarios.begin(), scenarios.end(), isHere);
   if (any) addHead(tr("Scenario of the model"));
   for (const auto& entry : scenarios)
     if (isHere(entry)) add(entry, entry.name, false);
   addHead(tr("Task"));
-  for (const auto& entry : session_.registry().environments)
+  for (const auto& entry : life_.registry().environments)
     if (entry.name != here)
       add(entry, entry.name, true);
     else if (!any)
@@ -175,8 +176,8 @@ void RunBar::fillTasks() {
 void RunBar::fillAgents() {
   const QSignalBlocker blocker(agent_);
   agent_->clear();
-  for (const auto& entry : session_.registry().agents) {
-    if (entry.name == "scripted" && !session_.task().handMade) continue;  // nothing acts there
+  for (const auto& entry : life_.registry().agents) {
+    if (entry.name == "scripted" && !life_.task().handMade) continue;  // nothing acts there
     agent_->addItem(toText(entry.title), toText(entry.name));
     agent_->setItemData(agent_->count() - 1, tipOf(entry.name, entry.help), Qt::ToolTipRole);
   }
@@ -187,17 +188,16 @@ void RunBar::changePace(int notches) {
 }
 
 void RunBar::refresh() {
-  const Names& names = session_.configuration().names;
+  const Names& names = life_.configuration().names;
   const auto select = [](QComboBox& combo, const std::string& name) {
     const QSignalBlocker blocker(combo);
     combo.setCurrentIndex(combo.findData(toText(name)));
   };
   // A model that was changed by hand is none of the scenarios.
-  const auto scenario = findEntry(session_.registry().scenarios, "scenario", names.scenario);
+  const auto scenario = findEntry(life_.registry().scenarios, "scenario", names.scenario);
   bool asNamed = true;
   if (scenario)
-    for (const auto& [key, value] : (*scenario)->values)
-      asNamed &= session_.configuration().parameters.get(key) == value;
+    for (const auto& [key, value] : (*scenario)->values) asNamed &= life_.configuration().parameters.get(key) == value;
   task_->setToolTip(tipOf(names.environment, ""));
   agent_->setToolTip(tipOf(names.agent, ""));
   policy_->setToolTip(tipOf(names.policy, ""));
@@ -206,7 +206,7 @@ void RunBar::refresh() {
   select(*policy_, names.policy);
   if (!pace_->isSliderDown()) {
     const QSignalBlocker blocker(pace_);
-    if (paceAt(pace_->value()) != session_.pace()) pace_->setValue(positionOf(session_.pace()));
+    if (paceAt(pace_->value()) != life_.pace()) pace_->setValue(positionOf(life_.pace()));
   }
   layOut();
 }

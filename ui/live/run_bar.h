@@ -14,7 +14,8 @@ class QToolButton;
 namespace surefoot {
 
 class Combo;
-class Session;
+class Editing;
+class RunningLife;
 class Slider;
 struct Theme;
 
@@ -27,7 +28,7 @@ class RunBar final : public Painted<> {
   Q_OBJECT
 
  public:
-  RunBar(Session& session, const RunActions& actions, QWidget* parent = nullptr);
+  RunBar(RunningLife& life, Editing& editing, const RunActions& actions, QWidget* parent = nullptr);
   QSize sizeHint() const override { return scaled({1280, 48}); }
   /// One notch up or down the slider.
   void changePace(int notches);
@@ -70,7 +71,8 @@ class RunBar final : public Painted<> {
   void fillAgents();
   void makeMeaning();
 
-  Session& session_;
+  RunningLife& life_;
+  Editing& editing_;
   RunActions actions_;
   std::vector<QWidget*> buttons_;
   Slider* pace_;

@@ -9,7 +9,8 @@
 #include "ui/controls/combo.h"
 #include "ui/controls/slider.h"
 #include "ui/live/run_bar.h"
-#include "ui/session/session.h"
+#include "ui/session/editing.h"
+#include "ui/session/running_life.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
 
@@ -20,7 +21,7 @@ constexpr int kButton = 32;  // [px], with texts of the usual size
 }
 
 std::vector<RunBar::Word> RunBar::counter(int fold) const {
-  if (!session_.task().canFall) return {{tr("episodes"), 11, 400, false, 7}, {texts_.episodes, 24, 500, false, 0}};
+  if (!life_.task().canFall) return {{tr("episodes"), 11, 400, false, 7}, {texts_.episodes, 24, 500, false, 0}};
   std::vector<Word> words;
   if (fold < kEpisodes) words = {{tr("episodes"), 11, 400, false, 6}, {texts_.episodes, 13, 500, false, 20}};
   words.push_back({tr("falls"), 11, 400, false, 7});
@@ -109,7 +110,7 @@ void RunBar::paintEvent(QPaintEvent*) {
   if (fold_ < kPaceWord)
     drawSymbol(p, line.adjusted(0, 0, placeOf(*pace_).x() - 6 - width(), 0), Qt::AlignRight, tr("Pace"));
   p.setPen(t.ink);
-  const double pace = session_.pace();
+  const double pace = life_.pace();
   if (paceLabel_ > 0)
     drawSymbol(p, line.adjusted(paceLabel_, 0, 0, 0), Qt::AlignLeft,
                QStringLiteral("%1×").arg(pace < 9.95 && pace != 1.0 ? QString::number(pace, 'f', 1)

@@ -6,7 +6,8 @@
 
 #include "core/text/text.h"
 #include "ui/live/maps/map_choice.h"
-#include "ui/session/session.h"
+#include "ui/session/looking.h"
+#include "ui/session/running_life.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
 
@@ -34,23 +35,26 @@ QString nameOf(const std::string& estimate) {
 
 }  // namespace
 
-StepView::StepView(Session& session, QWidget* parent) : Painted(parent), session_(session) {
+StepView::StepView(RunningLife& life, Looking& looking, QWidget* parent)
+    : Painted(parent),
+      life_(life),
+      looking_(looking) {
   sinceUpdate_.start();
-  connect(&session_, &Session::frame, this, &StepView::nextFrame);
+  connect(&looking_, &Looking::frame, this, &StepView::nextFrame);
 }
 
 void StepView::nextFrame() {
   if (!isVisible() || sinceUpdate_.elapsed() < kUpdateEvery) return;
   sinceUpdate_.restart();
-  shown_ = session_.snapshot();
+  shown_ = life_.snapshot();
   setAccessibleDescription(sentences().join(' '));
   update();
 }
 
 QStringList StepView::sentences() const {
-  const Task& task = session_.task();
+  const Task& task = life_.task();
   QStringList list;
-  if (session_.turbo() && session_.running())
+  if (life_.turbo() && life_.running())
     return {tr("In turbo thousands of steps pass between two pictures. Turn it off to follow a single one.")};
   if (shown_.learned.empty() || shown_.stateBefore.size() != task.state.size() || shown_.actionBefore == kNoAction ||
       static_cast<std::size_t>(shown_.actionBefore) >= task.actions.size())
@@ -74,7 +78,7 @@ QStringList StepView::sentences() const {
                   .arg(q, number(std::abs(moved)), number(n.step.before + moved));
   }
   const double lambda = shown_.learned.front().traceDecay;
-  const double gamma = session_.configuration().parameters.get("agent.discount");
+  const double gamma = life_.configuration().parameters.get("agent.discount");
   if (lambda > 0)
     list << tr("The trace carries the surprise back along the way: each step before gets %1 of it (γ λ = %2 · %3).")
                 .arg(toText(fixedText(gamma * lambda, 2)), toText(fixedText(gamma, 2)), toText(fixedText(lambda, 2)));

@@ -12,13 +12,14 @@ class QPainter;
 
 namespace surefoot {
 
-class Session;
+class Looking;
+class RunningLife;
 
 class StepView final : public Painted<> {
   Q_OBJECT
 
  public:
-  explicit StepView(Session& session, QWidget* parent = nullptr);
+  explicit StepView(RunningLife& life, Looking& looking, QWidget* parent = nullptr);
   QSize sizeHint() const override { return scaled({576, 200}); }
   QSize minimumSizeHint() const override { return scaled({380, 150}); }
   /// The same as text, for those who listen.
@@ -30,7 +31,8 @@ class StepView final : public Painted<> {
  private:
   void nextFrame();
 
-  Session& session_;
+  RunningLife& life_;
+  Looking& looking_;
   Snapshot shown_;
   QElapsedTimer sinceUpdate_;
 };

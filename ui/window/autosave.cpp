@@ -6,7 +6,9 @@
 #include <QDir>
 #include <algorithm>
 
-#include "ui/session/session.h"
+#include "ui/session/history.h"
+#include "ui/session/life_files.h"
+#include "ui/session/running_life.h"
 
 namespace surefoot {
 
@@ -44,25 +46,27 @@ QString newPath(const QString& folder, const QString& prefix) {
 }
 }  // namespace
 
-Autosave::Autosave(Session& session, QString folder, QObject* parent)
+Autosave::Autosave(RunningLife& life, History& history, LifeFiles& files, QString folder, QObject* parent)
     : QObject(parent),
-      session_(session),
+      life_(life),
+      history_(history),
+      files_(files),
       folder_(std::move(folder)),
       path_(newPath(folder_, kPrefix)) {
   QDir().mkpath(folder_);
   removeStaleLocks(folder_);
   lock_ = FileLock::take(path_ + kLock);
   connect(&timer_, &QTimer::timeout, this, &Autosave::tick);
-  connect(&session_, &Session::lifeKept, this, &Autosave::beginAnotherFile);
-  connect(&session_, &Session::lifeBroughtBack, this, &Autosave::beginAnotherFile);
+  connect(&history_, &History::lifeKept, this, &Autosave::beginAnotherFile);
+  connect(&history_, &History::lifeBroughtBack, this, &Autosave::beginAnotherFile);
   setMinutes(1);
   timer_.start();
 }
 
 void Autosave::tick() {
   constexpr std::size_t kEach = 32u << 20;  // [bytes] that may be written a tick
-  if (!session_.learned()) return;          // one that learned something, written before, is worth more
-  const auto* values = session_.values() ? session_.values()->values.get() : nullptr;
+  if (!life_.learned()) return;             // one that learned something, written before, is worth more
+  const auto* values = life_.values() ? life_.values()->values.get() : nullptr;
   const std::size_t rest = values ? values->bytes() / kEach : 0;
   if (static_cast<std::size_t>(waited_++) < rest) return;
   waited_ = 0;
@@ -71,13 +75,13 @@ void Autosave::tick() {
 
 /// What was written of the life before is not written over before that is saved, comes back or is let go.
 void Autosave::beginAnotherFile() {
-  const auto kept = session_.lastKept();
-  if (saved_ < 0 || !kept || kept->progress.steps < saved_) return;
+  const auto kept = history_.lastKept();
+  if (saved_ < 0 || !kept || kept->known.progress.steps < saved_) return;
   before_.push_back({path_, std::move(lock_), kept});
   if (before_.size() > kMostBefore) {
     const auto least = std::min_element(before_.begin(), before_.end(), [](const Before& a, const Before& b) {
       const auto one = a.life.lock(), other = b.life.lock();
-      return (one ? one->progress.steps : 0) < (other ? other->progress.steps : 0);
+      return (one ? one->known.progress.steps : 0) < (other ? other->known.progress.steps : 0);
     });
     QFile::remove(least->path);
     before_.erase(least);
@@ -129,9 +133,9 @@ void Autosave::save(std::function<void(const Status&)> then) {
   const auto tell = [then](const Status& s) {
     if (then) then(s);
   };
-  if (writing_ || session_.snapshot().steps == saved_) return tell(Done{});
+  if (writing_ || life_.snapshot().steps == saved_) return tell(Done{});
   if (!QDir().mkpath(folder_)) return tell(Error{tr("%1 cannot be made.").arg(folder_).toStdString()});
-  saved_ = session_.snapshot().steps;
+  saved_ = life_.snapshot().steps;
   writing_ = true;
   // A full disk is no reason to disturb; the next try may work.
   const auto written = [this, replaces = takenOver_, tell](const Status& s) {
@@ -147,15 +151,15 @@ void Autosave::save(std::function<void(const Status&)> then) {
       save();
     }
   };
-  session_.save(SavedAs::Session, path_.toStdString(), written);
+  files_.save(SavedAs::Session, path_.toStdString(), written);
 }
 
 void Autosave::leave(std::function<void(const Status&)> then) {
   timer_.stop();
   leaving_ = true;
-  const auto before = session_.unsavedBefore();
-  if (session_.learned() || before.empty()) return save(std::move(then));
-  session_.saveKept(*before.back(), path_.toStdString(), std::move(then));
+  const auto before = history_.unsavedBefore();
+  if (life_.learned() || before.empty()) return save(std::move(then));
+  files_.saveKept(*before.back(), path_.toStdString(), std::move(then));
 }
 
 QString Autosave::setAside(const QString& file) {
@@ -170,8 +174,8 @@ QString Autosave::setAside(const QString& file) {
 // The life that runs is written last, so that it is offered first.
 void Autosave::keepLast(std::function<void(const Status&)> then) {
   timer_.stop();
-  const auto before = session_.unsavedBefore();
-  if (!session_.learned() && before.empty()) return then(Done{});
+  const auto before = history_.unsavedBefore();
+  if (!life_.learned() && before.empty()) return then(Done{});
   if (!QDir().mkpath(folder_)) return then(Error{tr("%1 cannot be made.").arg(folder_).toStdString()});
   unwritten_ = true;
   struct Work {
@@ -180,7 +184,7 @@ void Autosave::keepLast(std::function<void(const Status&)> then) {
     QStringList written;
   };
   const auto work = std::make_shared<Work>();
-  work->left = before.size() + (session_.learned() ? 1 : 0);
+  work->left = before.size() + (life_.learned() ? 1 : 0);
   const auto one = [this, work, then = std::move(then)](const QString& path) {
     return [this, work, then, path](const Status& s) {
       if (s) work->written << path;
@@ -194,11 +198,11 @@ void Autosave::keepLast(std::function<void(const Status&)> then) {
   };
   for (const auto& kept : before) {
     const QString path = newPath(folder_, kLast);
-    session_.saveKept(*kept, path.toStdString(), one(path));
+    files_.saveKept(*kept, path.toStdString(), one(path));
   }
-  if (!session_.learned()) return;
+  if (!life_.learned()) return;
   const QString path = newPath(folder_, kLast);
-  session_.save(SavedAs::Session, path.toStdString(), one(path));
+  files_.save(SavedAs::Session, path.toStdString(), one(path));
 }
 
 void Autosave::removeOldSessions(const QStringList& but) const {

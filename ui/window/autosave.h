@@ -16,7 +16,9 @@
 namespace surefoot {
 
 struct KeptLife;
-class Session;
+class History;
+class LifeFiles;
+class RunningLife;
 
 class Autosave final : public QObject {
   Q_OBJECT
@@ -24,7 +26,7 @@ class Autosave final : public QObject {
  public:
   /// Once a minute, until it is told otherwise; tables of many megabytes less often, because the learner stands still
   /// while they are written. Locks that nobody holds any more are removed.
-  Autosave(Session& session, QString folder, QObject* parent = nullptr);
+  Autosave(RunningLife& life, History& history, LifeFiles& files, QString folder, QObject* parent = nullptr);
   void setMinutes(int minutes) { timer_.setInterval(minutes * 60'000); }
   /// What was left, the newest first: by a crash or an end from outside, else by the last window that was closed.
   /// Empty: nothing. As long as it is offered, other windows do not offer it.
@@ -64,7 +66,9 @@ class Autosave final : public QObject {
   void forgetBefore();
   void removeOldSessions(const QStringList& but) const;
 
-  Session& session_;
+  RunningLife& life_;
+  History& history_;
+  LifeFiles& files_;
   int waited_ = 0;  // ticks
   QString folder_, path_;
   QTimer timer_;

@@ -46,7 +46,7 @@ MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent)
         return live_->isAncestorOf(&field) || qobject_cast<const QAbstractSpinBox*>(&field);
       });
   makeActions();
-  bar_ = new RunBar(session_, run_);
+  bar_ = new RunBar(session_.life(), session_.editing(), run_);
   messages_ = new MessageBar(frame);
   pages_ = new QStackedWidget;
   live_ = new LivePage(session_);
@@ -63,13 +63,13 @@ MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent)
   liveColumn->addWidget(scroll, 1);
   pages_->addWidget(live);
   if (setup.folder.isEmpty()) setup.folder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
-  experiment_ = new ExperimentPage(session_, std::move(setup.plans), setup.folder);
+  experiment_ = new ExperimentPage(session_.life(), std::move(setup.plans), setup.folder);
   pages_->addWidget(experiment_);
   pages_->addWidget(makePlaceholder(
       tr("Lessons"), tr("Lessons that lead through exploring, thresholds and temperature will stand on this page in "
                         "a later version. The Live page is a good place to begin.")));
   column->addWidget(pages_, 1);
-  status_ = new StatusLine(session_);
+  status_ = new StatusLine(session_.life());
   column->addWidget(status_);
   setCentralWidget(frame);
   makeMenus();
@@ -88,15 +88,15 @@ MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent)
     experimentRight_ = right;
     refreshStatus();
   });
-  connect(&session_, &Session::stateChanged, this, &MainWindow::refresh);
-  connect(&session_, &Session::stateChanged, messages_, &MessageBar::dismissRemark);
-  connect(&session_, &Session::configurationChanged, messages_, &MessageBar::dismiss);
-  connect(&session_, &Session::lifeReplaced, messages_, &MessageBar::dismiss);
-  connect(&session_, &Session::frame, this, [this] {
-    const QString trouble = toText(session_.snapshot().trouble);
+  connect(&session_.life(), &RunningLife::stateChanged, this, &MainWindow::refresh);
+  connect(&session_.life(), &RunningLife::stateChanged, messages_, &MessageBar::dismissRemark);
+  connect(&session_.life(), &RunningLife::configurationChanged, messages_, &MessageBar::dismiss);
+  connect(&session_.life(), &RunningLife::replaced, messages_, &MessageBar::dismiss);
+  connect(&session_.looking(), &Looking::frame, this, [this] {
+    const QString trouble = toText(session_.life().snapshot().trouble);
     if (trouble != troubleShown_ && !trouble.isEmpty()) messages_->say(trouble);
     troubleShown_ = trouble;
-    session_.setLookedAt(isVisible() && !isMinimized());
+    session_.life().setLookedAt(isVisible() && !isMinimized());
   });
   connect(bar_, &RunBar::meaningAsked, this, &MainWindow::showWords);
   askQuestions();
@@ -105,7 +105,7 @@ MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent)
   live_->world().setFocus();
   restoreSettings();
   setAcceptDrops(true);
-  autosave_ = new Autosave(session_, setup.folder, this);
+  autosave_ = new Autosave(session_.life(), session_.history(), session_.files(), setup.folder, this);
   usePreferences(readPreferences());
   offerToRestore();
 }
@@ -151,16 +151,16 @@ void MainWindow::refreshStatus() {
 
 void MainWindow::refresh() {
   refreshTitle();
-  run_.run->setText(session_.running() ? tr("&Pause") : tr("&Run"));
-  run_.run->setEnabled(!session_.runFinished() && pages_->currentIndex() == 0);
-  run_.run->setToolTip(session_.runFinished() ? tr("The life is complete; restart it to run again")
-                                              : tr("Run or pause"));
-  const QString beginning = session_.beginning();
+  run_.run->setText(session_.life().running() ? tr("&Pause") : tr("&Run"));
+  run_.run->setEnabled(!session_.life().finished() && pages_->currentIndex() == 0);
+  run_.run->setToolTip(session_.life().finished() ? tr("The life is complete; restart it to run again")
+                                                  : tr("Run or pause"));
+  const QString beginning = session_.life().beginning();
   run_.restart->setToolTip(beginning.isEmpty()
                                ? tr("Start the life again with the same seed")
                                : tr("Start the life again with the same seed and the same start: %1").arg(beginning));
   const QSignalBlocker blocker(run_.turbo);
-  run_.turbo->setChecked(session_.turbo());
+  run_.turbo->setChecked(session_.life().turbo());
 }
 
 }  // namespace surefoot

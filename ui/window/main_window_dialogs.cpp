@@ -24,11 +24,11 @@ void MainWindow::askForSeed() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(tr("Another seed"));
   dialog->setLabelText(tr("The life begins again with this seed, a whole number from 0 on:"));
-  dialog->setTextValue(QString::number(session_.configuration().seed));
+  dialog->setTextValue(QString::number(session_.life().configuration().seed));
   connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& text) {
     const auto seed = parseSeed("seed", text.trimmed().toStdString());
     if (!seed) return messages_->say(toText(seed.error().message));
-    begin([this, seed = *seed] { return session_.setSeed(seed); });
+    begin([this, seed = *seed] { return session_.newLives().setSeed(seed); });
   });
   dialog->open();
 }
@@ -36,9 +36,9 @@ void MainWindow::askForSeed() {
 void MainWindow::showPreLearning() {
   for (const auto& [environment, dialog] : preLearning_)
     if (dialog) dialog->hide();
-  auto& dialog = preLearning_[session_.configuration().names.environment];
+  auto& dialog = preLearning_[session_.life().configuration().names.environment];
   if (!dialog) {
-    dialog = new PreLearningDialog(session_, this);
+    dialog = new PreLearningDialog(session_.life(), session_.newLives(), this);
     connect(dialog, &PreLearningDialog::transferred, messages_, &MessageBar::tell);
   }
   dialog->show();

@@ -43,7 +43,7 @@ void MainWindow::openFile(const QString& path) {
     experiment_->open(path);
     return remember(path);
   }
-  session_.open(path.toStdString(), [this, path](const Status& status) {
+  session_.files().open(path.toStdString(), [this, path](const Status& status) {
     if (!status) return messages_->say(toText(status.error().message));
     setPage(0);
     remember(path);
@@ -59,7 +59,7 @@ void MainWindow::remember(const QString& path) {
 }
 
 void MainWindow::saveSession(const std::function<void()>& then) {
-  const QString& path = session_.file().path;
+  const QString& path = session_.life().file().path;
   path.isEmpty() ? saveSessionAs(then) : saveTo(SavedAs::Session, path, then);
 }
 
@@ -74,12 +74,13 @@ void MainWindow::saveWithDialog(SavedAs what, const QString& title, const QStrin
 }
 
 void MainWindow::saveTo(SavedAs what, const QString& path, const std::function<void()>& then) {
-  session_.save(what, path.toStdString(), [this, what, path, then](const Status& s) {
+  session_.files().save(what, path.toStdString(), [this, what, path, then](const Status& s) {
     if (!s) return messages_->say(toText(s.error().message));
     remember(path);
-    if (what == SavedAs::Session && session_.written()) session_.setFile({path, *session_.written()});
+    if (what == SavedAs::Session && session_.files().written())
+      session_.life().setFile({path, *session_.files().written()});
     messages_->tell(tr("%1 is written. Without a window: %2")
-                        .arg(QFileInfo(path).fileName(), suggestedCommand(what, path, session_)));
+                        .arg(QFileInfo(path).fileName(), suggestedCommand(what, path, session_.life())));
     if (then) then();
   });
 }

@@ -21,44 +21,47 @@
 namespace surefoot {
 
 void MainWindow::askQuestions() {
-  connect(&session_, &Session::refused, messages_, &MessageBar::say);
-  connect(&session_, &Session::remarked, messages_, &MessageBar::say);
-  connect(&session_.background(), &Background::busyChanged, this, [this] {
-    if (session_.background().busy()) messages_->tell(tr("It is being made ready; the world goes on meanwhile."));
+  connect(&session_.newLives(), &NewLives::refused, messages_, &MessageBar::say);
+  connect(&session_.newLives(), &NewLives::remarked, messages_, &MessageBar::say);
+  connect(&session_.newLives().background(), &Background::busyChanged, this, [this] {
+    if (session_.newLives().background().busy())
+      messages_->tell(tr("It is being made ready; the world goes on meanwhile."));
   });
   connect(run_.live, &QAction::triggered, messages_, &MessageBar::cancel);
-  connect(bar_, &RunBar::environmentAsked, this,
-          [this](const std::string& name) { begin([this, name] { return session_.beginEnvironment(name); }); });
+  connect(bar_, &RunBar::environmentAsked, this, [this](const std::string& name) {
+    begin([this, name] { return session_.newLives().beginEnvironment(name); });
+  });
   connect(bar_, &RunBar::agentAsked, this, &MainWindow::askForAgent);
-  connect(&session_, &Session::needsNewTable, this, &MainWindow::askForNewTable);
-  connect(&session_, &Session::lifeKept, this,
+  connect(&session_.editing(), &Editing::needsNewTable, this, &MainWindow::askForNewTable);
+  connect(&session_.history(), &History::lifeKept, this,
           [this] { messages_->tell(tr("The life before is kept: Ctrl+Z brings it back.")); });
-  connect(&session_, &Session::lifeBroughtBack, this,
+  connect(&session_.history(), &History::lifeBroughtBack, this,
           [this] { messages_->tell(tr("This life is back as it was; the other one is kept for undo and redo.")); });
   connect(live_, &LivePage::told, messages_, &MessageBar::tell);
   connect(live_, &LivePage::newTableAsked, this, [this](const QString& sentence, const std::function<void()>& go) {
     messages_->ask(sentence, {{tr("Start again"), go}});
   });
-  session_.setAskBeforeEnding(
-      [this](const std::shared_ptr<KeptLife>& kept, const Session::GoOn& goOn) { askBeforeEnding(kept, goOn); });
-  for (auto signal : {&Session::fileChanged, &Session::lifeReplaced})
-    connect(&session_, signal, this, &MainWindow::refresh);
-  connect(&session_, &Session::frame, this, [this] {
-    if (name_->text() != sessionName() + (session_.unsaved() ? "*" : "")) refreshTitle();
+  session_.history().setAskBeforeEnding(
+      [this](const std::shared_ptr<KeptLife>& kept, const History::GoOn& goOn) { askBeforeEnding(kept, goOn); });
+  for (auto signal : {&RunningLife::fileChanged, &RunningLife::replaced})
+    connect(&session_.life(), signal, this, &MainWindow::refresh);
+  connect(&session_.looking(), &Looking::frame, this, [this] {
+    if (name_->text() != sessionName() + (session_.life().unsaved() ? "*" : "")) refreshTitle();
   });
-  connect(&session_, &Session::valuesArrived, this, &MainWindow::refreshName);
+  connect(&session_.life(), &RunningLife::valuesArrived, this, &MainWindow::refreshName);
 }
 
 void MainWindow::askForAgent(const QString& name, const QString& title) {
   messages_->ask(
       tr("%1 needs a new table, so learning starts again from the beginning, with the same seed.").arg(title),
       {{tr("Start again"), [this, name] {
-          if (const Status s = session_.setAgent(name.toStdString()); !s) messages_->say(toText(s.error().message));
+          if (const Status s = session_.newLives().setAgent(name.toStdString()); !s)
+            messages_->say(toText(s.error().message));
         }}});
 }
 
 void MainWindow::askForNewTable(const QString& key, double value) {
-  const auto* entry = session_.configuration().parameters.find(key.toStdString());
+  const auto* entry = session_.life().configuration().parameters.find(key.toStdString());
   const auto told = [this](const Status& status) {
     if (!status) messages_->say(toText(status.error().message));
   };
@@ -67,8 +70,9 @@ void MainWindow::askForNewTable(const QString& key, double value) {
          "is learned over into it?")
           .arg(toText(entry->parameter.title), toText(formatValue(entry->parameter, value))),
       {{tr("Start again"),
-        [this, key, value, told] { told(session_.setParameterAndRestart(key.toStdString(), value)); }},
-       {tr("Carry over"), [this, key, value, told] { session_.carryOver(key.toStdString(), value, told); }}});
+        [this, key, value, told] { told(session_.newLives().setParameterAndRestart(key.toStdString(), value)); }},
+       {tr("Carry over"),
+        [this, key, value, told] { session_.newLives().carryOver(key.toStdString(), value, told); }}});
 }
 
 void MainWindow::askBeforeEnding(const std::shared_ptr<KeptLife>& kept, const std::function<void()>& goOn) {
@@ -76,29 +80,29 @@ void MainWindow::askBeforeEnding(const std::shared_ptr<KeptLife>& kept, const st
     return messages_->ask(
         tr("There is not enough memory to keep one more life for undo: a life before this one, of %1, is not saved and "
            "would end.")
-            .arg(episodesText(kept->progress.episodes)),
+            .arg(episodesText(kept->known.progress.episodes)),
         {{tr("Save it first"), [this, kept, goOn] { saveKept(kept, goOn); }}, {tr("End it"), goOn}});
   messages_->ask(tr("This life has %1, is not saved, and there is not enough memory to keep it for undo.")
-                     .arg(episodesText(session_.progress().episodes)),
+                     .arg(episodesText(session_.life().progress().episodes)),
                  {{tr("Save it first"), [this, goOn] { saveSession(goOn); }}, {tr("End it"), goOn}});
 }
 
 void MainWindow::tellHowItBegan() {
-  if (const QString beginning = session_.beginning(); !beginning.isEmpty())
+  if (const QString beginning = session_.life().beginning(); !beginning.isEmpty())
     messages_->tell(tr("The life begins again with the same start: %1. Run › Restart with an empty table begins from "
                        "nothing.")
                         .arg(beginning));
 }
 
 QString MainWindow::sessionName() const {
-  const QString& path = session_.file().path;
+  const QString& path = session_.life().file().path;
   return path.isEmpty() ? tr("untitled session") : QFileInfo(path).completeBaseName();
 }
 
 // The mark has its place in the title only while it is shown: a title without one is compared by scripts.
 void MainWindow::refreshTitle() {
-  const bool finished = session_.runFinished(), named = !session_.file().path.isEmpty();
-  const bool unsaved = session_.unsaved(), marked = unsaved && !finished;
+  const bool finished = session_.life().finished(), named = !session_.life().file().path.isEmpty();
+  const bool unsaved = session_.life().unsaved(), marked = unsaved && !finished;
   if (!marked) setWindowModified(false);
   setWindowTitle(finished          ? tr("Surefoot: the life is complete")
                  : named || marked ? tr("Surefoot: %1").arg(sessionName()) + (marked ? "[*]" : "")
@@ -109,9 +113,9 @@ void MainWindow::refreshTitle() {
 
 /// The session's name beside the tabs, and what its tip counts.
 void MainWindow::refreshName() {
-  const bool unsaved = session_.unsaved();
-  const QString& path = session_.file().path;
-  const QString since = unsaved ? counted(session_.progress().episodes - session_.file().saved.episodes,
+  const bool unsaved = session_.life().unsaved();
+  const QString& path = session_.life().file().path;
+  const QString since = unsaved ? counted(session_.life().progress().episodes - session_.life().file().saved.episodes,
                                           tr("%1 episode is not saved"), tr("%1 episodes are not saved"))
                                 : tr("everything is saved");
   name_->say(sessionName(), unsaved, path.isEmpty() ? since : path + '\n' + since);
@@ -130,25 +134,25 @@ void MainWindow::closeForNow() {
 
 /// What would be lost: of the life that runs, and of those that undo could bring back.
 QString MainWindow::whatIsNotSaved() const {
-  const auto before = session_.unsavedBefore();
+  const auto before = session_.history().unsavedBefore();
   QStringList others;
   for (auto life = before.rbegin(); life != before.rend() && others.size() < 4; ++life)
-    others << toText(countText(static_cast<double>((*life)->progress.episodes)));
+    others << toText(countText(static_cast<double>((*life)->known.progress.episodes)));
   if (before.size() > 4) others << tr("…");
   const QString kept =
       before.size() == 1
-          ? tr("A life before this one, of %1,").arg(episodesText(before[0]->progress.episodes))
+          ? tr("A life before this one, of %1,").arg(episodesText(before[0]->known.progress.episodes))
           : tr("%1 lives before this one, of %2 episodes,").arg(before.size()).arg(others.join(QStringLiteral(", ")));
   QString second;
-  if (const Session* other = secondUnsaved())
-    second = tr("What the second learned in %1 is not saved.").arg(episodesText(other->progress().episodes));
+  if (Session* other = secondUnsaved())
+    second = tr("What the second learned in %1 is not saved.").arg(episodesText(other->life().progress().episodes));
   const auto with = [&](const QString& sentence) {
     return second.isEmpty() ? sentence : sentence.isEmpty() ? second : sentence + ' ' + second;
   };
-  if (!session_.unsaved())
+  if (!session_.life().unsaved())
     return with(before.empty() ? QString() : tr("%1 kept for Ctrl+Z only, not saved.").arg(kept));
-  const QString episodes = episodesText(session_.progress().episodes - session_.file().saved.episodes);
-  const QString now = session_.file().path.isEmpty()
+  const QString episodes = episodesText(session_.life().progress().episodes - session_.life().file().saved.episodes);
+  const QString now = session_.life().file().path.isEmpty()
                           ? tr("What this life learned in %1 is not saved.").arg(episodes)
                           : tr("What %1 learned in %2 is not saved.").arg(sessionName(), episodes);
   return with(before.empty() ? now : now + ' ' + tr("%1 kept for Ctrl+Z only.").arg(kept));
@@ -157,7 +161,7 @@ QString MainWindow::whatIsNotSaved() const {
 /// The second learner of Compare, if it learned something that is not saved.
 Session* MainWindow::secondUnsaved() const {
   Rival* rival = live_->rival();
-  return rival && rival->session().unsaved() ? &rival->session() : nullptr;
+  return rival && rival->session().life().unsaved() ? &rival->session() : nullptr;
 }
 
 /// Whether there is something to be asked. Saved one after the other, until nothing is left.
@@ -165,8 +169,8 @@ bool MainWindow::askBeforeQuit() {
   const QString sentence = asksOnQuit_ ? whatIsNotSaved() : QString();
   if (sentence.isEmpty()) return false;
   const auto save = [this] {
-    const auto before = session_.unsavedBefore();
-    if (session_.unsaved())
+    const auto before = session_.history().unsavedBefore();
+    if (session_.life().unsaved())
       saveSession([this] { close(); });
     else if (before.empty())
       saveSecond([this] { close(); });
@@ -180,10 +184,10 @@ bool MainWindow::askBeforeQuit() {
 void MainWindow::saveKept(const std::shared_ptr<KeptLife>& kept, const std::function<void()>& then) {
   askForNewFile(this, tr("Save the session"), "session.surefoot", "*.surefoot", "surefoot",
                 [this, kept, then](const QString& path) {
-                  session_.saveKept(*kept, path.toStdString(), [this, kept, path, then](const Status& s) {
+                  session_.files().saveKept(*kept, path.toStdString(), [this, kept, path, then](const Status& s) {
                     if (!s) return messages_->say(toText(s.error().message));
                     remember(path);
-                    kept->file = {path, kept->progress};
+                    kept->known.file = {path, kept->known.progress};
                     then();
                   });
                 });
@@ -194,12 +198,14 @@ void MainWindow::saveSecond(const std::function<void()>& then) {
   if (!second) return then();
   askForNewFile(this, tr("Save the second learner's session"), "second.surefoot", "*.surefoot", "surefoot",
                 [this, second, then](const QString& path) {
-                  second->save(SavedAs::Session, path.toStdString(), [this, second, path, then](const Status& s) {
-                    if (!s) return messages_->say(toText(s.error().message));
-                    remember(path);
-                    if (second->written()) second->setFile({path, *second->written()});
-                    then();
-                  });
+                  second->files().save(SavedAs::Session, path.toStdString(),
+                                       [this, second, path, then](const Status& s) {
+                                         if (!s) return messages_->say(toText(s.error().message));
+                                         remember(path);
+                                         if (second->files().written())
+                                           second->life().setFile({path, *second->files().written()});
+                                         then();
+                                       });
                 });
 }
 
@@ -222,7 +228,7 @@ void MainWindow::quit() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  const bool learned = session_.learned() || !session_.unsavedBefore().empty() || secondUnsaved();
+  const bool learned = session_.life().learned() || !session_.history().unsavedBefore().empty() || secondUnsaved();
   if (!closing_ && learned) {
     event->ignore();
     if (!askBeforeQuit()) quit();
@@ -254,9 +260,9 @@ void MainWindow::offerToRestore() {
 }
 
 void MainWindow::restore(const QString& file) {
-  session_.open(file.toStdString(), [this, file](const Status& s) {
+  session_.files().open(file.toStdString(), [this, file](const Status& s) {
     if (s) {
-      session_.setFile({});  // it has no file of its own yet
+      session_.life().setFile({});  // it has no file of its own yet
       setPage(0);
       return autosave_->takeOver(file);
     }

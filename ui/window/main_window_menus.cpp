@@ -83,20 +83,20 @@ void MainWindow::makeActions() {
   run_.back->setShortcuts({Qt::Key_Left, QKeySequence(Qt::SHIFT | Qt::Key_Left)});
   run_.live = addAction(nullptr, tr("Back to &live"), tr("Leave the replay and show what happens now"), Qt::Key_Escape);
   shortcuts_.push_back(run_.back);
-  connect(run_.back, &QAction::triggered, &session_, [this] {
+  connect(run_.back, &QAction::triggered, this, [this] {
     const bool far = QApplication::keyboardModifiers() & Qt::ShiftModifier;
-    session_.lookBack(far ? -60 : -1);
+    session_.looking().lookBack(far ? -60 : -1);
   });
   connect(run_.live, &QAction::triggered, this, [this] {
-    if (session_.playback() || !live_->leaveFullSize()) session_.backToLive();
+    if (session_.looking().playback() || !live_->leaveFullSize()) session_.looking().backToLive();
   });
-  connect(run_.run, &QAction::triggered, &session_, [this] { session_.setRunning(!session_.running()); });
-  connect(run_.step, &QAction::triggered, &session_, &Session::stepOnce);
+  connect(run_.run, &QAction::triggered, this, [this] { session_.life().setRunning(!session_.life().running()); });
+  connect(run_.step, &QAction::triggered, &session_.looking(), &Looking::stepOnce);
   connect(run_.restart, &QAction::triggered, this, [this] {
-    if (const Status s = session_.restart(); !s) return messages_->say(toText(s.error().message));
+    if (const Status s = session_.newLives().restart(); !s) return messages_->say(toText(s.error().message));
     tellHowItBegan();
   });
-  connect(run_.turbo, &QAction::toggled, &session_, &Session::setTurbo);
+  connect(run_.turbo, &QAction::toggled, &session_.life(), &RunningLife::setTurbo);
   liveActions_ = {run_.run, run_.step, run_.restart, run_.turbo, run_.faster, run_.slower, run_.back, run_.live};
   connect(run_.faster, &QAction::triggered, this, [this] { bar_->changePace(+1); });
   connect(run_.slower, &QAction::triggered, this, [this] { bar_->changePace(-1); });
@@ -105,9 +105,9 @@ void MainWindow::makeActions() {
 void MainWindow::makeFileMenu() {
   QMenu* file = menuBar()->addMenu(tr("&File"));
   QMenu* fresh = file->addMenu(tr("&New session in"));
-  for (const EnvironmentEntry& entry : session_.registry().environments)
+  for (const EnvironmentEntry& entry : session_.life().registry().environments)
     connect(addAction(fresh, toText(entry.title), toText(entry.help), {}), &QAction::triggered, this,
-            [this, name = entry.name] { begin([this, name] { return session_.beginEnvironment(name); }); });
+            [this, name = entry.name] { begin([this, name] { return session_.newLives().beginEnvironment(name); }); });
   const auto item = [&](QMenu* menu, const QString& text, const QString& tip, const QKeySequence& key, auto slot) {
     connect(addAction(menu, text, tip, key), &QAction::triggered, this, slot);
   };
@@ -138,8 +138,8 @@ void MainWindow::makeFileMenu() {
 
 void MainWindow::makeEditMenu() {
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-  for (QAction* action :
-       {session_.undo().createUndoAction(this, tr("&Undo")), session_.undo().createRedoAction(this, tr("&Redo"))})
+  for (QAction* action : {session_.history().undo().createUndoAction(this, tr("&Undo")),
+                          session_.history().undo().createRedoAction(this, tr("&Redo"))})
     edit->addAction(action);
   edit->actions()[0]->setShortcut(QKeySequence::Undo);
   edit->actions()[1]->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
@@ -174,7 +174,7 @@ void MainWindow::makeMenus() {
   QAction* empty =
       addAction(run, tr("Restart with an &empty table"), tr("Start the life again with the same seed, from nothing"),
                 QKeySequence(Qt::SHIFT | Qt::Key_R));
-  connect(empty, &QAction::triggered, this, [this] { begin([this] { return session_.restartEmpty(); }); });
+  connect(empty, &QAction::triggered, this, [this] { begin([this] { return session_.newLives().restartEmpty(); }); });
   liveActions_.push_back(empty);
   run->addSeparator();
   for (QAction* action : {run_.turbo, run_.faster, run_.slower}) run->addAction(action);
@@ -186,7 +186,7 @@ void MainWindow::makeMenus() {
   connect(compare, &QAction::toggled, this, [this](bool on) {
     live_->setComparing(on);
     constexpr std::int64_t kHeadStart = 1000;  // [steps]
-    if (!on || session_.snapshot().steps < kHeadStart) return;
+    if (!on || session_.life().snapshot().steps < kHeadStart) return;
     messages_->ask(tr("The second learner begins now. For a fair race, begin the first again, too?"),
                    {{tr("Begin both again"), [this] { run_.restart->trigger(); }}});
   });

@@ -6,23 +6,23 @@
 
 #include "core/life/rule_of_thumb.h"
 #include "core/text/text.h"
-#include "ui/session/session.h"
+#include "ui/session/running_life.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
 
 namespace surefoot {
 
-StatusLine::StatusLine(Session& session, QWidget* parent) : Painted(parent), session_(session) {
+StatusLine::StatusLine(RunningLife& life, QWidget* parent) : Painted(parent), life_(life) {
   whenScaled(this, [this] { setFixedHeight(scaled(24)); });
   setAccessibleName(tr("State of the life"));
-  connect(&session_, &Session::valuesArrived, this, &StatusLine::refresh);
-  connect(&session_, &Session::stateChanged, this, &StatusLine::refresh);
-  connect(&session_, &Session::lifeReplaced, this, &StatusLine::refresh);
+  connect(&life_, &RunningLife::valuesArrived, this, &StatusLine::refresh);
+  connect(&life_, &RunningLife::stateChanged, this, &StatusLine::refresh);
+  connect(&life_, &RunningLife::replaced, this, &StatusLine::refresh);
   refresh();
 }
 
 QStringList StatusLine::segments() const {
-  const Numbers& s = session_.numbers();
+  const Numbers& s = life_.numbers();
   QStringList list;
   if (!std::isnan(s.simulatedSeconds))
     list << tr("%1 min simulated")
@@ -30,34 +30,34 @@ QStringList StatusLine::segments() const {
                                                      : countText(s.simulatedSeconds / 60)));
   list << tr("%1 steps").arg(toText(countText(static_cast<double>(s.steps))));
   const double speed = s.stepsPerSecond;
-  if (session_.running() && speed > 0)
+  if (life_.running() && speed > 0)
     list << (speed >= 1e5 ? tr("%1 M steps/s").arg(toText(fixedText(speed / 1e6, 2)))
                           : tr("%1 steps/s").arg(toText(countText(speed))));
-  const ValueSnapshot* v = session_.values();
+  const ValueSnapshot* v = life_.values();
   if (v && v->rule) {
     const RuleText rule = textOf(*v->rule);
     list << tr("n* %1 → rule-of-thumb threshold %2").arg(toText(rule.transitions), toText(rule.threshold));
-  } else if (!session_.task().goalReward) {
+  } else if (!life_.task().goalReward) {
     list << tr("rule-of-thumb threshold: not defined here");
   }
   if (v && !v->memory.empty() && v->memory[0].occupied && v->memory[0].slots > 0)
     list << tr("table %1 % full")
                 .arg(toText(fixedText(
                     100.0 * static_cast<double>(*v->memory[0].occupied) / static_cast<double>(v->memory[0].slots), 0)));
-  list << tr("seed %1").arg(session_.configuration().seed);
-  if (const QString beginning = session_.beginning(); !beginning.isEmpty()) list << tr("began %1").arg(beginning);
+  list << tr("seed %1").arg(life_.configuration().seed);
+  if (const QString beginning = life_.beginning(); !beginning.isEmpty()) list << tr("began %1").arg(beginning);
   return list;
 }
 
 QString StatusLine::state() const {
-  const ValueSnapshot* v = session_.values();
+  const ValueSnapshot* v = life_.values();
   QString text = v && v->endOfLearning > 0
                      ? tr("learning ended at episode %1").arg(toText(countText(static_cast<double>(v->endOfLearning))))
                      : QString();
   if (v && v->walksSince) text = tr("walks since minute %1").arg(toText(fixedText(*v->walksSince, 0)));
-  if (session_.snapshot().finished)
+  if (life_.snapshot().finished)
     text = tr("the life is complete") + (text.isEmpty() ? "" : "; " + text);
-  else if (!session_.running())
+  else if (!life_.running())
     text = tr("paused") + (text.isEmpty() ? "" : "; " + text);
   return text;
 }

@@ -9,13 +9,13 @@
 
 namespace surefoot {
 
-class Session;
+class RunningLife;
 
 class StatusLine final : public Painted<> {
   Q_OBJECT
 
  public:
-  explicit StatusLine(Session& session, QWidget* parent = nullptr);
+  explicit StatusLine(RunningLife& life, QWidget* parent = nullptr);
 
  protected:
   void paintEvent(QPaintEvent*) override;
@@ -33,7 +33,7 @@ class StatusLine final : public Painted<> {
   QStringList segments() const;
   QString state() const;
 
-  Session& session_;
+  RunningLife& life_;
   QStringList segments_;
   QString state_;
 };

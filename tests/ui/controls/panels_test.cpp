@@ -33,9 +33,9 @@ TEST(MapBar, FoldsIntoOneMenuWithTheSameChoices) {
   Window w;
   MapBar bar;
   MapChoice choice;
-  choice.fit(w.session->task());
+  choice.fit(w.session->life().task());
   const std::vector<double> live(3, 0.0);
-  bar.show(choice, w.session->task(), live);
+  bar.show(choice, w.session->life().task(), live);
   const auto visible = [&] {
     QList<QToolButton*> list;
     for (QToolButton* b : bar.findChildren<QToolButton*>(QString(), Qt::FindDirectChildrenOnly))
@@ -93,7 +93,7 @@ TEST(LivePage, ATaskWithoutFallsShowsNone) {
     }
   const QImage bar = w.window->findChild<RunBar*>()->grab().toImage();
   EXPECT_EQ(pixelsOf(bar, lightTheme().fallText), 0);
-  ASSERT_TRUE(w.session->beginEnvironment("cliff"));
+  ASSERT_TRUE(w.session->newLives().beginEnvironment("cliff"));
   EXPECT_TRUE(w.waitFor([&] {
     for (Panel* panel : w.window->livePage().panels())
       if (panel->objectName() == "falls") return panel->isVisible();
@@ -103,24 +103,24 @@ TEST(LivePage, ATaskWithoutFallsShowsNone) {
 
 TEST(Scrubber, PlaysAndStopsAndTakesNoRoomOfTheWorld) {
   Window w("epsilon-greedy");
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return !w.session->falls().empty(); }, 30'000));
-  w.session->setRunning(false);
+  w.session->life().setTurbo(true);
+  w.session->life().setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return !w.session->looking().falls().empty(); }, 30'000));
+  w.session->life().setRunning(false);
   const QSize size = w.window->livePage().world().size();
-  w.session->replayFall(0);
-  ASSERT_TRUE(w.session->playback());
+  w.session->looking().replayFall(0);
+  ASSERT_TRUE(w.session->looking().playback());
   auto* scrubber = w.window->findChild<Scrubber*>();
   QTest::qWait(50);
   EXPECT_EQ(w.window->livePage().world().size(), size);
   EXPECT_GT(scrubber->width(), 100);
   auto* play = scrubber->findChildren<QToolButton*>().front();
   QTest::mouseClick(play, Qt::LeftButton);
-  EXPECT_EQ(w.session->playback()->rate, 0);
+  EXPECT_EQ(w.session->looking().playback()->rate, 0);
   EXPECT_EQ(play->text(), "Play");
   QTest::mouseClick(play, Qt::LeftButton);
-  EXPECT_GT(w.session->playback()->rate, 0);
-  w.session->backToLive();
+  EXPECT_GT(w.session->looking().playback()->rate, 0);
+  w.session->looking().backToLive();
   EXPECT_EQ(scrubber->width(), 0);
 }
 

@@ -54,10 +54,10 @@ TEST(ViewMenu, EveryViewHasOneByMouseAndByKeys) {
 
 TEST(ViewMenu, CopiesThePictureAndTheNumbers) {
   Window w;
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->numbers().falls > 5; }));
-  w.session->setRunning(false);
+  w.session->life().setTurbo(true);
+  w.session->life().setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().numbers().falls > 5; }));
+  w.session->life().setRunning(false);
   QTest::qWait(150);
   auto* falls = w.window->livePage().findChild<Panel*>("falls")->widget();
   QTest::keyClick(falls, Qt::Key_Menu);

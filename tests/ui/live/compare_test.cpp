@@ -60,54 +60,58 @@ TEST(Compare, BothBeginAlikeAfterPreLearning) {
   w.window->livePage().setComparing(true);
   Rival* rival = w.window->livePage().rival();
   ASSERT_TRUE(rival);
-  ASSERT_TRUE(w.session->begin(preLearned(w)));
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().life == 2 && rival->session().values(); }));
-  EXPECT_EQ(w.session->beginning(), "pre-learned (scenario 2)");
-  EXPECT_EQ(rival->session().beginning(), "pre-learned (scenario 2)");
+  ASSERT_TRUE(w.session->newLives().begin(preLearned(w)));
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().life == 2 && rival->session().life().values(); }));
+  EXPECT_EQ(w.session->life().beginning(), "pre-learned (scenario 2)");
+  EXPECT_EQ(rival->session().life().beginning(), "pre-learned (scenario 2)");
   EXPECT_TRUE(rival->strip().first().contains("pre-learned (scenario 2)"));
-  ASSERT_TRUE(w.waitFor([&] { return w.session->values() && rival->session().values(); }));
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().values() && rival->session().life().values(); }));
   std::vector<double> mine(5), others(5);
-  w.session->values()->values->evaluate(w.session->snapshot().state, Layer::Sum, mine);
-  rival->session().values()->values->evaluate(w.session->snapshot().state, Layer::Sum, others);
+  w.session->life().values()->values->evaluate(w.session->life().snapshot().state, Layer::Sum, mine);
+  rival->session().life().values()->values->evaluate(w.session->life().snapshot().state, Layer::Sum, others);
   EXPECT_EQ(mine, others) << "the same initial Q-function";
   w.key(Qt::Key_R);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().life == 3; }));
-  EXPECT_EQ(w.session->beginning(), "pre-learned (scenario 2)") << "R keeps the start, and says so";
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().life == 3; }));
+  EXPECT_EQ(w.session->life().beginning(), "pre-learned (scenario 2)") << "R keeps the start, and says so";
   EXPECT_TRUE(w.window->messages().accessibleName().contains("pre-learned (scenario 2)"));
-  EXPECT_EQ(rival->session().beginning(), "pre-learned (scenario 2)");
+  EXPECT_EQ(rival->session().life().beginning(), "pre-learned (scenario 2)");
   QTest::keyClick(w.window.get(), Qt::Key_R, Qt::ShiftModifier);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().life == 4; }));
-  EXPECT_EQ(w.session->beginning(), "") << "from scratch";
-  EXPECT_EQ(rival->session().beginning(), "");
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().life == 4; }));
+  EXPECT_EQ(w.session->life().beginning(), "") << "from scratch";
+  EXPECT_EQ(rival->session().life().beginning(), "");
 }
 
 TEST(Compare, AStartThatCannotFitIsTold) {
   Window w("epsilon-greedy");
-  ASSERT_TRUE(w.session->begin(preLearned(w)));
+  ASSERT_TRUE(w.session->newLives().begin(preLearned(w)));
   w.window->livePage().setComparing(true);
   Rival* rival = w.window->livePage().rival();
   ASSERT_TRUE(rival);
-  EXPECT_EQ(rival->session().beginning(), "pre-learned (scenario 2)");
+  EXPECT_EQ(rival->session().life().beginning(), "pre-learned (scenario 2)");
   rival->choose("sarsa-2q", "softmax");
-  EXPECT_EQ(rival->session().beginning(), "");
+  EXPECT_EQ(rival->session().life().beginning(), "");
   EXPECT_TRUE(w.window->messages().accessibleName().contains("It begins empty"))
       << w.window->messages().accessibleName().toStdString();
   rival->choose("sarsa", "softmax");
-  EXPECT_EQ(rival->session().beginning(), "pre-learned (scenario 2)");
+  EXPECT_EQ(rival->session().life().beginning(), "pre-learned (scenario 2)");
   rival->setStart(Rival::Start::Empty);
-  EXPECT_EQ(rival->session().beginning(), "");
+  EXPECT_EQ(rival->session().life().beginning(), "");
 }
 
 namespace {
 
 void learnBoth(Window& w, Rival& rival, std::int64_t episodes) {
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
+  w.session->life().setTurbo(true);
+  w.session->life().setRunning(true);
   ASSERT_TRUE(w.waitFor(
-      [&] { return w.session->progress().episodes >= episodes && rival.session().progress().episodes >= episodes; },
+      [&] {
+        return w.session->life().progress().episodes >= episodes &&
+               rival.session().life().progress().episodes >= episodes;
+      },
       30'000));
-  w.session->setRunning(false);
-  ASSERT_TRUE(w.waitFor([&] { return !w.session->snapshot().running && !rival.session().snapshot().running; }));
+  w.session->life().setRunning(false);
+  ASSERT_TRUE(
+      w.waitFor([&] { return !w.session->life().snapshot().running && !rival.session().life().snapshot().running; }));
   QTest::qWait(200);
 }
 
@@ -118,16 +122,16 @@ TEST(Compare, WhatTheSecondLearnedIsNotGivenUpWithoutAQuestion) {
   w.window->livePage().setComparing(true);
   Rival* rival = w.window->livePage().rival();
   learnBoth(w, *rival, 30);
-  const std::int64_t steps = rival->session().progress().steps;
+  const std::int64_t steps = rival->session().life().progress().steps;
   rival->choose("sarsa-2q", "softmax");
   rival->setStart(Rival::Start::Empty);
   QTest::qWait(50);
-  EXPECT_EQ(rival->session().progress().steps, steps);
+  EXPECT_EQ(rival->session().life().progress().steps, steps);
   EXPECT_EQ(rival->start(), Rival::Start::Same);
   EXPECT_EQ(rival->agent(), "sarsa");
   rival->choose("sarsa-2q", "softmax");
   answer(w, "Start again");
-  EXPECT_TRUE(w.waitFor([&] { return rival->session().progress().steps == 0; }));
+  EXPECT_TRUE(w.waitFor([&] { return rival->session().life().progress().steps == 0; }));
   EXPECT_EQ(rival->agent(), "sarsa-2q");
 }
 
@@ -137,16 +141,17 @@ TEST(Compare, UndoBringsThePairBackThatRanTogether) {
   w.window->livePage().setComparing(true);
   Rival* rival = w.window->livePage().rival();
   learnBoth(w, *rival, 30);
-  const std::int64_t first = w.session->progress().steps, second = rival->session().progress().steps;
+  const std::int64_t first = w.session->life().progress().steps, second = rival->session().life().progress().steps;
   w.key(Qt::Key_R);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->progress().steps == 0 && rival->session().progress().steps == 0; }));
+  ASSERT_TRUE(w.waitFor(
+      [&] { return w.session->life().progress().steps == 0 && rival->session().life().progress().steps == 0; }));
   learnBoth(w, *rival, 10);
   rival->choose("sarsa-2q", "softmax");
   answer(w, "Start again");
-  ASSERT_TRUE(w.waitFor([&] { return rival->session().progress().steps == 0; }));
-  w.session->undo().undo();
-  EXPECT_TRUE(w.waitFor([&] { return w.session->progress().steps == first; }));
-  EXPECT_TRUE(w.waitFor([&] { return rival->session().progress().steps == second; }));
+  ASSERT_TRUE(w.waitFor([&] { return rival->session().life().progress().steps == 0; }));
+  w.session->history().undo().undo();
+  EXPECT_TRUE(w.waitFor([&] { return w.session->life().progress().steps == first; }));
+  EXPECT_TRUE(w.waitFor([&] { return rival->session().life().progress().steps == second; }));
   EXPECT_EQ(rival->agent(), "sarsa");
 }
 
@@ -163,24 +168,25 @@ TEST(Compare, AStartThatIsRefusedIsNotKept) {
   ASSERT_TRUE(w.waitFor([&] { return !w.window->messages().accessibleName().isEmpty(); }));
   EXPECT_EQ(rival->start(), Rival::Start::Same) << w.window->messages().accessibleName().toStdString();
   w.key(Qt::Key_R);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().life == 2 && rival->session().snapshot().life >= 2; }))
-      << "both begin again";
+  ASSERT_TRUE(w.waitFor([&] {
+    return w.session->life().snapshot().life == 2 && rival->session().life().snapshot().life >= 2;
+  })) << "both begin again";
 }
 
 TEST(Compare, TheSecondHasParametersOfItsOwn) {
   Window w("trl");
   w.window->livePage().setComparing(true);
   Rival* rival = w.window->livePage().rival();
-  const auto seconds = [&](const char* key) { return rival->session().configuration().parameters.get(key); };
+  const auto seconds = [&](const char* key) { return rival->session().life().configuration().parameters.get(key); };
   rival->showParameters();
-  ASSERT_TRUE(rival->session().setParameter("policy.threshold", 66.0));
+  ASSERT_TRUE(rival->session().editing().setParameter("policy.threshold", 66.0));
   EXPECT_TRUE(rival->ownParameters().contains("66"));
-  ASSERT_TRUE(w.session->setParameter("policy.threshold", 20.0));
+  ASSERT_TRUE(w.session->editing().setParameter("policy.threshold", 20.0));
   EXPECT_EQ(seconds("policy.threshold"), 66.0) << "its own stays";
-  ASSERT_TRUE(w.session->setParameter("policy.temperature", 3.0));
+  ASSERT_TRUE(w.session->editing().setParameter("policy.temperature", 3.0));
   EXPECT_EQ(seconds("policy.temperature"), 3.0) << "the others follow the first";
   w.key(Qt::Key_R);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().life == 2; }));
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().life == 2; }));
   EXPECT_EQ(seconds("policy.threshold"), 66.0);
 }
 
@@ -188,22 +194,23 @@ TEST(Compare, NeitherRestNorUndoCostsTheSecondItsLife) {
   Window w("trl");
   w.window->livePage().setComparing(true);
   Rival* rival = w.window->livePage().rival();
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return rival->session().progress().episodes > 50 && w.session->learned(); }));
-  w.session->setRunning(false);
-  ASSERT_TRUE(w.waitFor([&] { return !rival->session().snapshot().running; }));
+  w.session->life().setTurbo(true);
+  w.session->life().setRunning(true);
+  ASSERT_TRUE(
+      w.waitFor([&] { return rival->session().life().progress().episodes > 50 && w.session->life().learned(); }));
+  w.session->life().setRunning(false);
+  ASSERT_TRUE(w.waitFor([&] { return !rival->session().life().snapshot().running; }));
   QTest::qWait(50);
-  const LifeProgress second = rival->session().progress();
+  const LifeProgress second = rival->session().life().progress();
   w.window->livePage().setComparing(false);
   EXPECT_EQ(w.window->livePage().rival(), nullptr);
   w.window->livePage().setComparing(true);
   ASSERT_EQ(w.window->livePage().rival(), rival);
-  EXPECT_EQ(rival->session().progress().steps, second.steps);
+  EXPECT_EQ(rival->session().life().progress().steps, second.steps);
   w.key(Qt::Key_R);
-  ASSERT_TRUE(w.waitFor([&] { return rival->session().progress().steps == 0; }));
+  ASSERT_TRUE(w.waitFor([&] { return rival->session().life().progress().steps == 0; }));
   QTest::keyClick(w.window.get(), Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_TRUE(w.waitFor([&] { return rival->session().snapshot().steps == second.steps; }))
+  EXPECT_TRUE(w.waitFor([&] { return rival->session().life().snapshot().steps == second.steps; }))
       << "the life beside the first comes back with it";
 }
 

@@ -37,22 +37,22 @@ TEST(Drawn, AThresholdBeyondTheValuesHasNoLineAndNoContour) {
   Elsewhere w("cliff", "trl");
   auto* rows = w.window->findChild<ActionRows*>();
   auto* maps = w.window->findChild<ValueMaps*>();
-  ASSERT_GT(w.session->threshold(), rows->scaleOfQ().second) << "no value of the cliff is as high";
+  ASSERT_GT(w.session->life().threshold(), rows->scaleOfQ().second) << "no value of the cliff is as high";
   EXPECT_TRUE(says(*rows, "threshold 50 ›"));
   EXPECT_TRUE(says(*maps, "all values below threshold 50"));
   EXPECT_FALSE(says(*maps, "contour"));
-  ASSERT_TRUE(w.session->setParameter("policy.threshold", -200));
+  ASSERT_TRUE(w.session->editing().setParameter("policy.threshold", -200));
   EXPECT_TRUE(w.waitFor([&] { return says(*rows, "threshold −200 ‹"); }));
 }
 
 TEST(Drawn, TheScaleOfQIsThatOfTheValues) {
   Elsewhere w("compass");
-  const Task& task = w.session->task();
+  const Task& task = w.session->life().task();
   auto* rows = w.window->findChild<ActionRows*>();
   const auto [low, high] = rows->scaleOfQ();
   EXPECT_LT(high, task.highestReturn) << "four episodes teach nothing of 1,000";
   EXPECT_NEAR(low / high, task.lowestReturn / task.highestReturn, 1e-9);
-  ASSERT_TRUE(w.session->restart());
+  ASSERT_TRUE(w.session->newLives().restart());
   EXPECT_TRUE(w.waitFor([&] { return rows->scaleOfQ().second <= high; }));
 }
 
@@ -85,7 +85,7 @@ TEST(Drawn, MapsOfWideWorldsTakeTheRoomThereIs) {
 TEST(Drawn, OfTwoWorldsEachSaysWhichItIs) {
   Window w("trl");
   w.window->livePage().setComparing(true);
-  w.session->setRunning(true);
+  w.session->life().setRunning(true);
   WorldView& first = w.window->livePage().world();
   WorldView& second = w.window->livePage().rival()->world();
   EXPECT_TRUE(w.waitFor([&] { return says(first, "First") && says(second, "Second"); }));
@@ -95,11 +95,11 @@ TEST(Drawn, OfTwoWorldsEachSaysWhichItIs) {
 
 TEST(Drawn, TheRuleOfThumbIsSetAsAFormula) {
   Elsewhere w("pendulum", "trl");
-  w.session->setRunning(true);
+  w.session->life().setRunning(true);
   auto* page = &w.window->livePage();
   page->useLayout(LivePage::Layout::Teaching);
   auto* rule = w.window->findChild<RuleView*>();
-  ASSERT_TRUE(w.waitFor([&] { return w.session->values() && w.session->values()->rule; }, 30'000));
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().values() && w.session->life().values()->rule; }, 30'000));
   ASSERT_TRUE(w.waitFor([&] { return allOf(*rule).contains("γ"); }));
   EXPECT_FALSE(allOf(*rule).contains("^")) << allOf(*rule).toStdString();
   EXPECT_FALSE(allOf(*rule).contains("_"));

@@ -20,11 +20,11 @@ struct Lived : Window {
     live();
   }
   void live() {
-    session->setTurbo(true);
-    session->setRunning(true);
-    EXPECT_TRUE(waitFor([&] { return session->runFinished(); }, 60'000));
+    session->life().setTurbo(true);
+    session->life().setRunning(true);
+    EXPECT_TRUE(waitFor([&] { return session->life().finished(); }, 60'000));
     const std::int64_t episodes = *configuration.episodes;
-    EXPECT_TRUE(waitFor([&] { return session->numbers().episodes == episodes; }));
+    EXPECT_TRUE(waitFor([&] { return session->life().numbers().episodes == episodes; }));
     QTest::qWait(50);
   }
   LearningChart& chart(const char* name) {
@@ -60,8 +60,8 @@ TEST(LearningCharts, EveryMarkOfAFallAnswersAClick) {
     for (const auto& mark : marks) {
       ASSERT_TRUE(mark.answers);
       QTest::mouseClick(w.falls().viewport(), Qt::LeftButton, {}, pointOf(w.falls(), mark.x, 4));
-      ASSERT_TRUE(w.session->playback()) << "the mark at " << mark.x;
-      w.session->backToLive();
+      ASSERT_TRUE(w.session->looking().playback()) << "the mark at " << mark.x;
+      w.session->looking().backToLive();
       QTest::qWait(1);
     }
   }
@@ -72,13 +72,13 @@ TEST(LearningCharts, NumbersBelongToTheSpanThatIsShown) {
   w.span().showLearning();
   const double end = w.span().to();
   std::int64_t falls = 0;
-  for (const CurvePoint& p : w.session->curves().live().points)
-    if (timeOf(w.session->task(), p) <= end) falls = p.falls;
-  ASSERT_LT(falls, w.session->numbers().falls);
+  for (const CurvePoint& p : w.session->life().curves().live().points)
+    if (timeOf(w.session->life().task(), p) <= end) falls = p.falls;
+  ASSERT_LT(falls, w.session->life().numbers().falls);
   ASSERT_EQ(w.falls().items().size(), 1u);
   EXPECT_EQ(w.falls().items()[0].text.remove(','), QString::number(falls));
   w.span().showWholeLife();
-  EXPECT_EQ(w.falls().items()[0].text.remove(','), QString::number(w.session->numbers().falls));
+  EXPECT_EQ(w.falls().items()[0].text.remove(','), QString::number(w.session->life().numbers().falls));
 }
 
 TEST(LearningCharts, APolicysColourBeginsWhereItsSwitchWas) {
@@ -110,10 +110,10 @@ TEST(LearningCharts, WheelDragAndKeysMagnifyTheTimeAxisAndHomeShowsAll) {
   EXPECT_EQ(w.span().shows(), ChartSpan::Shows::WholeLife);
   EXPECT_EQ(w.span().to(), all);
 
-  const double pace = w.session->pace();
+  const double pace = w.session->life().pace();
   QTest::keyClick(&chart, Qt::Key_Plus);
   EXPECT_NEAR(w.span().to() - w.span().from(), 0.7 * all, 1e-9 * all);
-  EXPECT_EQ(w.session->pace(), pace) << "with the focus in the chart + is the chart's";
+  EXPECT_EQ(w.session->life().pace(), pace) << "with the focus in the chart + is the chart's";
   QTest::keyClick(&chart, Qt::Key_Minus);
   EXPECT_EQ(w.span().shows(), ChartSpan::Shows::WholeLife);
 
@@ -133,8 +133,8 @@ TEST(LearningCharts, TheCursorReadsTheCurveUnderIt) {
   Lived w(1500);
   w.span().showWholeLife();
   LearningChart& chart = w.falls();
-  const CurvePoint& p = w.session->curves().live().points[700];
-  const double x = timeOf(w.session->task(), p);
+  const CurvePoint& p = w.session->life().curves().live().points[700];
+  const double x = timeOf(w.session->life().task(), p);
   const int pixel = static_cast<int>(chart.plot().left() + x / w.span().to() * chart.plot().width());
   QTest::mouseMove(chart.viewport(), {pixel, 60});
   const QString reading = chart.reading();
@@ -156,20 +156,20 @@ TEST(LearningCharts, TheCursorReadsTheCurveUnderIt) {
 TEST(LearningCharts, EarlierRunsAreRemovedAndUndoBringsThemBack) {
   Lived w(60);
   for (int i = 0; i < 2; ++i) {
-    ASSERT_TRUE(w.session->restart());
+    ASSERT_TRUE(w.session->newLives().restart());
     w.live();
   }
   const auto numbers = [&] {
     std::vector<int> list;
-    for (const RunCurve& c : w.session->curves().earlier()) list.push_back(c.number);
+    for (const RunCurve& c : w.session->life().curves().earlier()) list.push_back(c.number);
     return list;
   };
   ASSERT_EQ(numbers(), (std::vector<int>{1, 2}));
   EXPECT_EQ(w.reward().items().size(), 3u);
-  w.session->removeEarlierRuns({1});
+  w.session->history().removeEarlierRuns({1});
   EXPECT_EQ(numbers(), (std::vector<int>{2}));
   EXPECT_EQ(w.reward().items().size(), 2u);
-  w.session->undo().undo();
+  w.session->history().undo().undo();
   EXPECT_EQ(numbers(), (std::vector<int>{1, 2}));
   LearningChart& chart = w.reward();
   chart.setFocus();

@@ -20,11 +20,11 @@ TEST(ParameterForm, HasARowForEveryParameterThatHasAnEffect) {
   Window w;
   w.window->findChild<ParameterForm*>()->setShowAll(true);
   for (const char* schedule : {"policy.epsilon_schedule", "policy.threshold_schedule", "policy.temperature_schedule"})
-    ASSERT_TRUE(w.session->setParameter(schedule, 1));
+    ASSERT_TRUE(w.session->editing().setParameter(schedule, 1));
   std::set<std::string> shown;
   for (const ParameterRow* row : w.window->findChildren<ParameterRow*>())
     if (!row->isHidden()) shown.insert(row->key());
-  const Parameters& parameters = w.session->configuration().parameters;
+  const Parameters& parameters = w.session->life().configuration().parameters;
   for (const auto& entry : parameters.all()) {
     const std::string& needs = entry.parameter.needs;
     EXPECT_EQ(shown.contains(entry.parameter.key), needs.empty() || parameters.get(needs) != 0.0)
@@ -64,7 +64,7 @@ TEST(ParameterForm, WhatHasNoEffectIsNotShown) {
   EXPECT_TRUE(shown("policy.epsilon_schedule"));
   EXPECT_FALSE(shown("policy.epsilon_end"));
   EXPECT_FALSE(shown("shaping.discount"));
-  ASSERT_TRUE(w.session->setParameter("policy.epsilon_schedule", 1));
+  ASSERT_TRUE(w.session->editing().setParameter("policy.epsilon_schedule", 1));
   EXPECT_TRUE(shown("policy.epsilon_end"));
   EXPECT_TRUE(shown("policy.epsilon_per"));
   EXPECT_FALSE(shown("policy.threshold_end"));
@@ -74,9 +74,9 @@ TEST(ParameterForm, TheSliderReachesBothEndsExactly) {
   Window w;
   auto* slider = w.named<Slider>("Step size");
   slider->setValue(slider->maximum());
-  EXPECT_EQ(w.session->configuration().parameters.get("agent.step_size"), 1.0);
+  EXPECT_EQ(w.session->life().configuration().parameters.get("agent.step_size"), 1.0);
   slider->setValue(slider->minimum());
-  EXPECT_EQ(w.session->configuration().parameters.get("agent.step_size"), 0.0);
+  EXPECT_EQ(w.session->life().configuration().parameters.get("agent.step_size"), 0.0);
 }
 
 TEST(ParameterForm, ANumberCanBeTyped) {
@@ -86,7 +86,7 @@ TEST(ParameterForm, ANumberCanBeTyped) {
   number->selectAll();
   QTest::keyClicks(number, "-12.5");
   QTest::keyClick(number, Qt::Key_Return);
-  EXPECT_EQ(w.session->configuration().parameters.get("policy.threshold"), -12.5);
+  EXPECT_EQ(w.session->life().configuration().parameters.get("policy.threshold"), -12.5);
 }
 
 TEST(ParameterForm, ATypedNumberOutOfRangeIsRefusedInASentence) {
@@ -96,7 +96,7 @@ TEST(ParameterForm, ATypedNumberOutOfRangeIsRefusedInASentence) {
   number->selectAll();
   QTest::keyClicks(number, "7");
   QTest::keyClick(number, Qt::Key_Return);
-  EXPECT_EQ(w.session->configuration().parameters.get("policy.epsilon"), 0.05);
+  EXPECT_EQ(w.session->life().configuration().parameters.get("policy.epsilon"), 0.05);
   EXPECT_TRUE(w.window->messages().isVisible());
   EXPECT_TRUE(w.window->messages().accessibleName().contains("Exploration"));
   EXPECT_EQ(number->text(), "0.05");
@@ -109,7 +109,7 @@ TEST(ParameterForm, AChangedRowOffersResetAndSaysSinceWhen) {
   auto* reset = w.named<QToolButton>("Reset Discount to its default");
   EXPECT_TRUE(reset->isVisible());
   QTest::mouseClick(reset, Qt::LeftButton);
-  EXPECT_EQ(w.session->configuration().parameters.get("agent.discount"), 0.98);
+  EXPECT_EQ(w.session->life().configuration().parameters.get("agent.discount"), 0.98);
   EXPECT_FALSE(reset->isVisible());
 }
 
@@ -124,7 +124,7 @@ TEST(ParameterForm, ANewTableIsAskedForBeforeItIsMade) {
   EXPECT_EQ(number->text(), "16") << "nothing has changed yet";
   for (auto* button : w.window->messages().findChildren<QPushButton*>())
     if (button->text() == "Start again") QTest::mouseClick(button, Qt::LeftButton);
-  EXPECT_EQ(w.session->configuration().parameters.get("features.tilings"), 8);
+  EXPECT_EQ(w.session->life().configuration().parameters.get("features.tilings"), 8);
   EXPECT_FALSE(w.window->messages().isVisible());
 }
 
@@ -170,10 +170,10 @@ TEST(ParameterForm, ARefusedNumberIsToldAtItsRow) {
   type("Tilings, number", "2.5");
   EXPECT_EQ(rowOf("Tilings, number")->refusal(), "a whole number");
   type("Threshold, number", "1,000");
-  EXPECT_EQ(w.session->configuration().parameters.get("policy.threshold"), 1000);
+  EXPECT_EQ(w.session->life().configuration().parameters.get("policy.threshold"), 1000);
   EXPECT_EQ(rowOf("Threshold, number")->refusal(), "");
   type("Threshold, number", "\u22121,234.5");
-  EXPECT_EQ(w.session->configuration().parameters.get("policy.threshold"), -1234.5);
+  EXPECT_EQ(w.session->life().configuration().parameters.get("policy.threshold"), -1234.5);
 }
 
 // What a row shows can be typed into it again.
@@ -181,7 +181,7 @@ TEST(ParameterForm, WhatARowShowsItReads) {
   Window w;
   auto* number = w.named<QLineEdit>("Threshold, number");
   for (const double value : {-0.5, 12345.0, -99999.0, 1e6, 0.001, -0.00012, 123.456}) {
-    ASSERT_TRUE(w.session->setParameter("policy.threshold", value));
+    ASSERT_TRUE(w.session->editing().setParameter("policy.threshold", value));
     const Result<double> read = parseNumber("shown", number->text().toStdString());
     ASSERT_TRUE(read) << number->text().toStdString();
     EXPECT_NEAR(*read, value, 0.05 * std::abs(value)) << number->text().toStdString();
@@ -193,7 +193,7 @@ TEST(ParameterForm, TheNumberIsDraggedFinerThanTheSlider) {
   auto* slider = w.named<Slider>("Step size");
   EXPECT_GE(slider->width() - 14, 42) << "as long as it is drawn";
   auto* number = w.named<QLineEdit>("Step size, number");
-  const auto value = [&] { return w.session->configuration().parameters.get("agent.step_size"); };
+  const auto value = [&] { return w.session->life().configuration().parameters.get("agent.step_size"); };
   ASSERT_EQ(value(), 0.4);
   const QPoint from(10, 8);
   QTest::mousePress(number, Qt::LeftButton, {}, from);
@@ -212,7 +212,7 @@ TEST(ParameterForm, EveryRowSaysWhatItIs) {
   Window w;
   w.window->findChild<ParameterForm*>()->setShowAll(true);
   for (const ParameterRow* row : w.window->findChildren<ParameterRow*>()) {
-    const Parameter& p = w.session->configuration().parameters.find(row->key())->parameter;
+    const Parameter& p = w.session->life().configuration().parameters.find(row->key())->parameter;
     QTextDocument tip;
     tip.setHtml(row->toolTip());
     const QString text = tip.toPlainText();

@@ -88,7 +88,7 @@ TEST(WorldView, TwoWorldsSideBySideHaveOneScale) {
   w.window->livePage().setComparing(true);
   Rival* rival = w.window->livePage().rival();
   ASSERT_TRUE(rival);
-  w.session->setRunning(true);
+  w.session->life().setRunning(true);
   const WorldView &first = w.window->livePage().world(), &second = rival->world();
   ASSERT_TRUE(w.waitFor([&] { return second.pixelsPerMetre() > 1; }));
   QTest::qWait(200);
@@ -98,7 +98,7 @@ TEST(WorldView, TwoWorldsSideBySideHaveOneScale) {
 
 TEST(WorldView, NoZoomReachesTheReadOuts) {
   Window w;
-  ASSERT_TRUE(w.waitFor([&] { return !w.session->shown().pose.empty(); }));
+  ASSERT_TRUE(w.waitFor([&] { return !w.session->looking().shown().pose.empty(); }));
   QTest::qWait(400);
   WorldView& world = w.window->livePage().world();
   const auto below = [&] {
@@ -129,7 +129,7 @@ TEST(ActionRows, AThresholdBeyondTheScaleDoesNotTouchTheNumbers) {
 TEST(ActionRows, ThePolicyInForceHasNumbersOfItsOwn) {
   Elsewhere w("leo", "greedy");
   const std::string csv = w.window->findChild<ActionRows*>()->asCsv();
-  EXPECT_EQ(w.session->configuration().names.policy, "greedy");
+  EXPECT_EQ(w.session->life().configuration().names.policy, "greedy");
   const std::string head = csv.substr(0, csv.find('\n'));
   EXPECT_TRUE(head.ends_with(",greedy,epsilon-greedy,trl,softmax")) << head;
 }
@@ -190,10 +190,10 @@ TEST(ValueMaps, TheRingGoesWithTheWorld) {
   maps->installEventFilter(&counter);
   int arrived = 0, moved = 0;
   std::vector<double> last;
-  QObject::connect(w.session.get(), &Session::valuesArrived, maps, [&] { ++arrived; });
-  QObject::connect(w.session.get(), &Session::frame, maps, [&] {
-    moved += w.session->shown().state != last;
-    last = w.session->shown().state;
+  QObject::connect(&w.session->life(), &RunningLife::valuesArrived, maps, [&] { ++arrived; });
+  QObject::connect(&w.session->looking(), &Looking::frame, maps, [&] {
+    moved += w.session->looking().shown().state != last;
+    last = w.session->looking().shown().state;
   });
   painted = 0;
   QTest::qWait(2000);

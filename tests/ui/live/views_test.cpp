@@ -22,10 +22,10 @@ int pixelsOf(const QImage& image, const QColor& colour) {
 /// A window whose learner has run for a while and is paused.
 struct Learned : Window {
   Learned() : Window("trl") {
-    session->setTurbo(true);
-    session->setRunning(true);
-    EXPECT_TRUE(waitFor([&] { return session->snapshot().totals.episodes > 300 && session->values(); }));
-    session->setRunning(false);
+    session->life().setTurbo(true);
+    session->life().setRunning(true);
+    EXPECT_TRUE(waitFor([&] { return session->life().snapshot().totals.episodes > 300 && session->life().values(); }));
+    session->life().setRunning(false);
     QTest::qWait(250);
   }
   template <class W>
@@ -43,7 +43,7 @@ TEST(WorldView, MovesWhileTheLearnerRunsAndRestsWhileItIsPaused) {
   const QImage two = w.picture<WorldView>();
   QTest::qWait(200);
   EXPECT_EQ(two, w.picture<WorldView>());
-  w.session->setRunning(true);
+  w.session->life().setRunning(true);
   EXPECT_TRUE(w.waitFor([&] { return w.picture<WorldView>() != two; }));
 }
 
@@ -69,7 +69,7 @@ TEST(ActionRows, TheThresholdIsALineToDrag) {
   QTest::mousePress(rows, Qt::LeftButton, {}, {x, 100});
   QTest::mouseMove(rows, {x + 30, 100});
   QTest::mouseRelease(rows, Qt::LeftButton, {}, {x + 30, 100});
-  const double threshold = w.session->configuration().parameters.get("policy.threshold");
+  const double threshold = w.session->life().configuration().parameters.get("policy.threshold");
   EXPECT_GT(threshold, 80);
   EXPECT_LT(threshold, 200);
 }
@@ -77,8 +77,8 @@ TEST(ActionRows, TheThresholdIsALineToDrag) {
 // LEO's 343 actions: three joints of seven levels.
 TEST(ActionRows, ShowCombinationsByTheirVariables) {
   Window w;
-  ASSERT_TRUE(w.session->beginEnvironment("leo"));
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().life == 2 && w.session->values(); }, 30'000));
+  ASSERT_TRUE(w.session->newLives().beginEnvironment("leo"));
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().life == 2 && w.session->life().values(); }, 30'000));
   auto* rows = w.window->findChild<ActionRows*>();
   ASSERT_TRUE(w.waitFor([&] { return rows->asCsv().starts_with("action,stance_hip_voltage,swing_hip_voltage,"); }));
   const std::string csv = rows->asCsv();
@@ -94,23 +94,23 @@ TEST(ActionRows, ShowCombinationsByTheirVariables) {
   choice.quantity = MapQuantity::GreedyAction;
   choice.action = 2;
   maps->setChoice(choice);
-  EXPECT_TRUE(quantityText(choice, w.session->task()).contains("swing knee"));
-  EXPECT_EQ(greedyValues(choice, w.session->task()), 7u);
+  EXPECT_TRUE(quantityText(choice, w.session->life().task()).contains("swing knee"));
+  EXPECT_EQ(greedyValues(choice, w.session->life().task()), 7u);
 }
 
 // Both have two state variables, but not as many actions.
 TEST(ValueMaps, WhatWasChosenForOneEnvironmentIsNotTakenToAnother) {
   Window w;
-  ASSERT_TRUE(w.session->beginEnvironment("grid-world"));
-  ASSERT_TRUE(w.waitFor([&] { return w.session->task().actions.size() == 4; }));
+  ASSERT_TRUE(w.session->newLives().beginEnvironment("grid-world"));
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().task().actions.size() == 4; }));
   auto* maps = w.window->findChild<ValueMaps*>();
   MapChoice last = maps->choice();
   last.quantity = MapQuantity::OneAction;
   last.action = 3;
   maps->setChoice(last);
   EXPECT_EQ(maps->choice().action, 3);
-  ASSERT_TRUE(w.session->beginEnvironment("mountain-car"));
-  ASSERT_TRUE(w.waitFor([&] { return w.session->task().actions.size() == 3; }));
+  ASSERT_TRUE(w.session->newLives().beginEnvironment("mountain-car"));
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().task().actions.size() == 3; }));
   EXPECT_EQ(maps->choice().quantity, MapQuantity::BestAction);
   maps->setChoice(last);  // from a menu that is still open
   EXPECT_EQ(maps->choice().quantity, MapQuantity::BestAction);
@@ -154,44 +154,44 @@ TEST(ValueMaps, TheCursorShowsWhatTheRobotWouldDoThere) {
   Learned w;
   auto* maps = w.window->findChild<ValueMaps*>();
   QTest::mouseMove(maps, {140, 110});
-  ASSERT_TRUE(w.waitFor([&] { return !w.session->examined().empty(); }));
+  ASSERT_TRUE(w.waitFor([&] { return !w.session->looking().examined().empty(); }));
   EXPECT_TRUE(maps->spoken().contains("α")) << maps->spoken().toStdString();
   EXPECT_EQ(maps->accessibleDescription(), maps->spoken());
   QTest::mousePress(maps, Qt::LeftButton, Qt::ShiftModifier, {140, 110});
   QTest::mouseMove(maps, {4, 4});
-  EXPECT_TRUE(w.session->pinned());
+  EXPECT_TRUE(w.session->looking().pinned());
   QTest::keyClick(maps, Qt::Key_Escape);
-  EXPECT_TRUE(w.session->examined().empty());
+  EXPECT_TRUE(w.session->looking().examined().empty());
 }
 
 TEST(ValueMaps, TheKeyboardMovesTheCursor) {
   Learned w;
   auto* maps = w.window->findChild<ValueMaps*>();
   maps->setFocus();
-  const std::int64_t steps = w.session->snapshot().steps;
+  const std::int64_t steps = w.session->life().snapshot().steps;
   QTest::keyClick(maps, Qt::Key_Right);
-  ASSERT_FALSE(w.session->examined().empty());
-  const auto first = w.session->examined();
+  ASSERT_FALSE(w.session->looking().examined().empty());
+  const auto first = w.session->looking().examined();
   QTest::keyClick(maps, Qt::Key_Right);
   QTest::keyClick(maps, Qt::Key_Up);
-  EXPECT_GT(w.session->examined()[0], first[0]);
-  EXPECT_GT(w.session->examined()[1], first[1]);
-  EXPECT_DOUBLE_EQ(w.session->examined()[2], first[2]);
+  EXPECT_GT(w.session->looking().examined()[0], first[0]);
+  EXPECT_GT(w.session->looking().examined()[1], first[1]);
+  EXPECT_DOUBLE_EQ(w.session->looking().examined()[2], first[2]);
   QTest::qWait(100);
-  EXPECT_EQ(w.session->snapshot().steps, steps) << "the arrow is no single step here";
+  EXPECT_EQ(w.session->life().snapshot().steps, steps) << "the arrow is no single step here";
 }
 
 TEST(ValueMaps, AClickPutsThePausedBodyIntoThatState) {
   Learned w;
   auto* maps = w.window->findChild<ValueMaps*>();
-  const std::int64_t episodes = w.session->snapshot().totals.episodes;
+  const std::int64_t episodes = w.session->life().snapshot().totals.episodes;
   QTest::mouseMove(maps, {140, 110});
-  ASSERT_TRUE(w.waitFor([&] { return !w.session->examined().empty(); }));
-  const auto state = w.session->examined();
+  ASSERT_TRUE(w.waitFor([&] { return !w.session->looking().examined().empty(); }));
+  const auto state = w.session->looking().examined();
   QTest::mouseClick(maps, Qt::LeftButton, {}, {140, 110});
-  ASSERT_TRUE(w.waitFor([&] { return std::abs(w.session->snapshot().state[0] - state[0]) < 1e-6; }));
-  EXPECT_NEAR(w.session->snapshot().state[1], state[1], 1e-5);
-  EXPECT_EQ(w.session->snapshot().totals.episodes, episodes) << "the episode given up is not counted";
+  ASSERT_TRUE(w.waitFor([&] { return std::abs(w.session->life().snapshot().state[0] - state[0]) < 1e-6; }));
+  EXPECT_NEAR(w.session->life().snapshot().state[1], state[1], 1e-5);
+  EXPECT_EQ(w.session->life().snapshot().totals.episodes, episodes) << "the episode given up is not counted";
 }
 
 TEST(ValueMaps, EveryQuantityAndEveryPairOfAxesCanBeShown) {
@@ -208,15 +208,16 @@ TEST(ValueMaps, EveryQuantityAndEveryPairOfAxesCanBeShown) {
       const QImage image = maps->grab().toImage();
       pictures.insert(
           QByteArray(reinterpret_cast<const char*>(image.constBits()), static_cast<int>(image.sizeInBytes())));
-      EXPECT_TRUE(QString::fromStdString(maps->asCsv())
-                      .startsWith(QString::fromStdString(w.session->task().state[static_cast<std::size_t>(x)].key)));
+      EXPECT_TRUE(
+          QString::fromStdString(maps->asCsv())
+              .startsWith(QString::fromStdString(w.session->life().task().state[static_cast<std::size_t>(x)].key)));
     }
   EXPECT_EQ(pictures.size(), 20);
 }
 
 TEST(ValueMaps, AProjectionLiesBetweenLeastAndMost) {
   Learned w;
-  const Task& task = w.session->task();
+  const Task& task = w.session->life().task();
   MapChoice choice;
   choice.fit(task);
   choice.across[2] = Across::Projected;
@@ -235,7 +236,7 @@ TEST(ValueMaps, AProjectionLiesBetweenLeastAndMost) {
 TEST(WorldView, TheBodyIsHeldByTheMouse) {
   Window w;
   auto* world = w.window->findChild<WorldView*>();
-  ASSERT_TRUE(w.waitFor([&] { return !w.session->shown().pose.empty(); }));
+  ASSERT_TRUE(w.waitFor([&] { return !w.session->looking().shown().pose.empty(); }));
   QTest::qWait(50);
   QPoint tip;
   for (int y = 10; y < world->height() && tip.isNull(); y += 10) {
@@ -245,11 +246,11 @@ TEST(WorldView, TheBodyIsHeldByTheMouse) {
   ASSERT_FALSE(tip.isNull());
   QTest::mousePress(world, Qt::LeftButton, {}, tip);
   ASSERT_TRUE(world->held());
-  w.session->setRunning(true);
+  w.session->life().setRunning(true);
   ASSERT_TRUE(w.waitFor([&] {  // the next change is a push
-    return w.session->values() && !w.session->values()->changes.empty();
+    return w.session->life().values() && !w.session->life().values()->changes.empty();
   }));
-  EXPECT_EQ(w.session->values()->changes.back().key, "push");
+  EXPECT_EQ(w.session->life().values()->changes.back().key, "push");
   QTest::mouseRelease(world, Qt::LeftButton, {}, tip);
   EXPECT_FALSE(world->held());
 }

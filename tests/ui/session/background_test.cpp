@@ -116,8 +116,8 @@ TEST(ExperimentPage, ALifeThatBeganWithAFileIsAddedWithThatFile) {
   QTemporaryDir folder;
   const std::string path = folder.filePath("walks.safetensors").toStdString();
   ASSERT_TRUE(writeWhole("file", path, qFileOf(*lifeOf(w.registry, w.configuration), w.configuration).write()));
-  w.session->open(path, [](const Status& s) { EXPECT_TRUE(s); });
-  ASSERT_TRUE(w.waitFor([&] { return w.session->configuration().start != nullptr; }));
+  w.session->files().open(path, [](const Status& s) { EXPECT_TRUE(s); });
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().configuration().start != nullptr; }));
   w.window->setPage(1);
   auto* editor = w.window->findChild<PlanEditor*>();
   auto* edit = w.named<QPlainTextEdit>("Plan");

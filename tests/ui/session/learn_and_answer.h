@@ -32,11 +32,11 @@ inline void answer(Window& w, const QString& text) {
 
 /// Flat out until so many episodes are over; then it stands still.
 inline void learn(Window& w, std::int64_t episodes) {
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->progress().episodes >= episodes; }, 30'000));
-  w.session->setRunning(false);
-  ASSERT_TRUE(w.waitFor([&] { return !w.session->snapshot().running; }));
+  w.session->life().setTurbo(true);
+  w.session->life().setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().progress().episodes >= episodes; }, 30'000));
+  w.session->life().setRunning(false);
+  ASSERT_TRUE(w.waitFor([&] { return !w.session->life().snapshot().running; }));
   QTest::qWait(200);  // the values of the last moment
 }
 

@@ -50,21 +50,21 @@ QString listed(const FallsList& list, int column) {
 
 TEST(Numbers, AreTheSameEverywhereWhileItRunsAndWhenItIsPaused) {
   Places w;
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
+  w.session->life().setTurbo(true);
+  w.session->life().setRunning(true);
   int compared = 0;
   for (int i = 0; i < 200; ++i) {
-    if (i == 150) w.session->setRunning(false);
+    if (i == 150) w.session->life().setRunning(false);
     QTest::qWait(7);
-    if (w.session->numbers().falls == 0) continue;
+    if (w.session->life().numbers().falls == 0) continue;
     ++compared;
     const RunBar::Texts& bar = w.bar->texts();
     ASSERT_EQ(w.bar->accessibleDescription(), bar.falls + " falls in " + bar.episodes + " episodes");
     ASSERT_EQ(w.falls->items().back().text, bar.falls) << "the number at the curve";
     ASSERT_EQ(listed(*w.list, 0), bar.falls) << "the newest of the list";
-    const Numbers& n = w.session->numbers();
-    ASSERT_EQ(n.falls, w.session->latest().falls);
-    ASSERT_EQ(n.episodes, w.session->latest().episode);
+    const Numbers& n = w.session->life().numbers();
+    ASSERT_EQ(n.falls, w.session->life().latest().falls);
+    ASSERT_EQ(n.episodes, w.session->life().latest().episode);
     ASSERT_EQ(w.statusWith(" steps").section(' ', 0, 0).remove(','), QString::number(n.steps));
     ASSERT_EQ(w.statusWith("simulated").section(' ', 0, 0),
               QString::fromStdString(n.simulatedSeconds < 6e4 ? fixedText(n.simulatedSeconds / 60, 2)
@@ -77,10 +77,10 @@ TEST(Numbers, AreTheSameEverywhereWhileItRunsAndWhenItIsPaused) {
 
 TEST(Numbers, TheSpeedOfTurboDoesNotOutliveIt) {
   Places w;
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
+  w.session->life().setTurbo(true);
+  w.session->life().setRunning(true);
   ASSERT_TRUE(w.waitFor([&] { return w.bar->texts().factor.size() >= 4; }));
-  w.session->setTurbo(false);
+  w.session->life().setTurbo(false);
   const auto factor = [&] { return w.bar->texts().factor.mid(1).remove(',').toDouble(); };
   for (int i = 0; i < 150; ++i) {
     ASSERT_LT(factor(), 1.5) << "after " << 10 * i << " ms";
@@ -93,12 +93,12 @@ TEST(Numbers, TheSpeedOfTurboDoesNotOutliveIt) {
 TEST(Numbers, TheRuleOfThumbIsOneEverywhereAndItsButtonSetsIt) {
   Places w("softmax");
   w.window->livePage().useLayout(LivePage::Layout::Teaching);
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->values() && w.session->values()->rule; }, 30'000));
-  w.session->setRunning(false);
+  w.session->life().setTurbo(true);
+  w.session->life().setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().values() && w.session->life().values()->rule; }, 30'000));
+  w.session->life().setRunning(false);
   QTest::qWait(250);
-  const RuleText text = textOf(*w.session->values()->rule);
+  const RuleText text = textOf(*w.session->life().values()->rule);
   const QStringList lines = w.rule->lines();
   EXPECT_EQ(lines[0], QString::fromStdString(text.threshold));
   EXPECT_TRUE(lines[1].contains(QString::fromStdString(text.formula))) << lines[1].toStdString();
@@ -111,18 +111,19 @@ TEST(Numbers, TheRuleOfThumbIsOneEverywhereAndItsButtonSetsIt) {
   EXPECT_TRUE(button->text().startsWith("Set the threshold to "));
   button->setFocus();
   QTest::keyClick(button, Qt::Key_Space);
-  EXPECT_EQ(w.session->threshold(), std::round(w.session->values()->rule->threshold));
-  w.session->setPolicy("trl");
+  EXPECT_EQ(w.session->life().threshold(), std::round(w.session->life().values()->rule->threshold));
+  w.session->editing().setPolicy("trl");
   EXPECT_TRUE(w.rule->lines().back().contains("in force: ")) << w.rule->lines().back().toStdString();
 }
 
 TEST(Numbers, WhereThereIsNoRuleOfThumbItIsSaidWhy) {
   Places w;
-  ASSERT_TRUE(w.session->beginEnvironment("mountain-car"));
-  ASSERT_TRUE(w.waitFor([&] { return w.session->configuration().names.environment == "mountain-car"; }));
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->values() && w.session->values()->totals.successes > 3; }, 30'000));
+  ASSERT_TRUE(w.session->newLives().beginEnvironment("mountain-car"));
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().configuration().names.environment == "mountain-car"; }));
+  w.session->life().setTurbo(true);
+  w.session->life().setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().values() && w.session->life().values()->totals.successes > 3; },
+                        30'000));
   EXPECT_TRUE(w.rule->lines()[0].contains("not defined for this task")) << w.rule->lines()[0].toStdString();
   EXPECT_FALSE(w.rule->findChild<QPushButton*>()->isVisible());
   EXPECT_TRUE(w.statusWith("not defined").contains("threshold"));
@@ -130,19 +131,19 @@ TEST(Numbers, WhereThereIsNoRuleOfThumbItIsSaidWhy) {
 
 TEST(Numbers, FallsByHandAreToldApart) {
   Places w;
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().life == 1; }));
-  const auto& task = w.session->task();
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().life == 1; }));
+  const auto& task = w.session->life().task();
   std::vector<double> leaning(task.state.size(), 0.0);
   leaning[0] = 1.3;
   leaning[1] = 3.0;
-  ASSERT_TRUE(w.session->place(leaning));
-  w.session->setTurbo(true);
-  for (int i = 0; i < 400 && w.session->numbers().falls == 0; ++i) {
-    w.session->stepOnce();
+  ASSERT_TRUE(w.session->life().place(leaning));
+  w.session->life().setTurbo(true);
+  for (int i = 0; i < 400 && w.session->life().numbers().falls == 0; ++i) {
+    w.session->looking().stepOnce();
     QTest::qWait(5);
   }
-  ASSERT_GE(w.session->numbers().falls, 1);
-  EXPECT_EQ(w.session->numbers().fallsByHand, 1);
+  ASSERT_GE(w.session->life().numbers().falls, 1);
+  EXPECT_EQ(w.session->life().numbers().fallsByHand, 1);
   EXPECT_TRUE(listed(*w.list, 4).contains("placed by hand")) << listed(*w.list, 4).toStdString();
   EXPECT_NE(w.list->asCsv().find(",placed\n"), std::string::npos);
   EXPECT_TRUE(w.window->livePage().findChild<Panel*>("falls")->header().note().contains("by hand"));

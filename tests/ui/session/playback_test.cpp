@@ -21,11 +21,11 @@ namespace {
 /// A window whose learner has fallen several times and is paused.
 struct Fallen : Window {
   explicit Fallen(bool turbo = true) : Window("epsilon-greedy") {
-    session->setTurbo(turbo);
-    session->setPace(8);
-    session->setRunning(true);
-    EXPECT_TRUE(waitFor([&] { return session->falls().size() >= 3; }, 30'000));
-    session->setRunning(false);
+    session->life().setTurbo(turbo);
+    session->life().setPace(8);
+    session->life().setRunning(true);
+    EXPECT_TRUE(waitFor([&] { return session->looking().falls().size() >= 3; }, 30'000));
+    session->life().setRunning(false);
     QTest::qWait(150);
   }
 };
@@ -34,7 +34,7 @@ struct Fallen : Window {
 
 TEST(Falls, AreReplayedStateByStateAsTheyWere) {
   Fallen w;
-  const Fall& fall = w.session->falls().front();
+  const Fall& fall = w.session->looking().falls().front();
   const Playback p = playbackOf(fall, w.registry, "pendulum", nullptr);
   ASSERT_EQ(p.frames.size(), fall.inputs.actions.size() + 1);
   EXPECT_GE(std::abs(p.frames.back().state[0]), 0.45 * 3.14159265358979) << "it ends fallen";
@@ -47,64 +47,65 @@ TEST(Falls, AClickInTheListShowsOneAndThenItIsLiveAgain) {
   w.window->livePage().useLayout(LivePage::Layout::Falls);
   auto* list = w.window->findChild<FallsList*>();
   ASSERT_TRUE(list->isVisible());
-  ASSERT_EQ(list->model()->rowCount(), static_cast<int>(w.session->falls().size()));
+  ASSERT_EQ(list->model()->rowCount(), static_cast<int>(w.session->looking().falls().size()));
   const QPoint at(30, list->rowViewportPosition(0) + 8);
   QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, at);
-  ASSERT_TRUE(w.session->playback());
-  EXPECT_TRUE(w.session->valuesShown());
-  ASSERT_TRUE(w.waitFor([&] { return w.session->shown().flash; })) << "the fall itself is seen";
-  ASSERT_TRUE(w.waitFor([&] { return w.session->playback()->atEnd(); }));
+  ASSERT_TRUE(w.session->looking().playback());
+  EXPECT_TRUE(w.session->looking().valuesShown());
+  ASSERT_TRUE(w.waitFor([&] { return w.session->looking().shown().flash; })) << "the fall itself is seen";
+  ASSERT_TRUE(w.waitFor([&] { return w.session->looking().playback()->atEnd(); }));
   QTest::qWait(300);
-  ASSERT_TRUE(w.session->playback()) << "it stands at the fall, to be looked at";
-  const double end = w.session->playback()->position;
+  ASSERT_TRUE(w.session->looking().playback()) << "it stands at the fall, to be looked at";
+  const double end = w.session->looking().playback()->position;
   const int row = list->currentIndex().row();
   QTest::keyClick(list, Qt::Key_Left);
   QTest::keyClick(list, Qt::Key_Left);
-  ASSERT_TRUE(w.session->playback());
-  EXPECT_EQ(w.session->playback()->position, end - 2) << "with the focus in the list ← → are the replay's";
+  ASSERT_TRUE(w.session->looking().playback());
+  EXPECT_EQ(w.session->looking().playback()->position, end - 2) << "with the focus in the list ← → are the replay's";
   EXPECT_EQ(list->currentIndex().row(), row);
   EXPECT_EQ(list->currentIndex().column(), 0);
   w.key(Qt::Key_Escape);
-  EXPECT_FALSE(w.session->playback());
+  EXPECT_FALSE(w.session->looking().playback());
   QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, at);
-  ASSERT_TRUE(w.session->playback());
+  ASSERT_TRUE(w.session->looking().playback());
   w.key(Qt::Key_Escape);
-  EXPECT_FALSE(w.session->playback());
+  EXPECT_FALSE(w.session->looking().playback());
 }
 
 TEST(Falls, LookingAtThemDoesNotTouchTheLearner) {
   const auto hashOf = [](bool looking) {
     Window w("epsilon-greedy", 600);
-    w.session->setTurbo(true);
-    w.session->setRunning(true);
-    while (!w.session->runFinished()) {
+    w.session->life().setTurbo(true);
+    w.session->life().setRunning(true);
+    while (!w.session->life().finished()) {
       QTest::qWait(5);
-      if (looking && !w.session->falls().empty()) w.session->replayFall(w.session->falls().size() / 2);
-      if (looking) w.session->examine(std::vector<double>{0.1, 0.2, 0.3});
+      if (looking && !w.session->looking().falls().empty())
+        w.session->looking().replayFall(w.session->looking().falls().size() / 2);
+      if (looking) w.session->looking().examine(std::vector<double>{0.1, 0.2, 0.3});
     }
-    return w.session->finish()->hash();
+    return w.session->life().finish()->hash();
   };
   EXPECT_EQ(hashOf(false), hashOf(true));
 }
 
 TEST(Recording, LeftGoesBackAndRightForthAndEscapeIsLive) {
   Window w;
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().steps > 60; }));
-  w.session->setRunning(false);
+  w.session->life().setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().steps > 60; }));
+  w.session->life().setRunning(false);
   QTest::qWait(100);
   for (int i = 0; i < 5; ++i) w.key(Qt::Key_Left);
-  ASSERT_TRUE(w.session->playback());
-  const double back = w.session->playback()->position;
+  ASSERT_TRUE(w.session->looking().playback());
+  const double back = w.session->looking().playback()->position;
   w.key(Qt::Key_Right);
-  EXPECT_EQ(w.session->playback()->position, back + 1);
-  const std::int64_t steps = w.session->snapshot().steps;
-  w.session->seek(0);
+  EXPECT_EQ(w.session->looking().playback()->position, back + 1);
+  const std::int64_t steps = w.session->life().snapshot().steps;
+  w.session->looking().seek(0);
   QTest::qWait(50);
-  EXPECT_EQ(w.session->shown().state, w.session->playback()->frames[0].state);
-  EXPECT_EQ(w.session->snapshot().steps, steps);
+  EXPECT_EQ(w.session->looking().shown().state, w.session->looking().playback()->frames[0].state);
+  EXPECT_EQ(w.session->life().snapshot().steps, steps);
   w.key(Qt::Key_Escape);
-  EXPECT_FALSE(w.session->playback());
+  EXPECT_FALSE(w.session->looking().playback());
 }
 
 TEST(Recording, ItsMemoryIsBounded) {
@@ -123,20 +124,20 @@ TEST(Rival, RunsWithTheFirstAndLearnsByItsOwnPolicy) {
   w.window->livePage().setComparing(true);
   Rival* rival = w.window->livePage().rival();
   ASSERT_TRUE(rival);
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return rival->session().snapshot().totals.episodes > 50; }));
-  EXPECT_EQ(rival->session().configuration().names.policy, "softmax");
-  EXPECT_EQ(rival->session().configuration().seed, w.session->configuration().seed);
-  ASSERT_TRUE(w.session->setParameter("policy.temperature", 3.0));
-  EXPECT_EQ(rival->session().configuration().parameters.get("policy.temperature"), 3.0);
-  w.session->setRunning(false);
+  w.session->life().setTurbo(true);
+  w.session->life().setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return rival->session().life().snapshot().totals.episodes > 50; }));
+  EXPECT_EQ(rival->session().life().configuration().names.policy, "softmax");
+  EXPECT_EQ(rival->session().life().configuration().seed, w.session->life().configuration().seed);
+  ASSERT_TRUE(w.session->editing().setParameter("policy.temperature", 3.0));
+  EXPECT_EQ(rival->session().life().configuration().parameters.get("policy.temperature"), 3.0);
+  w.session->life().setRunning(false);
   auto* chart = w.window->findChild<LearningChart*>();
   EXPECT_TRUE(w.waitFor([&] { return chart->asCsv().find("\nsecond,softmax,") != std::string::npos; }))
       << "its curve stands beside the first one's";
-  EXPECT_FALSE(rival->session().running());
-  ASSERT_TRUE(w.session->restart());
-  EXPECT_TRUE(w.waitFor([&] { return rival->session().snapshot().steps == 0; }));
+  EXPECT_FALSE(rival->session().life().running());
+  ASSERT_TRUE(w.session->newLives().restart());
+  EXPECT_TRUE(w.waitFor([&] { return rival->session().life().snapshot().steps == 0; }));
   w.window->livePage().setComparing(false);
   EXPECT_FALSE(w.window->livePage().rival());
 }
@@ -147,25 +148,25 @@ TEST(StepView, ExplainsTheLastStepWithNumbersThatAddUp) {
   auto* view = w.window->findChild<StepView*>();
   for (int i = 0; i < 3; ++i) w.key(Qt::Key_Period);
   ASSERT_TRUE(w.waitFor([&] { return view->sentences().size() > 2; }));
-  const auto learned = w.session->snapshot().learned;
+  const auto learned = w.session->life().snapshot().learned;
   ASSERT_EQ(learned.size(), 1u);
   EXPECT_NEAR(learned[0].step.delta(), learned[0].step.reward + learned[0].step.next - learned[0].step.before, 1e-12);
   EXPECT_TRUE(view->sentences()[1].startsWith("δ = ")) << view->sentences()[1].toStdString();
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
+  w.session->life().setTurbo(true);
+  w.session->life().setRunning(true);
   EXPECT_EQ(view->sentences().size(), 1) << "in turbo there is no single step";
 }
 
 TEST(RuleView, ItsButtonSetsTheThresholdToTheRules) {
   Fallen w;
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->values() && w.session->values()->rule; }, 30'000));
-  w.session->setRunning(false);
+  w.session->life().setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().values() && w.session->life().values()->rule; }, 30'000));
+  w.session->life().setRunning(false);
   w.window->livePage().useLayout(LivePage::Layout::Teaching);
   QTest::qWait(250);
   auto* view = w.window->findChild<RuleView*>();
   QTest::mouseClick(view->findChild<QPushButton*>(), Qt::LeftButton);
-  EXPECT_EQ(w.session->threshold(), std::round(w.session->values()->rule->threshold));
+  EXPECT_EQ(w.session->life().threshold(), std::round(w.session->life().values()->rule->threshold));
 }
 
 TEST(Layouts, EachCanBeUsedAndTheUsualOneComesBack) {

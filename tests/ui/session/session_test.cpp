@@ -14,70 +14,71 @@ TEST(Session, TheSameHashAsHeadless) {
   Window w("trl", 2000);
   const auto alone =
       runLives(w.registry, w.configuration, {.jobs = 1, .keepRows = false, .interrupted = nullptr, .progress = {}});
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().finished; }, 60'000));
-  EXPECT_FALSE(w.waitFor([&] { return w.session->running(); }, 100)) << "a finished life does not run on";
-  const auto life = w.session->finish();
+  w.session->life().setTurbo(true);
+  w.session->life().setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().finished; }, 60'000));
+  EXPECT_FALSE(w.waitFor([&] { return w.session->life().running(); }, 100)) << "a finished life does not run on";
+  const auto life = w.session->life().finish();
   EXPECT_EQ(life->log().totals().episodes, 2000);
   EXPECT_EQ(life->hash(), (*alone)[0].hash);
 }
 
 TEST(Session, ARestartBeginsAgainWithTheSameBits) {
   Window w("softmax", 300);
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().finished; }, 60'000));
-  const LifeTotals first = w.session->snapshot().totals;
-  const auto& curve = w.session->curves().live().points;
+  w.session->life().setTurbo(true);
+  w.session->life().setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().finished; }, 60'000));
+  const LifeTotals first = w.session->life().snapshot().totals;
+  const auto& curve = w.session->life().curves().live().points;
   ASSERT_TRUE(w.waitFor([&] { return !curve.empty() && curve.back().episode == 300; }));
-  w.session->setPolicy("greedy");  // after the end: the life that was keeps its own policy's colour
+  w.session->editing().setPolicy("greedy");  // after the end: the life that was keeps its own policy's colour
   QTest::qWait(300);
-  EXPECT_EQ(w.session->curves().live().policy(), "softmax");
-  w.session->setPolicy("softmax");
-  ASSERT_TRUE(w.session->restart());
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().life == 2 && w.session->snapshot().finished; }, 60'000));
-  EXPECT_EQ(w.session->snapshot().totals.falls, first.falls);
-  EXPECT_EQ(w.session->snapshot().totals.successSteps, first.successSteps);
-  ASSERT_EQ(w.session->curves().earlier().size(), 1u) << "the first life stays as a faint curve";
-  EXPECT_EQ(w.session->curves().earlier()[0].policy(), "softmax");
+  EXPECT_EQ(w.session->life().curves().live().policy(), "softmax");
+  w.session->editing().setPolicy("softmax");
+  ASSERT_TRUE(w.session->newLives().restart());
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().life == 2 && w.session->life().snapshot().finished; },
+                        60'000));
+  EXPECT_EQ(w.session->life().snapshot().totals.falls, first.falls);
+  EXPECT_EQ(w.session->life().snapshot().totals.successSteps, first.successSteps);
+  ASSERT_EQ(w.session->life().curves().earlier().size(), 1u) << "the first life stays as a faint curve";
+  EXPECT_EQ(w.session->life().curves().earlier()[0].policy(), "softmax");
 }
 
 TEST(Session, AChangedParameterReachesTheLearnerAndIsNoted) {
   Window w("epsilon-greedy");
-  ASSERT_TRUE(w.session->setParameter("policy.epsilon", 0.25));
-  ASSERT_TRUE(w.waitFor([&] { return w.session->changedAt("policy.epsilon").has_value(); }));
-  EXPECT_EQ(w.session->changedAt("policy.epsilon"), 0);
-  const auto life = w.session->finish();
+  ASSERT_TRUE(w.session->editing().setParameter("policy.epsilon", 0.25));
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().changedAt("policy.epsilon").has_value(); }));
+  EXPECT_EQ(w.session->life().changedAt("policy.epsilon"), 0);
+  const auto life = w.session->life().finish();
   EXPECT_EQ(life->parameters().get("policy.epsilon"), 0.25);
 }
 
 TEST(Session, AValueOutOfRangeIsRefused) {
   Window w;
-  const Status s = w.session->setParameter("policy.epsilon", 1.5);
+  const Status s = w.session->editing().setParameter("policy.epsilon", 1.5);
   ASSERT_FALSE(s);
-  EXPECT_EQ(w.session->configuration().parameters.get("policy.epsilon"), 0.05);
+  EXPECT_EQ(w.session->life().configuration().parameters.get("policy.epsilon"), 0.05);
 }
 
 TEST(Session, ATableParameterAsksFirst) {
   Window w;
-  QSignalSpy spy(w.session.get(), &Session::needsNewTable);
-  ASSERT_TRUE(w.session->setParameter("features.tilings", 8));
+  QSignalSpy spy(&w.session->editing(), &Editing::needsNewTable);
+  ASSERT_TRUE(w.session->editing().setParameter("features.tilings", 8));
   ASSERT_EQ(spy.count(), 1);
-  EXPECT_EQ(w.session->configuration().parameters.get("features.tilings"), 16);
-  ASSERT_TRUE(w.session->setParameterAndRestart("features.tilings", 8));
-  EXPECT_TRUE(w.waitFor([&] { return w.session->configuration().parameters.get("features.tilings") == 8; }));
-  EXPECT_TRUE(w.waitFor([&] { return w.session->snapshot().life == 2; }));
+  EXPECT_EQ(w.session->life().configuration().parameters.get("features.tilings"), 16);
+  ASSERT_TRUE(w.session->newLives().setParameterAndRestart("features.tilings", 8));
+  EXPECT_TRUE(w.waitFor([&] { return w.session->life().configuration().parameters.get("features.tilings") == 8; }));
+  EXPECT_TRUE(w.waitFor([&] { return w.session->life().snapshot().life == 2; }));
 }
 
 TEST(Session, ATableThatIsTooLargeIsRefusedAndTheOldOneKept) {
   Window w;
-  ASSERT_TRUE(w.session->setParameterAndRestart("features.pole_angle", 1000));
-  ASSERT_TRUE(w.waitFor([&] { return !w.session->background().busy(); }));
-  QSignalSpy refused(w.session.get(), &Session::refused);
-  const Status s = w.session->setParameterAndRestart("features.pole_rate", 1000);
+  ASSERT_TRUE(w.session->newLives().setParameterAndRestart("features.pole_angle", 1000));
+  ASSERT_TRUE(w.waitFor([&] { return !w.session->newLives().background().busy(); }));
+  QSignalSpy refused(&w.session->newLives(), &NewLives::refused);
+  const Status s = w.session->newLives().setParameterAndRestart("features.pole_rate", 1000);
   EXPECT_TRUE(w.waitFor([&] { return !s || refused.count() == 1; })) << "at once, or when it is found out";
-  EXPECT_EQ(w.session->configuration().parameters.get("features.pole_rate"), 6);
+  EXPECT_EQ(w.session->life().configuration().parameters.get("features.pole_rate"), 6);
 }
 
 // Work that takes long enough for the window not to wait for it.
@@ -89,11 +90,12 @@ TEST(Session, LeoWalksInTheWindowAsHeadless) {
   ASSERT_TRUE(c);
   c->episodes = 40;
   const auto alone = runLives(w.registry, *c, {.jobs = 1, .keepRows = false, .interrupted = nullptr, .progress = {}});
-  ASSERT_TRUE(w.session->begin(*c));
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().life == 2 && w.session->snapshot().finished; }, 60'000));
-  EXPECT_EQ(w.session->finish()->hash(), (*alone)[0].hash);
+  ASSERT_TRUE(w.session->newLives().begin(*c));
+  w.session->life().setTurbo(true);
+  w.session->life().setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().life == 2 && w.session->life().snapshot().finished; },
+                        60'000));
+  EXPECT_EQ(w.session->life().finish()->hash(), (*alone)[0].hash);
 }
 
 TEST(Background, TheLastThatWasStartedCounts) {
@@ -131,49 +133,51 @@ TEST(Background, ShortWorkIsDoneAtOnceAndCancelledWorkNever) {
 
 TEST(Session, TheThresholdIsThatOfItsSchedule) {
   Window w("trl");
-  EXPECT_EQ(w.session->threshold(), 50.0);
-  ASSERT_TRUE(w.session->setParameter("policy.threshold_schedule", 1.0));
-  ASSERT_TRUE(w.session->setParameter("policy.threshold_end", 0.0));
-  ASSERT_TRUE(w.session->setParameter("policy.threshold_over", 100.0));
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
-  EXPECT_TRUE(w.waitFor([&] { return w.session->snapshot().totals.episodes > 100 && w.session->threshold() == 0.0; }));
-  ASSERT_TRUE(w.session->setParameter("policy.threshold_schedule", 3.0));
+  EXPECT_EQ(w.session->life().threshold(), 50.0);
+  ASSERT_TRUE(w.session->editing().setParameter("policy.threshold_schedule", 1.0));
+  ASSERT_TRUE(w.session->editing().setParameter("policy.threshold_end", 0.0));
+  ASSERT_TRUE(w.session->editing().setParameter("policy.threshold_over", 100.0));
+  w.session->life().setTurbo(true);
+  w.session->life().setRunning(true);
+  EXPECT_TRUE(w.waitFor(
+      [&] { return w.session->life().snapshot().totals.episodes > 100 && w.session->life().threshold() == 0.0; }));
+  ASSERT_TRUE(w.session->editing().setParameter("policy.threshold_schedule", 3.0));
   EXPECT_TRUE(w.waitFor([&] {
-    return w.session->values() && w.session->values()->rule &&
-           w.session->threshold() == w.session->values()->rule->threshold;
+    return w.session->life().values() && w.session->life().values()->rule &&
+           w.session->life().threshold() == w.session->life().values()->rule->threshold;
   })) << "the rule of thumb's, as soon as it says something";
 }
 
 TEST(Session, ParametersThatDoNotGoTogetherAreRefused) {
   Window w;
-  const Status s = w.session->setParameter("environment.fall_angle", 0.1);  // below the start angle
+  const Status s = w.session->editing().setParameter("environment.fall_angle", 0.1);  // below the start angle
   ASSERT_FALSE(s);
   EXPECT_NE(s.error().message.find("environment.start_angle"), std::string::npos);
-  EXPECT_GT(w.session->configuration().parameters.get("environment.fall_angle"), 1.0);
+  EXPECT_GT(w.session->life().configuration().parameters.get("environment.fall_angle"), 1.0);
 }
 
 // What the window reports is what it ran in the end: headless, that configuration gives the same bits.
 TEST(Session, ItsConfigurationIsTheOneThatRuns) {
   Window w("trl", 150);
-  ASSERT_TRUE(w.session->setParameterAndRestart("features.tilings", 8));
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().life == 2; }));
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().finished; }, 60'000));
-  const Configuration reported = w.session->configuration();
+  ASSERT_TRUE(w.session->newLives().setParameterAndRestart("features.tilings", 8));
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().life == 2; }));
+  w.session->life().setTurbo(true);
+  w.session->life().setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().finished; }, 60'000));
+  const Configuration reported = w.session->life().configuration();
   const auto alone =
       runLives(w.registry, reported, {.jobs = 1, .keepRows = false, .interrupted = nullptr, .progress = {}});
-  EXPECT_EQ(w.session->finish()->hash(), (*alone)[0].hash);
+  EXPECT_EQ(w.session->life().finish()->hash(), (*alone)[0].hash);
 }
 
 TEST(Session, TurboShowsAWorldAtRealTime) {
   Window w;
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->values() && w.session->snapshot().steps > 50'000; }));
-  EXPECT_TRUE(w.waitFor([&] { return w.session->factorText().size() >= 4; })) << "turbo is faster than real time";
-  EXPECT_EQ(w.session->shown().pose.size(), 5u);
+  w.session->life().setTurbo(true);
+  w.session->life().setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().values() && w.session->life().snapshot().steps > 50'000; }));
+  EXPECT_TRUE(w.waitFor([&] { return w.session->life().factorText().size() >= 4; }))
+      << "turbo is faster than real time";
+  EXPECT_EQ(w.session->looking().shown().pose.size(), 5u);
 }
 
 }  // namespace surefoot

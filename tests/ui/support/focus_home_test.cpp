@@ -20,18 +20,19 @@ TEST(FocusHome, ReturnAndEscapeGiveTheKeysBackToThePage) {
   QTest::keyClicks(number, "7");
   QTest::keyClick(number, Qt::Key_Return);
   ASSERT_TRUE(w.waitFor([&] { return !number->hasFocus(); }));
-  EXPECT_EQ(w.session->configuration().parameters.get("policy.threshold"), 7);
+  EXPECT_EQ(w.session->life().configuration().parameters.get("policy.threshold"), 7);
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_NE(w.session->configuration().parameters.get("policy.threshold"), 7) << "undo is the page's";
-  const double before = w.session->configuration().parameters.get("policy.threshold");
+  EXPECT_NE(w.session->life().configuration().parameters.get("policy.threshold"), 7) << "undo is the page's";
+  const double before = w.session->life().configuration().parameters.get("policy.threshold");
   number->setFocus();
   number->selectAll();
   QTest::keyClicks(number, "12");
   QTest::keyClick(number, Qt::Key_Escape);
   EXPECT_FALSE(number->hasFocus());
-  EXPECT_EQ(w.session->configuration().parameters.get("policy.threshold"), before) << "what was typed is taken back";
+  EXPECT_EQ(w.session->life().configuration().parameters.get("policy.threshold"), before)
+      << "what was typed is taken back";
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Space);
-  EXPECT_TRUE(w.session->running());
+  EXPECT_TRUE(w.session->life().running());
 }
 
 TEST(FocusHome, AChoiceMadeByMouseLeavesTheKeysToThePage) {

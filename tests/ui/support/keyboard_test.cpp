@@ -31,12 +31,12 @@ TEST(Keyboard, ButtonsArePressedBySpaceAndReturn) {
   Window w;
   auto* turbo = w.named<QAbstractButton>("Turbo");
   press(turbo, Qt::Key_Return);
-  EXPECT_TRUE(w.session->turbo());
+  EXPECT_TRUE(w.session->life().turbo());
   press(turbo, Qt::Key_Space);
-  EXPECT_FALSE(w.session->turbo());
-  EXPECT_FALSE(w.session->running()) << "Space was the button's";
+  EXPECT_FALSE(w.session->life().turbo());
+  EXPECT_FALSE(w.session->life().running()) << "Space was the button's";
   press(&w.window->livePage().world(), Qt::Key_Space);
-  EXPECT_TRUE(w.session->running()) << "and elsewhere it runs and pauses";
+  EXPECT_TRUE(w.session->life().running()) << "and elsewhere it runs and pauses";
 }
 
 TEST(Keyboard, ArrowsMoveTheSliderThatHasTheFocus) {
@@ -48,8 +48,8 @@ TEST(Keyboard, ArrowsMoveTheSliderThatHasTheFocus) {
   press(slider, Qt::Key_Left);
   EXPECT_EQ(slider->value(), before);
   QTest::qWait(50);
-  EXPECT_EQ(w.session->snapshot().steps, 0) << "not a step of the world";
-  EXPECT_FALSE(w.session->playback());
+  EXPECT_EQ(w.session->life().snapshot().steps, 0) << "not a step of the world";
+  EXPECT_FALSE(w.session->looking().playback());
 }
 
 TEST(Keyboard, ChoicesOpenAndAreTakenByReturn) {
@@ -72,13 +72,13 @@ TEST(Keyboard, AQuestionIsAnsweredAndCancelled) {
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
   EXPECT_FALSE(w.window->messages().isVisible());
   EXPECT_TRUE(combo->hasFocus()) << "back where it was";
-  EXPECT_EQ(w.session->configuration().names.agent, "sarsa");
+  EXPECT_EQ(w.session->life().configuration().names.agent, "sarsa");
   ask();
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
-  EXPECT_EQ(w.session->configuration().names.agent, "sarsa") << "a key that was meant for something else";
+  EXPECT_EQ(w.session->life().configuration().names.agent, "sarsa") << "a key that was meant for something else";
   for (auto* answer : w.window->messages().findChildren<QPushButton*>())
     if (answer->isVisible() && answer->text() == "Start again") press(answer, Qt::Key_Space);
-  EXPECT_EQ(w.session->configuration().names.agent, "sarsa-2q");
+  EXPECT_EQ(w.session->life().configuration().names.agent, "sarsa-2q");
 }
 
 TEST(Keyboard, ANumberThatIsReachedByTabIsReplaced) {
@@ -89,27 +89,27 @@ TEST(Keyboard, ANumberThatIsReachedByTabIsReplaced) {
   QTest::qWait(20);
   QTest::keyClicks(number, "-150");
   QTest::keyClick(number, Qt::Key_Return);
-  EXPECT_EQ(w.session->configuration().parameters.get("environment.fall_reward"), -150);
+  EXPECT_EQ(w.session->life().configuration().parameters.get("environment.fall_reward"), -150);
 }
 
 TEST(Keyboard, TheKeysOfOnePageDoNothingOnAnother) {
   Window w;
-  w.session->stepOnce();
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().steps == 1; }));
+  w.session->looking().stepOnce();
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().steps == 1; }));
   for (const Qt::Key page : {Qt::Key_2, Qt::Key_3}) {
     QTest::keyClick(w.window.get(), page, Qt::ControlModifier);
     EXPECT_FALSE(w.window->livePage().isVisible());
     for (const Qt::Key key : {Qt::Key_R, Qt::Key_T, Qt::Key_C, Qt::Key_Period, Qt::Key_Space}) w.key(key);
     QTest::qWait(50);
-    EXPECT_EQ(w.session->snapshot().life, 1u);
-    EXPECT_EQ(w.session->snapshot().steps, 1);
-    EXPECT_FALSE(w.session->running());
-    EXPECT_FALSE(w.session->turbo());
+    EXPECT_EQ(w.session->life().snapshot().life, 1u);
+    EXPECT_EQ(w.session->life().snapshot().steps, 1);
+    EXPECT_FALSE(w.session->life().running());
+    EXPECT_FALSE(w.session->life().turbo());
   }
   QTest::keyClick(w.window.get(), Qt::Key_1, Qt::ControlModifier);
   EXPECT_TRUE(w.window->livePage().isVisible());
   w.key(Qt::Key_T);
-  EXPECT_TRUE(w.session->turbo());
+  EXPECT_TRUE(w.session->life().turbo());
 }
 
 TEST(Scene, ForgetsWhatTheLastEnvironmentWanted) {

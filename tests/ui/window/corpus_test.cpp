@@ -31,14 +31,14 @@ TEST(CorpusInTheWindow, SessionsAndQFunctions) {
   const QTemporaryDir folder;
   for (const QString& path : copies("corpus", folder, ".surefoot")) {
     w.window->openFile(path);
-    ASSERT_TRUE(w.waitFor([&] { return !w.session->background().busy(); })) << path.toStdString();
+    ASSERT_TRUE(w.waitFor([&] { return !w.session->newLives().background().busy(); })) << path.toStdString();
     QTest::qWait(5);
     while (w.window->messages().cancel()) {
     }
   }
-  const auto steps = w.session->snapshot().steps;
-  w.session->setRunning(true);
-  EXPECT_TRUE(w.waitFor([&] { return w.session->snapshot().steps != steps; }));
+  const auto steps = w.session->life().snapshot().steps;
+  w.session->life().setRunning(true);
+  EXPECT_TRUE(w.waitFor([&] { return w.session->life().snapshot().steps != steps; }));
 }
 
 TEST(CorpusInTheWindow, PlansAndStores) {
@@ -53,9 +53,9 @@ TEST(CorpusInTheWindow, PlansAndStores) {
     while (w.window->messages().cancel()) {
     }
   }
-  const auto steps = w.session->snapshot().steps;
-  w.session->setRunning(true);
-  EXPECT_TRUE(w.waitFor([&] { return w.session->snapshot().steps != steps; }));
+  const auto steps = w.session->life().snapshot().steps;
+  w.session->life().setRunning(true);
+  EXPECT_TRUE(w.waitFor([&] { return w.session->life().snapshot().steps != steps; }));
 }
 
 }  // namespace surefoot

@@ -59,7 +59,7 @@ TEST(Dialogs, PreLearningIsReadableInEveryTask) {
   for (const EnvironmentEntry& entry : w.registry.environments) {
     const auto c = configure(w.registry, {.environment = entry.name}, {});
     ASSERT_TRUE(c) << c.error().message;
-    ASSERT_TRUE(w.session->begin(*c)) << entry.name;
+    ASSERT_TRUE(w.session->newLives().begin(*c)) << entry.name;
     const auto open = [&] {
       trigger(w, "&Pre-learn, then transfer …");
       const QDialog* dialog = dialogOf(w);

@@ -30,22 +30,22 @@ TEST(MainWindow, ASavedSessionGoesOnWhereItWas) {
   Window w;
   QTemporaryDir folder;
   const QString path = folder.filePath("one.surefoot");
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().totals.episodes > 100; }));
-  w.session->setRunning(false);
-  ASSERT_TRUE(w.waitFor([&] { return !w.session->snapshot().running; }));
+  w.session->life().setTurbo(true);
+  w.session->life().setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().totals.episodes > 100; }));
+  w.session->life().setRunning(false);
+  ASSERT_TRUE(w.waitFor([&] { return !w.session->life().snapshot().running; }));
   w.window->saveTo(SavedAs::Session, path);
   ASSERT_TRUE(w.waitFor([&] { return QFile::exists(path); }));
   QTest::qWait(50);
-  const auto before = w.session->snapshot().totals;
-  const std::int64_t steps = w.session->snapshot().steps;
-  ASSERT_TRUE(w.session->restart());
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().steps == 0; }));
+  const auto before = w.session->life().snapshot().totals;
+  const std::int64_t steps = w.session->life().snapshot().steps;
+  ASSERT_TRUE(w.session->newLives().restart());
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().steps == 0; }));
   w.window->openFile(path);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().steps == steps; }));
-  EXPECT_EQ(w.session->snapshot().totals.episodes, before.episodes);
-  EXPECT_EQ(w.session->snapshot().totals.falls, before.falls);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().steps == steps; }));
+  EXPECT_EQ(w.session->life().snapshot().totals.episodes, before.episodes);
+  EXPECT_EQ(w.session->life().snapshot().totals.falls, before.falls);
   EXPECT_EQ(w.window->windowTitle(), "Surefoot: one");
 }
 
@@ -77,13 +77,13 @@ TEST(MainWindow, TheSuggestedCommandsRun) {
   QTemporaryDir folder;
   Window w;
   for (const char* environment : {"pendulum", "leo", "cliff"}) {
-    ASSERT_TRUE(w.session->beginEnvironment(environment));
-    ASSERT_TRUE(w.waitFor([&] { return w.session->configuration().names.environment == environment; }));
-    w.session->setTurbo(true);
-    w.session->setRunning(true);
-    ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().totals.episodes > 1; }));
-    w.session->setRunning(false);
-    ASSERT_TRUE(w.waitFor([&] { return !w.session->snapshot().running; }));
+    ASSERT_TRUE(w.session->newLives().beginEnvironment(environment));
+    ASSERT_TRUE(w.waitFor([&] { return w.session->life().configuration().names.environment == environment; }));
+    w.session->life().setTurbo(true);
+    w.session->life().setRunning(true);
+    ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().totals.episodes > 1; }));
+    w.session->life().setRunning(false);
+    ASSERT_TRUE(w.waitFor([&] { return !w.session->life().snapshot().running; }));
     for (const SavedAs what : {SavedAs::QFunction, SavedAs::Session, SavedAs::Journal}) {
       const QString path = folder.filePath(QStringLiteral("it's \"%1\" für %2 $HOME").arg(environment).arg(int(what)));
       w.window->saveTo(what, path);
@@ -102,15 +102,15 @@ TEST(MainWindow, ASavedQFunctionIsWhatANewLifeBeginsWith) {
   Window w;
   QTemporaryDir folder;
   const QString path = folder.filePath("q.safetensors");
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().totals.episodes > 300; }));
-  w.session->setRunning(false);
+  w.session->life().setTurbo(true);
+  w.session->life().setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().totals.episodes > 300; }));
+  w.session->life().setRunning(false);
   w.window->saveTo(SavedAs::QFunction, path);
   ASSERT_TRUE(w.waitFor([&] { return QFile::exists(path); }));
   w.window->openFile(path);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().steps == 0 && w.session->values(); }));
-  const auto& q = w.session->snapshot().q;
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().steps == 0 && w.session->life().values(); }));
+  const auto& q = w.session->life().snapshot().q;
   EXPECT_GT(largest(q), 1.0) << "something is known already";
 }
 
@@ -118,15 +118,15 @@ TEST(MainWindow, AJournalIsLivedAgainToTheSameHash) {
   Window w;
   QTemporaryDir folder;
   const QString path = folder.filePath("life.jsonl");
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().steps > 1000; }));
-  ASSERT_TRUE(w.session->setParameter("policy.threshold", 20));
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().steps > 60'000; }));
-  w.session->setRunning(false);
-  ASSERT_TRUE(w.waitFor([&] { return !w.session->snapshot().running; }));
-  ASSERT_TRUE(w.session->place({0.1, 0.0, 0.0}));
-  w.session->stepOnce();
+  w.session->life().setTurbo(true);
+  w.session->life().setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().steps > 1000; }));
+  ASSERT_TRUE(w.session->editing().setParameter("policy.threshold", 20));
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().steps > 60'000; }));
+  w.session->life().setRunning(false);
+  ASSERT_TRUE(w.waitFor([&] { return !w.session->life().snapshot().running; }));
+  ASSERT_TRUE(w.session->life().place({0.1, 0.0, 0.0}));
+  w.session->looking().stepOnce();
   QTest::qWait(100);
   w.window->saveTo(SavedAs::Journal, path);
   ASSERT_TRUE(w.waitFor([&] { return QFile::exists(path); }));
@@ -135,7 +135,7 @@ TEST(MainWindow, AJournalIsLivedAgainToTheSameHash) {
   const auto lived = replay(w.registry, *journal, {});
   ASSERT_TRUE(lived) << lived.error().message;
   EXPECT_TRUE(journal->sameAs(*lived));
-  EXPECT_EQ(w.session->finish()->hash(), lived->hash);
+  EXPECT_EQ(w.session->life().finish()->hash(), lived->hash);
 }
 
 TEST(MainWindow, WhatCannotBeOpenedIsSaidInASentence) {
@@ -154,34 +154,37 @@ TEST(MainWindow, WhatCannotBeOpenedIsSaidInASentence) {
         << w.window->messages().accessibleName().toStdString();
     w.window->messages().dismiss();
   }
-  EXPECT_EQ(w.session->snapshot().life, 1u) << "the life goes on";
+  EXPECT_TRUE(w.waitFor([&] { return w.session->life().snapshot().life == 1u; })) << "the life goes on";
 }
 
 TEST(MainWindow, WhatIsLearnedCanBeCarriedOverIntoOtherTiles) {
   Window w;
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().totals.episodes > 300 && w.session->values(); }));
-  w.session->setRunning(false);
+  w.session->life().setTurbo(true);
+  w.session->life().setRunning(true);
+  ASSERT_TRUE(
+      w.waitFor([&] { return w.session->life().snapshot().totals.episodes > 300 && w.session->life().values(); }));
+  w.session->life().setRunning(false);
   bool done = false;
-  w.session->carryOver("features.pole_angle", 18, [&](const Status& s) {
+  w.session->newLives().carryOver("features.pole_angle", 18, [&](const Status& s) {
     EXPECT_TRUE(s) << s.error().message;
     done = true;
   });
   ASSERT_TRUE(w.waitFor([&] { return done; }, 60'000));
-  EXPECT_EQ(w.session->configuration().parameters.get("features.pole_angle"), 18);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().steps == 0 && w.session->values(); }));
-  const auto& q = w.session->snapshot().q;
+  EXPECT_EQ(w.session->life().configuration().parameters.get("features.pole_angle"), 18);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().steps == 0 && w.session->life().values(); }));
+  const auto& q = w.session->life().snapshot().q;
   EXPECT_GT(largest(q), 1.0);
 }
 
 TEST(MainWindow, EveryEnvironmentCanBeChosen) {
   Window w;
   for (const EnvironmentEntry& entry : w.registry.environments) {
-    ASSERT_TRUE(w.session->beginEnvironment(entry.name)) << entry.name;
-    ASSERT_TRUE(w.waitFor([&] { return w.session->configuration().names.environment == entry.name; })) << entry.name;
-    w.session->setRunning(true);
-    ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().steps > 3 && w.session->values(); })) << entry.name;
+    ASSERT_TRUE(w.session->newLives().beginEnvironment(entry.name)) << entry.name;
+    ASSERT_TRUE(w.waitFor([&] { return w.session->life().configuration().names.environment == entry.name; }))
+        << entry.name;
+    w.session->life().setRunning(true);
+    ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().steps > 3 && w.session->life().values(); }))
+        << entry.name;
     w.window->grab();
   }
 }
@@ -189,9 +192,10 @@ TEST(MainWindow, EveryEnvironmentCanBeChosen) {
 TEST(MainWindow, ViewsAreExportedInEveryFormat) {
   Window w;
   QTemporaryDir folder;
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().totals.episodes > 100 && w.session->values(); }));
+  w.session->life().setTurbo(true);
+  w.session->life().setRunning(true);
+  ASSERT_TRUE(
+      w.waitFor([&] { return w.session->life().snapshot().totals.episodes > 100 && w.session->life().values(); }));
   QTest::qWait(200);
   for (Panel* panel : w.window->livePage().panels())
     for (const char* ending : {".png", ".svg", ".pdf", ".csv"}) {
@@ -211,10 +215,10 @@ TEST(MainWindow, ViewsAreExportedInEveryFormat) {
 TEST(Autosave, ACrashLeavesTheSessionAndAProperEndNothing) {
   Window w;
   QTemporaryDir folder;
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().steps > 10; }));
+  w.session->life().setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().steps > 10; }));
   const auto files = [&] { return QDir(folder.path()).entryList({"*.surefoot"}, QDir::Files); };
-  Autosave autosave(*w.session, folder.path());
+  Autosave autosave(w.session->life(), w.session->history(), w.session->files(), folder.path());
   autosave.save();
   ASSERT_TRUE(w.waitFor([&] { return files().size() == 1; }));
   EXPECT_TRUE(autosave.leftBehind().isEmpty()) << "its process is alive";
@@ -223,7 +227,7 @@ TEST(Autosave, ACrashLeavesTheSessionAndAProperEndNothing) {
   ASSERT_TRUE(QFile::rename(folder.filePath(files()[0]), left));
   EXPECT_EQ(autosave.leftBehind(), left);
   bool opened = false;
-  w.session->open(left.toStdString(), [&](const Status& s) { opened = static_cast<bool>(s); });
+  w.session->files().open(left.toStdString(), [&](const Status& s) { opened = static_cast<bool>(s); });
   EXPECT_TRUE(w.waitFor([&] { return opened; }));
   autosave.takeOver(left);
   EXPECT_TRUE(w.waitFor([&] { return files().size() == 1 && !QFile::exists(left); }))
@@ -235,9 +239,9 @@ TEST(Autosave, ACrashLeavesTheSessionAndAProperEndNothing) {
 TEST(Autosave, AnEndFromOutsideLeavesTheSession) {
   Window w;
   QTemporaryDir folder;
-  w.session->stepOnce();
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().steps == 1; }));
-  Autosave autosave(*w.session, folder.path());
+  w.session->looking().stepOnce();
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().steps == 1; }));
+  Autosave autosave(w.session->life(), w.session->history(), w.session->files(), folder.path());
   bool left = false;
   autosave.leave([&](const Status&) { left = true; });
   ASSERT_TRUE(w.waitFor([&] { return left; }));

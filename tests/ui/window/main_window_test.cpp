@@ -23,42 +23,42 @@ namespace surefoot {
 TEST(MainWindow, SpaceRunsAndPauses) {
   Window w;
   w.key(Qt::Key_Space);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().steps > 10; }));
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().steps > 10; }));
   w.key(Qt::Key_Space);
-  EXPECT_FALSE(w.session->running());
+  EXPECT_FALSE(w.session->life().running());
 }
 
 TEST(MainWindow, PointAndRightDoOneStep) {
   Window w;
   w.key(Qt::Key_Period);
   w.key(Qt::Key_Right);
-  EXPECT_TRUE(w.waitFor([&] { return w.session->snapshot().steps == 2; }));
+  EXPECT_TRUE(w.waitFor([&] { return w.session->life().snapshot().steps == 2; }));
 }
 
 TEST(MainWindow, TIsTurboAndRRestarts) {
   Window w;
   w.key(Qt::Key_T);
-  EXPECT_TRUE(w.session->turbo());
+  EXPECT_TRUE(w.session->life().turbo());
   w.key(Qt::Key_Space);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().steps > 100'000; }));
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().steps > 100'000; }));
   w.key(Qt::Key_R);
-  EXPECT_TRUE(w.waitFor([&] { return w.session->snapshot().life == 2; }));
+  EXPECT_TRUE(w.waitFor([&] { return w.session->life().snapshot().life == 2; }));
   w.key(Qt::Key_T);
-  EXPECT_FALSE(w.session->turbo());
+  EXPECT_FALSE(w.session->life().turbo());
 }
 
 TEST(MainWindow, PlusAndMinusChangeThePace) {
   Window w;
   w.key(Qt::Key_Plus);
-  EXPECT_GT(w.session->pace(), 1.0);
+  EXPECT_GT(w.session->life().pace(), 1.0);
   w.key(Qt::Key_Minus);
   w.key(Qt::Key_Minus);
-  EXPECT_LT(w.session->pace(), 1.0);
+  EXPECT_LT(w.session->life().pace(), 1.0);
 }
 
 TEST(MainWindow, EveryMenuEntryCanBeTriggered) {
   Window w;
-  w.session->setRunning(true);
+  w.session->life().setRunning(true);
   int triggered = 0;
   for (const QAction* menu : w.window->menuBar()->actions())
     for (QAction* action : menu->menu()->actions()) {
@@ -96,9 +96,9 @@ TEST(MainWindow, APanelTakesTheWholePageAndGivesItBack) {
 
 TEST(MainWindow, FollowsTheThemeEverywhere) {
   Window w;
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().totals.episodes > 50; }));
+  w.session->life().setTurbo(true);
+  w.session->life().setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().totals.episodes > 50; }));
   applyAppearance(*qApp, Appearance::Dark);
   QTest::qWait(300);
   const QImage image = w.window->grab().toImage();
@@ -147,9 +147,9 @@ TEST(MainWindow, NoPanelIsCutAtItsSmallestSize) {
 
 TEST(MainWindow, UndoTakesAChangeBackAndRedoMakesItAgain) {
   Window w;
-  const auto temperature = [&] { return w.session->configuration().parameters.get("policy.temperature"); };
+  const auto temperature = [&] { return w.session->life().configuration().parameters.get("policy.temperature"); };
   const double before = temperature();
-  ASSERT_TRUE(w.session->setParameter("policy.temperature", 4.0));
+  ASSERT_TRUE(w.session->editing().setParameter("policy.temperature", 4.0));
   QTest::keyClick(w.window.get(), Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(temperature(), before);
   QTest::keyClick(w.window.get(), Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
@@ -183,8 +183,8 @@ TEST(MainWindow, APoolIsLearnedInSimulationAndOneOfItLivesInReality) {
       << "each with random numbers of its own";
   field("Damping in reality")->setText("0.07");
   press("Begin a life in reality with it");
-  EXPECT_EQ(w.session->configuration().parameters.get("environment.damping"), 0.07);
-  EXPECT_TRUE(w.session->configuration().start) << "it began with what was learned";
+  EXPECT_EQ(w.session->life().configuration().parameters.get("environment.damping"), 0.07);
+  EXPECT_TRUE(w.session->life().configuration().start) << "it began with what was learned";
 }
 
 TEST(MainWindow, PreferencesAreKeptAndApplyAtOnce) {

@@ -128,19 +128,20 @@ class Monkey {
 class Witness {
  public:
   explicit Witness(Window& w) : session_(*w.session) {
-    QObject::connect(&session_, &Session::frame, w.window.get(), [this] { note(); });
-    session_.setAskBeforeEnding([this, ask = session_.askBeforeEnding()](const auto& kept, const Session::GoOn& goOn) {
-      ask(kept, [this, running = !kept, goOn] {
-        if (running) ++answered_;
-        goOn();
-      });
-    });
-    QObject::connect(&session_, &Session::lifeReplaced, w.window.get(), [this] {
+    QObject::connect(&session_.looking(), &Looking::frame, w.window.get(), [this] { note(); });
+    session_.history().setAskBeforeEnding(
+        [this, ask = session_.history().askBeforeEnding()](const auto& kept, const History::GoOn& goOn) {
+          ask(kept, [this, running = !kept, goOn] {
+            if (running) ++answered_;
+            goOn();
+          });
+        });
+    QObject::connect(&session_.life(), &RunningLife::replaced, w.window.get(), [this] {
       if (std::exchange(answered_, 0) == 0 && unsaved_) ++ended_;
       note();
     });
-    for (auto signal : {&Session::lifeKept, &Session::lifeBroughtBack})
-      QObject::connect(&session_, signal, w.window.get(), [this] {
+    for (auto signal : {&History::lifeKept, &History::lifeBroughtBack})
+      QObject::connect(&session_.history(), signal, w.window.get(), [this] {
         if (ended_ > 0) --ended_, ++kept_;
       });
     note();
@@ -149,7 +150,7 @@ class Witness {
   int kept() const { return kept_; }
 
  private:
-  void note() { unsaved_ = session_.unsaved(); }
+  void note() { unsaved_ = session_.life().unsaved(); }
 
   Session& session_;
   bool unsaved_ = false;
@@ -188,7 +189,7 @@ TEST(Monkey, DoesNotBreakTheWindow) {
     for (auto* dialog : w.window->findChildren<QDialog*>()) dialog->close();
     QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);  // as the loop of the program does
     ASSERT_EQ(witness.ended(), 0) << "a life that was not saved is gone: " << monkey.last.toStdString();
-    if (i % 50 == 0 && w.session->unsaved()) {
+    if (i % 50 == 0 && w.session->life().unsaved()) {
       w.window->close();
       ASSERT_TRUE(w.window->isVisible()) << "quitting asks";
       while (w.window->messages().cancel()) {
@@ -200,9 +201,9 @@ TEST(Monkey, DoesNotBreakTheWindow) {
   std::printf("longest wait for the window: %lld ms (%s)\n", static_cast<long long>(longest), qPrintable(slowest));
   w.key(Qt::Key_Escape);
   w.window->setPage(0);
-  ASSERT_TRUE(w.session->beginEnvironment("pendulum"));
-  w.session->setRunning(true);
-  EXPECT_TRUE(w.waitFor([&] { return w.session->snapshot().steps > 10; })) << "it still learns";
+  ASSERT_TRUE(w.session->newLives().beginEnvironment("pendulum"));
+  w.session->life().setRunning(true);
+  EXPECT_TRUE(w.waitFor([&] { return w.session->life().snapshot().steps > 10; })) << "it still learns";
   applyAppearance(*qApp, Appearance::Light);
 }
 

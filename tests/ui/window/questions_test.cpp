@@ -22,7 +22,8 @@ struct Asked {
 
 std::vector<Asked> questions() {
   return {
-      {"new table", "Start again", [](Window& w) { ASSERT_TRUE(w.session->setParameter("features.tilings", 8)); }},
+      {"new table", "Start again",
+       [](Window& w) { ASSERT_TRUE(w.session->editing().setParameter("features.tilings", 8)); }},
       {"learning rule", "Start again",
        [](Window& w) {
          auto* agent = w.named<QComboBox>("Learning rule");
@@ -37,7 +38,7 @@ std::vector<Asked> questions() {
        }},
       {"no memory", "End it",
        [](Window& w) {
-         w.session->setMostKept(0);
+         w.session->history().setMostKept(0);
          w.key(Qt::Key_R);
        }},
   };
@@ -51,7 +52,7 @@ TEST(Questions, NoCarelessKeyAnswersOne) {
     Window w("trl");
     learn(w, 100);
     w.window->livePage().world().setFocus();
-    const std::int64_t episodes = w.session->progress().episodes;
+    const std::int64_t episodes = w.session->life().progress().episodes;
     QWidget* const focus = QApplication::focusWidget();
     asked.ask(w);
     QTest::qWait(20);
@@ -63,8 +64,8 @@ TEST(Questions, NoCarelessKeyAnswersOne) {
     }
     EXPECT_TRUE(answersOf(w).contains(asked.answer)) << "not answered";
     EXPECT_TRUE(w.window->isVisible());
-    EXPECT_GE(w.session->progress().episodes, episodes) << "the life is still there";
-    EXPECT_EQ(w.session->snapshot().life, 1u);
+    EXPECT_GE(w.session->life().progress().episodes, episodes) << "the life is still there";
+    EXPECT_EQ(w.session->life().snapshot().life, 1u);
     for (auto* button : w.window->messages().findChildren<QPushButton*>()) {
       EXPECT_FALSE(button->isDefault() || button->autoDefault()) << button->text().toStdString();
       EXPECT_FALSE(button->hasFocus()) << button->text().toStdString();
@@ -90,13 +91,13 @@ TEST(Questions, ALastingOneStaysUntilItIsAnswered) {
                            MessageBar::Question::Lasting);
   w.window->messages().say("Something else went wrong.");
   w.window->messages().tell("Something is written.");
-  ASSERT_TRUE(w.session->setParameter("features.tilings", 8));
+  ASSERT_TRUE(w.session->editing().setParameter("features.tilings", 8));
   EXPECT_TRUE(answersOf(w).contains("Start again")) << "beside it";
   learn(w, 20);
   w.key(Qt::Key_R);
   w.key(Qt::Key_Escape);
-  ASSERT_TRUE(w.session->setParameter("policy.threshold", 20.0));
-  ASSERT_TRUE(w.session->beginEnvironment("cliff"));
+  ASSERT_TRUE(w.session->editing().setParameter("policy.threshold", 20.0));
+  ASSERT_TRUE(w.session->newLives().beginEnvironment("cliff"));
   w.window->setPage(1);
   w.window->setPage(0);
   w.window->messages().dismiss();

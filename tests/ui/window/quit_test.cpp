@@ -35,8 +35,8 @@ TEST(Quit, AsksWhereSomethingIsUnsavedAndKeepsTheSessionForTheNextStart) {
     other.show();
     EXPECT_FALSE(other.messages().isVisible()) << "two windows do not offer the same session";
     answer(w, "Go on with it");
-    ASSERT_TRUE(w.waitFor([&] { return w.session->progress().episodes >= 30; }));
-    EXPECT_TRUE(w.session->unsaved());
+    ASSERT_TRUE(w.waitFor([&] { return w.session->life().progress().episodes >= 30; }));
+    EXPECT_TRUE(w.session->life().unsaved());
     EXPECT_TRUE(w.waitFor([&] { return last().isEmpty(); })) << "it is this window's now";
   }
   for (const QString& file : data().entryList({"autosave-*", "last-session-*"}, QDir::Files)) data().remove(file);
@@ -59,7 +59,7 @@ TEST(Quit, NamesAllThatIsNotSavedAndKeepsAllOfIt) {
     learn(w, episodes);
     if (episodes == 10) break;
     w.key(Qt::Key_R);
-    ASSERT_TRUE(w.waitFor([&] { return w.session->progress().episodes == 0; }));
+    ASSERT_TRUE(w.waitFor([&] { return w.session->life().progress().episodes == 0; }));
   }
   w.window->close();
   EXPECT_TRUE(w.window->messages().accessibleName().contains("2 lives before this one"))
@@ -74,10 +74,10 @@ TEST(Quit, AsksForWhatTheSecondLearned) {
   Window w;
   w.window->livePage().setComparing(true);
   Session& second = w.window->livePage().rival()->session();
-  second.setTurbo(true);
-  second.setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return second.progress().episodes >= 5; }, 30'000));
-  second.setRunning(false);
+  second.life().setTurbo(true);
+  second.life().setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return second.life().progress().episodes >= 5; }, 30'000));
+  second.life().setRunning(false);
   w.window->close();
   EXPECT_TRUE(w.window->isVisible());
   EXPECT_TRUE(w.window->messages().accessibleName().contains("the second learned in"))
@@ -91,10 +91,10 @@ TEST(Quit, WhatCannotBeKeptIsToldAndTheAutosaveStays) {
   Session session(w.registry, w.configuration, false);
   MainWindow window(session, {.plans = {}, .folder = folder.path()});
   window.show();
-  session.setTurbo(true);
-  session.setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return session.progress().episodes > 20; }));
-  session.setRunning(false);
+  session.life().setTurbo(true);
+  session.life().setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return session.life().progress().episodes > 20; }));
+  session.life().setRunning(false);
   ASSERT_TRUE(QDir(folder.path()).removeRecursively());
   QFile inItsPlace(folder.path());  // no folder can be made there
   ASSERT_TRUE(inItsPlace.open(QIODevice::WriteOnly));
@@ -111,8 +111,8 @@ TEST(Quit, WhatCannotBeKeptIsToldAndTheAutosaveStays) {
 
 TEST(Quit, DoesNotAskWhereNothingWasLearned) {
   Window w;
-  w.session->stepOnce();
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().steps == 1; }));
+  w.session->looking().stepOnce();
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().steps == 1; }));
   EXPECT_TRUE(w.window->close());
 }
 
@@ -122,9 +122,9 @@ TEST(Quit, AnEndFromOutsideNeverAsks) {
   Session session(w.registry, w.configuration, false);
   MainWindow window(session, {.plans = {}, .folder = folder.path()});
   window.show();
-  session.setTurbo(true);
-  session.setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return session.progress().episodes > 20; }));
+  session.life().setTurbo(true);
+  session.life().setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return session.life().progress().episodes > 20; }));
   window.closeForNow();
   EXPECT_TRUE(w.waitFor([&] { return !window.isVisible(); }));
   EXPECT_EQ(QDir(folder.path()).entryList({"autosave-*.surefoot"}, QDir::Files).size(), 1);
@@ -134,19 +134,19 @@ TEST(Quit, AnEndFromOutsideNeverAsks) {
 TEST(Autosave, ALifeThatGaveWayStaysOnTheDiskUntilItIsSaved) {
   QTemporaryDir folder;
   Window w;
-  Autosave autosave(*w.session, folder.path());
+  Autosave autosave(w.session->life(), w.session->history(), w.session->files(), folder.path());
   const auto files = [&] { return QDir(folder.path()).entryList({"autosave-*.surefoot"}, QDir::Files).size(); };
   learn(w, 30);
   autosave.save();
   ASSERT_TRUE(w.waitFor([&] { return files() == 1; }));
   w.key(Qt::Key_R);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().life == 2; }));
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().life == 2; }));
   learn(w, 5);
   autosave.save();
   EXPECT_TRUE(w.waitFor([&] { return files() == 2; })) << "both are there";
-  w.session->undo().undo();
-  ASSERT_TRUE(w.waitFor([&] { return w.session->progress().episodes >= 30; }));
-  learn(w, w.session->progress().episodes + 5);
+  w.session->history().undo().undo();
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().progress().episodes >= 30; }));
+  learn(w, w.session->life().progress().episodes + 5);
   autosave.save();
   EXPECT_TRUE(w.waitFor([&] { return files() == 2; })) << "the other way round";
   autosave.finish();
@@ -166,7 +166,7 @@ TEST(Autosave, StaleLocksGoAndTheirSessionsAreOffered) {
   write("autosave-1.surefoot.lock", ours + "\nui_test\nelsewhere\n\n00000000-another-boot\n");
   write("autosave-2.surefoot.lock", "");
   write("autosave-3.surefoot.lock", "999999\nsurefoot\n");
-  const Autosave autosave(*w.session, folder.path());
+  const Autosave autosave(w.session->life(), w.session->history(), w.session->files(), folder.path());
   EXPECT_EQ(autosave.leftBehind(), folder.filePath("autosave-1.surefoot"));
   for (const char* name : {"autosave-2.surefoot.lock", "autosave-3.surefoot.lock"})
     EXPECT_FALSE(QFile::exists(folder.filePath(name))) << name;
@@ -180,7 +180,7 @@ TEST(Autosave, WhatAnotherWindowHoldsIsNotOffered) {
   ASSERT_TRUE(file.open(QIODevice::WriteOnly));
   const FileLock held = FileLock::take(path + ".lock");
   ASSERT_TRUE(held.held());
-  const Autosave autosave(*w.session, folder.path());
+  const Autosave autosave(w.session->life(), w.session->history(), w.session->files(), folder.path());
   EXPECT_EQ(autosave.leftBehind(), QString());
 }
 

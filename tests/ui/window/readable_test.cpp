@@ -28,13 +28,14 @@ void use(Window& w, const Screen& screen) {
 
 /// A life that has learned and fallen for a while, and stands still.
 void live(Window& w, const std::string& environment) {
-  const auto life = w.session->snapshot().life;
-  ASSERT_TRUE(w.session->beginEnvironment(environment));
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().life > life && w.session->values(); }, 30'000));
-  w.session->setTurbo(true);
-  w.session->setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->snapshot().totals.episodes > 12; }, 30'000));
-  w.session->setRunning(false);
+  const auto life = w.session->life().snapshot().life;
+  ASSERT_TRUE(w.session->newLives().beginEnvironment(environment));
+  ASSERT_TRUE(
+      w.waitFor([&] { return w.session->life().snapshot().life > life && w.session->life().values(); }, 30'000));
+  w.session->life().setTurbo(true);
+  w.session->life().setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().totals.episodes > 12; }, 30'000));
+  w.session->life().setRunning(false);
   QTest::qWait(100);
 }
 

@@ -8,6 +8,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 
+#include "core/experiment/configuration.h"
 #include "ui/controls/combo.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"

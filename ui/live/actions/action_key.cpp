@@ -3,7 +3,8 @@
 
 #include <QPainter>
 
-#include "ui/session/session.h"
+#include "ui/session/looking.h"
+#include "ui/session/running_life.h"
 #include "ui/style/colour_map.h"
 #include "ui/style/symbol_text.h"
 
@@ -14,21 +15,24 @@ constexpr double kSample = 14;  // a sample with its space [px]
 const QString kPositive = QStringLiteral("Q⁺"), kNegative = QStringLiteral("Q⁻");
 }  // namespace
 
-ActionKey::ActionKey(Session& session, QWidget* parent) : Painted(parent), session_(session) {
-  connect(&session_, &Session::configurationChanged, this, &ActionKey::refresh);
-  connect(&session_, &Session::valuesArrived, this, &ActionKey::refresh);
-  connect(&session_, &Session::lifeReplaced, this, &ActionKey::refresh);
+ActionKey::ActionKey(RunningLife& life, Looking& looking, QWidget* parent)
+    : Painted(parent),
+      life_(life),
+      looking_(looking) {
+  connect(&life_, &RunningLife::configurationChanged, this, &ActionKey::refresh);
+  connect(&life_, &RunningLife::valuesArrived, this, &ActionKey::refresh);
+  connect(&life_, &RunningLife::replaced, this, &ActionKey::refresh);
   refresh();
 }
 
 void ActionKey::refresh() {
   std::vector<Item> items;
-  if (!session_.task().actionVariables.empty()) {
-    const std::string& now = session_.configuration().names.policy;
-    for (const auto& entry : session_.registry().policies)
+  if (!life_.task().actionVariables.empty()) {
+    const std::string& now = life_.configuration().names.policy;
+    for (const auto& entry : life_.registry().policies)
       if (entry.name == now || entry.name != "greedy")
         items.push_back({toText(entry.title), entry.name, entry.name == now});
-  } else if (!session_.shown().qPositive.empty()) {
+  } else if (!looking_.shown().qPositive.empty()) {
     items = {{kNegative, "", false}, {kPositive, "", false}, {QStringLiteral("Q"), "", false}};
   }
   if (items == items_) return;

@@ -11,13 +11,14 @@
 
 namespace surefoot {
 
-class Session;
+class Looking;
+class RunningLife;
 
 class ActionKey final : public Painted<>, public Folding {
   Q_OBJECT
 
  public:
-  explicit ActionKey(Session& session, QWidget* parent = nullptr);
+  explicit ActionKey(RunningLife& life, Looking& looking, QWidget* parent = nullptr);
   QSize sizeHint() const override;
   void fold(int room) override;
 
@@ -37,7 +38,8 @@ class ActionKey final : public Painted<>, public Folding {
   int widthWith(double gap) const;
   void drawSample(QPainter& painter, QPointF at, const Item& item, const Theme& theme) const;
 
-  Session& session_;
+  RunningLife& life_;
+  Looking& looking_;
   std::vector<Item> items_;
   double gap_ = kUsualGap;  // between two items [px]
 };

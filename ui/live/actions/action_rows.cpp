@@ -10,7 +10,9 @@
 
 #include "core/text/text.h"
 #include "ui/live/maps/map_choice.h"
-#include "ui/session/session.h"
+#include "ui/session/editing.h"
+#include "ui/session/looking.h"
+#include "ui/session/running_life.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
 
@@ -20,20 +22,24 @@ namespace {
 constexpr int kUpdateEvery = 200;  // [ms]: numbers that change faster cannot be read; bars are of the same moment
 }  // namespace
 
-ActionRows::ActionRows(Session& session, QWidget* parent) : Painted(parent), session_(session) {
+ActionRows::ActionRows(RunningLife& life, Looking& looking, Editing& editing, QWidget* parent)
+    : Painted(parent),
+      life_(life),
+      looking_(looking),
+      editing_(editing) {
   setMouseTracking(true);
   setAttribute(Qt::WA_OpaquePaintEvent);
   rebuild();
   sinceUpdate_.start();
-  connect(&session_, &Session::frame, this, &ActionRows::nextFrame);
-  connect(&session_, &Session::valuesArrived, this, qOverload<>(&ActionRows::update));  // the threshold, as the maps
-  connect(&session_, &Session::configurationChanged, this, &ActionRows::rebuild);
-  connect(&session_, &Session::lifeReplaced, this, [this] {
+  connect(&looking_, &Looking::frame, this, &ActionRows::nextFrame);
+  connect(&life_, &RunningLife::valuesArrived, this, qOverload<>(&ActionRows::update));  // the threshold, as the maps
+  connect(&life_, &RunningLife::configurationChanged, this, &ActionRows::rebuild);
+  connect(&life_, &RunningLife::replaced, this, [this] {
     share_ = 0;
     dragging_ = false;
     rebuild();
   });
-  connect(&session_, &Session::examinedChanged, this, [this] {
+  connect(&looking_, &Looking::examinedChanged, this, [this] {
     sinceUpdate_.invalidate();
     nextFrame();
   });
@@ -42,15 +48,15 @@ ActionRows::ActionRows(Session& session, QWidget* parent) : Painted(parent), ses
 void ActionRows::rebuild() {
   columns_.clear();
   std::vector<std::string> names;
-  for (const auto& entry : session_.registry().policies)
+  for (const auto& entry : life_.registry().policies)
     if (entry.name != "greedy") names.push_back(entry.name);  // the others say which action that is
-  if (const std::string& now = session_.configuration().names.policy;
+  if (const std::string& now = life_.configuration().names.policy;
       std::find(names.begin(), names.end(), now) == names.end())
     names.insert(names.begin(), now);
   for (const std::string& name : names) {
-    auto policy = makePolicy(session_.registry(), name, session_.configuration().parameters);
+    auto policy = makePolicy(life_.registry(), name, life_.configuration().parameters);
     if (!policy) continue;
-    const auto entry = findEntry(session_.registry().policies, "policy", name);
+    const auto entry = findEntry(life_.registry().policies, "policy", name);
     columns_.push_back({name, toText((*entry)->title), std::move(*policy), {}});
   }
   q_.clear();
@@ -62,18 +68,18 @@ void ActionRows::rebuild() {
 }
 
 bool ActionRows::inForce(std::size_t column) const {
-  return columns_[column].name == session_.configuration().names.policy;
+  return columns_[column].name == life_.configuration().names.policy;
 }
 
 void ActionRows::nextFrame() {
-  const Playback* playback = session_.playback();
-  const int rest = (playback ? playback->rate > 0 : session_.running()) ? kUpdateEvery : kUpdateEvery / 4;
+  const Playback* playback = looking_.playback();
+  const int rest = (playback ? playback->rate > 0 : life_.running()) ? kUpdateEvery : kUpdateEvery / 4;
   if (!isVisible() || (sinceUpdate_.isValid() && sinceUpdate_.elapsed() < rest && !q_.empty())) return;
   sinceUpdate_.start();
-  if (session_.shown().q.empty()) return;
+  if (looking_.shown().q.empty()) return;
   takeValues();
   fitScale();
-  const LifeTime time = session_.lifeTime();
+  const LifeTime time = life_.lifeTime();
   for (Column& column : columns_) {
     column.policy->advance(time);
     column.pi.resize(q_.size());
@@ -91,11 +97,11 @@ QString ActionRows::valueText(double q) {
 
 /// Of the live state, or of that which is looked at on the map.
 void ActionRows::takeValues() {
-  const Shown& shown = session_.shown();
-  const std::vector<double>& state = session_.examined();
-  const ValueSnapshot* v = session_.values();
+  const Shown& shown = looking_.shown();
+  const std::vector<double>& state = looking_.examined();
+  const ValueSnapshot* v = life_.values();
   chosen_ = kNoAction;
-  if (state.size() != session_.task().state.size() || !v) {
+  if (state.size() != life_.task().state.size() || !v) {
     q_ = shown.q;
     positive_ = shown.qPositive;
     negative_ = shown.qNegative;
@@ -104,24 +110,23 @@ void ActionRows::takeValues() {
   }
   const auto n = static_cast<std::size_t>(v->values->actions());
   q_.resize(n);
-  session_.valuesShown()->evaluate(state, Layer::Sum, q_);
-  for (auto* part : {&positive_, &negative_}) part->resize(session_.valuesShown()->split() ? n : 0);
-  if (!session_.valuesShown()->split()) return;
-  session_.valuesShown()->evaluate(state, Layer::Positive, positive_);
-  session_.valuesShown()->evaluate(state, Layer::Negative, negative_);
+  looking_.valuesShown()->evaluate(state, Layer::Sum, q_);
+  for (auto* part : {&positive_, &negative_}) part->resize(looking_.valuesShown()->split() ? n : 0);
+  if (!looking_.valuesShown()->split()) return;
+  looking_.valuesShown()->evaluate(state, Layer::Positive, positive_);
+  looking_.valuesShown()->evaluate(state, Layer::Negative, negative_);
 }
 
 /// As much of the task's returns, from 0 to both sides, as the values have needed since the life began. It does not
 /// shrink, nor move under a threshold that is being dragged.
 void ActionRows::fitScale() {
-  const double lowest = std::min(session_.task().lowestReturn, 0.0);
-  const double highest = std::max(session_.task().highestReturn, lowest == 0 ? 1.0 : 0.0);
+  const double lowest = std::min(life_.task().lowestReturn, 0.0);
+  const double highest = std::max(life_.task().highestReturn, lowest == 0 ? 1.0 : 0.0);
   const auto shareOf = [&](double v) { return v == 0 ? 0.0 : v > 0 ? v / highest : v / lowest; };
   double needed = share_;
   for (const auto* values : {&q_, &positive_, &negative_})
     for (const double v : *values) needed = std::max(needed, shareOf(v));
-  if (const double t = session_.threshold();
-      session_.configuration().names.policy == "trl" && t >= lowest && t <= highest)
+  if (const double t = life_.threshold(); life_.configuration().names.policy == "trl" && t >= lowest && t <= highest)
     needed = std::max(needed, shareOf(t));
   if (!dragging_) {
     share_ = 1;
@@ -132,16 +137,16 @@ void ActionRows::fitScale() {
 }
 
 std::string ActionRows::asCsv() const {
-  const auto& variables = session_.task().actionVariables;
+  const auto& variables = life_.task().actionVariables;
   std::string csv = "action";
   for (const ActionVariable& v : variables) csv += "," + v.key;
   csv += positive_.empty() ? ",q" : ",q,q_positive,q_negative";
   for (const Column& column : columns_) csv += "," + column.name;
   csv += '\n';
   for (std::size_t a = 0; a < q_.size(); ++a) {
-    csv += fmt::format("{}", session_.task().actions[a]);
+    csv += fmt::format("{}", life_.task().actions[a]);
     for (std::size_t j = 0; j < variables.size(); ++j)
-      csv += fmt::format(",{:.9g}", variables[j].levels[levelOf(session_.task(), a, j)]);
+      csv += fmt::format(",{:.9g}", variables[j].levels[levelOf(life_.task(), a, j)]);
     csv += fmt::format(",{:.9g}", q_[a]);
     if (!positive_.empty()) csv += fmt::format(",{:.9g},{:.9g}", positive_[a], negative_[a]);
     for (const Column& column : columns_) csv += fmt::format(",{:.9g}", column.pi[a]);
@@ -152,8 +157,8 @@ std::string ActionRows::asCsv() const {
 
 bool ActionRows::onThreshold(const QPointF& at) const {
   const Geometry g = geometry();
-  return session_.configuration().names.policy == "trl" && levels_.empty() &&
-         std::abs(at.x() - xOf(session_.threshold(), g)) < 6 && at.y() > 6 && at.y() < g.bottom;
+  return life_.configuration().names.policy == "trl" && levels_.empty() &&
+         std::abs(at.x() - xOf(life_.threshold(), g)) < 6 && at.y() > 6 && at.y() < g.bottom;
 }
 
 void ActionRows::mousePressEvent(QMouseEvent* event) {
@@ -166,8 +171,8 @@ void ActionRows::mouseMoveEvent(QMouseEvent* event) {
   const Geometry g = geometry();
   const double share = (mouseAt(*event).x() - g.qLeft) / (g.qRight - g.qLeft);
   const double value = std::round(std::clamp(low_ + share * (high_ - low_), low_ / share_, high_ / share_));
-  if (value != session_.threshold())
-    static_cast<void>(static_cast<bool>(session_.setParameter("policy.threshold", value)));
+  if (value != life_.threshold())
+    static_cast<void>(static_cast<bool>(editing_.setParameter("policy.threshold", value)));
 }
 
 void ActionRows::mouseReleaseEvent(QMouseEvent*) {

@@ -18,14 +18,16 @@ class QPainter;
 
 namespace surefoot {
 
-class Session;
+class Editing;
+class Looking;
+class RunningLife;
 struct Theme;
 
 class ActionRows final : public Painted<>, public CsvSource {
   Q_OBJECT
 
  public:
-  explicit ActionRows(Session& session, QWidget* parent = nullptr);
+  explicit ActionRows(RunningLife& life, Looking& looking, Editing& editing, QWidget* parent = nullptr);
   QSize sizeHint() const override { return scaled({576, 240}); }
   QSize minimumSizeHint() const override { return scaled({400, 190}); }
   /// A row an action: its value, the parts of it, its probability under each policy.
@@ -89,7 +91,9 @@ class ActionRows final : public Painted<>, public CsvSource {
   void drawThreshold(QPainter& p, const Theme& t, const Geometry& g) const;
   bool onThreshold(const QPointF& at) const;
 
-  Session& session_;
+  RunningLife& life_;
+  Looking& looking_;
+  Editing& editing_;
   std::vector<Column> columns_;
   std::vector<double> q_, positive_, negative_;  // the parts are empty where the agent keeps one estimate
   std::vector<std::vector<Level>> levels_;       // [action variable][level]; empty: an action is one number

@@ -9,7 +9,9 @@
 #include "core/text/text.h"
 #include "ui/live/actions/action_rows.h"
 #include "ui/live/maps/map_choice.h"
-#include "ui/session/session.h"
+#include "ui/session/editing.h"
+#include "ui/session/looking.h"
+#include "ui/session/running_life.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
 
@@ -37,7 +39,7 @@ QString headOf(const ActionVariable& v, const QString& end) {
 }  // namespace
 
 void ActionRows::sumLevels() {
-  const Task& task = session_.task();
+  const Task& task = life_.task();
   levels_.clear();
   for (std::size_t j = 0; j < task.actionVariables.size(); ++j) {
     auto& levels = levels_.emplace_back(task.actionVariables[j].levels.size());
@@ -54,13 +56,13 @@ void ActionRows::sumLevels() {
 }
 
 void ActionRows::drawLevels(QPainter& p, const Theme& t) const {
-  const auto& variables = session_.task().actionVariables;
+  const auto& variables = life_.task().actionVariables;
   const double k = textScale(), labels = k * 66;
   const double pitch = (width() - labels) / static_cast<double>(levels_.size());
   const QString end = commonEnd(variables);
   p.setFont(textFont(11));
   p.setPen(t.quiet);
-  drawSymbol(p, 12, k * (kTop - 12), end.isEmpty() ? toText(session_.task().actionTitle) : end);
+  drawSymbol(p, 12, k * (kTop - 12), end.isEmpty() ? toText(life_.task().actionTitle) : end);
   for (std::size_t j = 0; j < levels_.size(); ++j) {
     const double left = labels + pitch * static_cast<double>(j);
     p.setFont(textFont(13, 500));
@@ -72,7 +74,7 @@ void ActionRows::drawLevels(QPainter& p, const Theme& t) const {
 }
 
 void ActionRows::drawLevelsOf(QPainter& p, const Theme& t, std::size_t variable, double left, double pitch) const {
-  const Task& task = session_.task();
+  const Task& task = life_.task();
   const auto& levels = levels_[variable];
   const double k = textScale(), n = static_cast<double>(levels.size()), top = k * kTop;
   const double row = std::clamp((height() - top - k * kUnder) / n, 8.0, 28.0 * k);

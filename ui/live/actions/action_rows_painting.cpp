@@ -8,7 +8,9 @@
 #include "core/text/text.h"
 #include "ui/live/actions/action_rows.h"
 #include "ui/live/maps/map_choice.h"
-#include "ui/session/session.h"
+#include "ui/session/editing.h"
+#include "ui/session/looking.h"
+#include "ui/session/running_life.h"
 #include "ui/style/colour_map.h"
 #include "ui/style/round_numbers.h"
 #include "ui/style/symbol_text.h"
@@ -66,7 +68,7 @@ QFont ActionRows::rowFont(double row, int weight) const {
 }
 
 ActionRows::Geometry ActionRows::geometry() const {
-  const Task& task = session_.task();
+  const Task& task = life_.task();
   const double k = textScale(), w = width();
   Geometry g{};
   double names = 0, titles = 0;
@@ -115,7 +117,7 @@ void ActionRows::paintEvent(QPaintEvent*) {
   ScaledPainter p(this);
   p.fillRect(rect(), t.panel);
   p.setRenderHint(QPainter::Antialiasing);
-  if (!session_.task().actionVariables.empty()) return levels_.empty() ? void() : drawLevels(p, t);
+  if (!life_.task().actionVariables.empty()) return levels_.empty() ? void() : drawLevels(p, t);
   const Geometry g = geometry();
   drawHead(p, t, g);
   if (q_.empty()) return;
@@ -135,7 +137,7 @@ void ActionRows::drawHead(QPainter& p, const Theme& t, const Geometry& g) const 
   const double k = textScale(), baseline = 20 * k;
   p.setFont(textFont(11));
   p.setPen(t.quiet);
-  drawSymbol(p, 12, baseline, headOf(session_.task()));
+  drawSymbol(p, 12, baseline, headOf(life_.task()));
   p.setFont(textFont(13, 500));
   p.setPen(t.ink);
   drawSymbol(p, g.qNumber - symbolWidth(p.font(), QStringLiteral("Q")), baseline, QStringLiteral("Q"));
@@ -217,7 +219,7 @@ void ActionRows::drawNumbers(QPainter& p, const Theme& t, const Geometry& g, std
     p.setPen(colour);
     drawSymbol(p, QRectF(right - 200, middle - g.row / 2, 200, g.row), Qt::AlignRight, text);
   };
-  write(g.label, actionNameOf(session_.task(), action), static_cast<int>(action) == chosen_, t.ink);
+  write(g.label, actionNameOf(life_.task(), action), static_cast<int>(action) == chosen_, t.ink);
   write(g.qNumber, valueText(q_[action]), true, t.ink);
   for (std::size_t i = 0; i < g.columns.size(); ++i) {
     const bool now = inForce(g.columns[i]);
@@ -227,22 +229,22 @@ void ActionRows::drawNumbers(QPainter& p, const Theme& t, const Geometry& g, std
 }
 
 void ActionRows::drawThreshold(QPainter& p, const Theme& t, const Geometry& g) const {
-  if (session_.configuration().names.policy != "trl") return;
-  const double x = xOf(session_.threshold(), g), k = textScale();
-  if (onScale(session_.threshold())) {  // else the flag says at which side it lies
+  if (life_.configuration().names.policy != "trl") return;
+  const double x = xOf(life_.threshold(), g), k = textScale();
+  if (onScale(life_.threshold())) {  // else the flag says at which side it lies
     QPen pen(t.trl, 2 * k, Qt::CustomDashLine, Qt::FlatCap);
     pen.setDashPattern({3, 2});
     p.setPen(pen);
     p.drawLine(QPointF(x, g.top - 4), QPointF(x, g.bottom));
   }
-  const QString beyond = session_.threshold() > high_  ? QStringLiteral(" ›")
-                         : session_.threshold() < low_ ? QStringLiteral(" ‹")
-                                                       : QString();
-  const QString text = tr("threshold %1").arg(toText(countText(session_.threshold()))) + beyond;
+  const QString beyond = life_.threshold() > high_  ? QStringLiteral(" ›")
+                         : life_.threshold() < low_ ? QStringLiteral(" ‹")
+                                                    : QString();
+  const QString text = tr("threshold %1").arg(toText(countText(life_.threshold()))) + beyond;
   p.setFont(textFont(11, 500));
   const double w = symbolWidth(p.font(), text) + 10 * k;
   const double right = g.qNumber - symbolWidth(textFont(13, 500), QStringLiteral("Q")) - 6 * k;
-  const double left = 12 + widthOf(headOf(session_.task()), 11) + 6 * k;
+  const double left = 12 + widthOf(headOf(life_.task()), 11) + 6 * k;
   const QRectF flag(std::max(std::min(left, right - w), std::min(x - w / 2, right - w)), g.top - 23 * k, w, 17 * k);
   p.setPen(Qt::NoPen);
   p.setBrush(t.trlStrong);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/session/session.h"
+#include "ui/session/running_life.h"
 #include "ui/style/round_numbers.h"
 
 namespace surefoot {
@@ -31,29 +31,29 @@ double timeOf(const Task& task, std::int64_t episode, std::int64_t lifeSteps) {
   return task.stepTime ? static_cast<double>(lifeSteps) * *task.stepTime / 60.0 : static_cast<double>(episode);
 }
 
-ChartSpan::ChartSpan(Session& session, QObject* parent) : QObject(parent), session_(session) {
-  connect(&session_, &Session::valuesArrived, this, &ChartSpan::refresh);
-  connect(&session_, &Session::configurationChanged, this, &ChartSpan::refresh);
-  connect(&session_, &Session::lifeReplaced, this, [this] {
+ChartSpan::ChartSpan(RunningLife& life, QObject* parent) : QObject(parent), life_(life) {
+  connect(&life_, &RunningLife::valuesArrived, this, &ChartSpan::refresh);
+  connect(&life_, &RunningLife::configurationChanged, this, &ChartSpan::refresh);
+  connect(&life_, &RunningLife::replaced, this, [this] {
     if (wished_ == Shows::Part) wished_.reset();  // of a life that is over
     refresh();
   });
   refresh();
 }
 
-void ChartSpan::setSecond(Session* second) {
+void ChartSpan::setSecond(RunningLife* second) {
   second_ = second;
   refresh();
 }
 
 double ChartSpan::endOfLearning() const {
-  const ValueSnapshot* v = session_.values();
-  return v && v->endOfLearning > 0 ? timeOf(session_.task(), v->endOfLearning, v->endOfLearningSteps) : 0.0;
+  const ValueSnapshot* v = life_.values();
+  return v && v->endOfLearning > 0 ? timeOf(life_.task(), v->endOfLearning, v->endOfLearningSteps) : 0.0;
 }
 
 double ChartSpan::whole() const {
-  const Task& task = session_.task();
-  const RunCurves& curves = session_.curves();
+  const Task& task = life_.task();
+  const RunCurves& curves = life_.curves();
   const bool clock = task.stepTime.has_value();
   double end = std::max(endOf(task, curves.live()), clock ? 1.0 : 100.0);
   if (second_) end = std::max(end, endOf(task, second_->curves().live()));
@@ -97,7 +97,7 @@ void ChartSpan::showPart(double from, double to) {
   const double end = roundEnd(whole());
   from = std::clamp(from, 0.0, end);
   to = std::clamp(to, from, end);
-  const double least = std::max(kClosest * to, session_.task().stepTime ? 0.005 : 2.0);
+  const double least = std::max(kClosest * to, life_.task().stepTime ? 0.005 : 2.0);
   if (to - from < least) {
     const double middle = (from + to) / 2;
     from = std::clamp(middle - least / 2, 0.0, end - least);

@@ -10,7 +10,7 @@
 
 namespace surefoot {
 
-class Session;
+class RunningLife;
 struct Task;
 
 /// Where a state of the life stands on the time axis: simulated minutes, or episodes where the task has no clock.
@@ -23,7 +23,7 @@ class ChartSpan final : public QObject {
   Q_OBJECT
 
  public:
-  explicit ChartSpan(Session& session, QObject* parent = nullptr);
+  explicit ChartSpan(RunningLife& life, QObject* parent = nullptr);
 
   /// All of the life; as far as it learned; or a part that was chosen. Until one of them is asked for, it is the whole
   /// life, and, when learning has ended and would be pressed against the axis, as far as it learned.
@@ -32,7 +32,7 @@ class ChartSpan final : public QObject {
   double from() const { return from_; }  ///< [min] or episodes
   double to() const { return to_; }
   /// A second learner's life counts as well (nullptr: there is none).
-  void setSecond(Session* second);
+  void setSecond(RunningLife* second);
 
   void showWholeLife();
   void showLearning();
@@ -56,8 +56,8 @@ class ChartSpan final : public QObject {
   double endOfLearning() const;  ///< 0: not yet
   double whole() const;
 
-  Session& session_;
-  QPointer<Session> second_;
+  RunningLife& life_;
+  QPointer<RunningLife> second_;
   std::optional<Shows> wished_;
   double from_ = 0, to_ = 1;
   std::optional<double> cursor_;

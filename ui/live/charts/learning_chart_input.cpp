@@ -9,7 +9,9 @@
 
 #include "core/text/text.h"
 #include "ui/live/charts/learning_charts.h"
-#include "ui/session/session.h"
+#include "ui/session/history.h"
+#include "ui/session/looking.h"
+#include "ui/session/running_life.h"
 #include "ui/style/symbol_text.h"
 
 namespace surefoot {
@@ -22,7 +24,7 @@ constexpr double kKeyZoom = 0.7;
 
 QString LearningChart::timeText(double time) const {
   const double span = span_.to() - span_.from();
-  if (!session_.task().stepTime) return tr("episode %1").arg(toText(countText(time)));
+  if (!life_.task().stepTime) return tr("episode %1").arg(toText(countText(time)));
   return tr("%1 min").arg(toText(fixedText(time, span > 200 ? 0 : span > 20 ? 1 : 2)));
 }
 
@@ -101,12 +103,12 @@ void LearningChart::replayNear(double pixel) {
   constexpr double kNear = 5;  // [px]
   double least = kNear;
   std::optional<std::size_t> nearest;
-  for (std::size_t i = 0; i < session_.falls().size(); ++i) {
-    const Fall& fall = session_.falls()[i];
-    const double distance = std::abs(toPixel(timeOf(session_.task(), fall.episode, fall.lifeSteps), 0).x() - pixel);
+  for (std::size_t i = 0; i < looking_.falls().size(); ++i) {
+    const Fall& fall = looking_.falls()[i];
+    const double distance = std::abs(toPixel(timeOf(life_.task(), fall.episode, fall.lifeSteps), 0).x() - pixel);
     if (distance <= least) least = distance, nearest = i;
   }
-  if (nearest) session_.replayFall(*nearest);
+  if (nearest) looking_.replayFall(*nearest);
 }
 
 /// By the keyboard: what is shown follows where the cursor leaves it.
@@ -132,7 +134,7 @@ void LearningChart::readNext(int step) {
 }
 
 bool LearningChart::usesKey(int key) const {
-  const bool playing = session_.playback();  // then Escape and the arrows are its own
+  const bool playing = looking_.playback();  // then Escape and the arrows are its own
   switch (key) {
     case Qt::Key_Left:
     case Qt::Key_Right:
@@ -187,7 +189,7 @@ void LearningChart::keyPressEvent(QKeyEvent* event) {
       return span_.showWholeLife();
     case Qt::Key_Delete:
       if (const auto at = read(); at && at->run.kind == Run::Kind::Earlier)
-        session_.removeEarlierRuns({at->run.curve->number});
+        history_.removeEarlierRuns({at->run.curve->number});
       return;
     case Qt::Key_Escape:
       return span_.cursor() ? span_.setCursor(std::nullopt) : span_.showWholeLife();
@@ -216,11 +218,11 @@ void LearningChart::fillMenu(QMenu& menu) {
     if (run.kind != Run::Kind::Earlier) continue;
     if (all.empty()) menu.addSeparator();
     all.push_back(run.curve->number);
-    menu.addAction(tr("Remove %1").arg(nameOf(run)), &session_,
-                   [this, number = run.curve->number] { session_.removeEarlierRuns({number}); });
+    menu.addAction(tr("Remove %1").arg(nameOf(run)), &history_,
+                   [this, number = run.curve->number] { history_.removeEarlierRuns({number}); });
   }
   if (all.size() > 1)
-    menu.addAction(tr("Remove all earlier runs"), &session_, [this, all] { session_.removeEarlierRuns(all); });
+    menu.addAction(tr("Remove all earlier runs"), &history_, [this, all] { history_.removeEarlierRuns(all); });
   menu.addSeparator();
 }
 

@@ -6,7 +6,9 @@
 #include <cmath>
 
 #include "ui/live/charts/learning_charts.h"
-#include "ui/session/session.h"
+#include "ui/session/history.h"
+#include "ui/session/looking.h"
+#include "ui/session/running_life.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
 #include "ui/support/plain_text.h"
@@ -17,21 +19,21 @@ QString LearningChart::textOf(const Change& change) const {
   const QString values = QStringLiteral("%1 → %2");
   if (change.key == "policy") {
     const auto title = [&](const std::string& name) {
-      const auto entry = findEntry(session_.registry().policies, "policy", name);
+      const auto entry = findEntry(life_.registry().policies, "policy", name);
       return toText(entry ? (*entry)->title : name);
     };
     return values.arg(title(change.before), title(change.after));
   }
   if (change.key == "push") return tr("pushed by hand");
   if (change.key == "place") return tr("placed by hand");
-  const auto* entry = session_.configuration().parameters.find(change.key);
+  const auto* entry = life_.configuration().parameters.find(change.key);
   const QString title = toText(entry ? entry->parameter.title : change.key).toLower();
   return title + ' ' + values.arg(toText(change.before), toText(change.after)).replace('-', QChar(0x2212));
 }
 
 double LearningChart::timeOfStep(std::int64_t step) const {
-  if (session_.task().stepTime) return timeOf(session_.task(), 0, step);
-  const auto& points = session_.curves().live().points;
+  if (life_.task().stepTime) return timeOf(life_.task(), 0, step);
+  const auto& points = life_.curves().live().points;
   const auto after =
       std::partition_point(points.begin(), points.end(), [&](const CurvePoint& p) { return p.lifeSteps <= step; });
   return after == points.begin() ? 0.0 : xOf(*std::prev(after));
@@ -39,7 +41,7 @@ double LearningChart::timeOfStep(std::int64_t step) const {
 
 /// Those within what is shown, in the order of the life.
 std::vector<LearningChart::Mark> LearningChart::marks() const {
-  const ValueSnapshot* v = session_.values();
+  const ValueSnapshot* v = life_.values();
   std::vector<Mark> list;
   if (!v) return list;
   // A slider that is drawn makes many changes; those of one parameter that follow closely are one mark.
@@ -61,7 +63,7 @@ std::vector<LearningChart::Mark> LearningChart::marks() const {
   for (std::size_t i = groups.size() > kMost ? groups.size() - kMost : 0; i < groups.size(); ++i)
     if (groups[i].change.before != groups[i].change.after) list.push_back({groups[i].x, textOf(groups[i].change)});
   if (v->endOfLearning > 0) {
-    const double end = timeOf(session_.task(), v->endOfLearning, v->endOfLearningSteps);
+    const double end = timeOf(life_.task(), v->endOfLearning, v->endOfLearningSteps);
     if (end >= span_.from() && end <= span_.to()) list.push_back({end, tr("end of learning")});
   }
   std::stable_sort(list.begin(), list.end(), [](const Mark& a, const Mark& b) { return a.x < b.x; });

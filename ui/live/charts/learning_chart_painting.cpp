@@ -5,8 +5,10 @@
 
 #include "core/text/text.h"
 #include "ui/live/charts/learning_charts.h"
+#include "ui/session/history.h"
+#include "ui/session/looking.h"
 #include "ui/session/run_names.h"
-#include "ui/session/session.h"
+#include "ui/session/running_life.h"
 #include "ui/style/round_numbers.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
@@ -99,15 +101,15 @@ void LearningChart::drawTimeAxis(QPainter& p, const Theme& t) const {
   if (!hasTimeAxis()) return;
   p.setPen(t.quiet);
   p.drawText(QRectF(plot_.left(), base + 5 + h, plot_.width(), h), Qt::AlignHCenter | Qt::AlignTop,
-             session_.task().stepTime ? tr("simulated time [min]") : tr("episodes"));
+             life_.task().stepTime ? tr("simulated time [min]") : tr("episodes"));
 }
 
 void LearningChart::drawTests(QPainter& p, const Theme& t) const {
-  const ValueSnapshot* v = session_.values();
+  const ValueSnapshot* v = life_.values();
   if (!v) return;
   p.setRenderHint(QPainter::Antialiasing);
   for (const GreedyTest& test : v->tests) {
-    const double x = timeOf(session_.task(), test.episode, test.lifeSteps);
+    const double x = timeOf(life_.task(), test.episode, test.lifeSteps);
     if (x >= span_.from() && x <= span_.to()) drawTest(p, t, toPixel(x, std::clamp(test.reward, yLeast_, yMost_)));
   }
 }
@@ -115,7 +117,7 @@ void LearningChart::drawTests(QPainter& p, const Theme& t) const {
 /// A click replays the nearest that is kept, so a mark answers where one is not farther off than a pixel.
 std::vector<LearningChart::FallMark> LearningChart::fallMarks() const {
   constexpr double kApart = 2;  // [px]
-  const RunCurve& live = session_.curves().live();
+  const RunCurve& live = life_.curves().live();
   std::vector<FallMark> marks;
   std::int64_t falls = live.fallsBefore;
   for (const CurvePoint& point : live.points) {
@@ -128,8 +130,8 @@ std::vector<LearningChart::FallMark> LearningChart::fallMarks() const {
     if (marks.empty() || at - marks.back().x >= kApart) marks.push_back({at, false, true});
   }
   auto mark = marks.begin();
-  for (const Fall& fall : session_.falls()) {
-    const double at = toPixel(timeOf(session_.task(), fall.episode, fall.lifeSteps), 0).x();
+  for (const Fall& fall : looking_.falls()) {
+    const double at = toPixel(timeOf(life_.task(), fall.episode, fall.lifeSteps), 0).x();
     while (mark != marks.end() && mark->x < at - kApart) ++mark;
     for (auto near = mark; near != marks.end() && near->x <= at + kApart; ++near)
       near->answers = true, near->byHand &= fall.byHand();
@@ -150,7 +152,7 @@ void LearningChart::drawFallMarks(QPainter& p, const Theme& t) const {
 }
 
 QString LearningChart::nameOf(const Run& run) const {
-  const QString name = toText(surefoot::nameOf(*run.curve, session_.registry()));
+  const QString name = toText(surefoot::nameOf(*run.curve, life_.registry()));
   return run.kind == Run::Kind::Second ? tr("2nd: %1").arg(name)
          : run.kind == Run::Kind::Live ? tr("live: %1").arg(name)
                                        : tr("run %1: %2").arg(run.curve->number).arg(name);
@@ -170,7 +172,7 @@ QString LearningChart::valueText(double value) const {
 }
 
 bool LearningChart::hasTests() const {
-  return session_.values() && !session_.values()->tests.empty();
+  return life_.values() && !life_.values()->tests.empty();
 }
 
 QString LearningChart::testsName() const {

@@ -12,15 +12,20 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/session/session.h"
+#include "ui/session/history.h"
+#include "ui/session/looking.h"
+#include "ui/session/running_life.h"
 #include "ui/style/round_numbers.h"
 #include "ui/style/theme.h"
 
 namespace surefoot {
 
-LearningChart::LearningChart(Session& session, ChartSpan& span, Shows shows, QWidget* parent)
+LearningChart::LearningChart(RunningLife& life, Looking& looking, History& history, ChartSpan& span, Shows shows,
+                             QWidget* parent)
     : Painted(parent),
-      session_(session),
+      life_(life),
+      looking_(looking),
+      history_(history),
       span_(span),
       shows_(shows) {
   setFrameShape(QFrame::NoFrame);
@@ -38,9 +43,9 @@ LearningChart::LearningChart(Session& session, ChartSpan& span, Shows shows, QWi
   y->setVisible(false);
   c->addAxis(x, Qt::AlignBottom);
   c->addAxis(y, Qt::AlignLeft);
-  for (const auto changed :
-       {&Session::valuesArrived, &Session::lifeReplaced, &Session::configurationChanged, &Session::curvesChanged})
-    connect(&session_, changed, this, &LearningChart::refresh);
+  for (const auto changed : {&RunningLife::valuesArrived, &RunningLife::replaced, &RunningLife::configurationChanged,
+                             &RunningLife::curvesChanged})
+    connect(&life_, changed, this, &LearningChart::refresh);
   connect(&span_, &ChartSpan::changed, this, &LearningChart::refresh);
   connect(&span_, &ChartSpan::cursorChanged, this, [this] {
     setAccessibleDescription(reading());
@@ -50,7 +55,7 @@ LearningChart::LearningChart(Session& session, ChartSpan& span, Shows shows, QWi
 }
 
 double LearningChart::xOf(const CurvePoint& point) const {
-  return timeOf(session_.task(), point);
+  return timeOf(life_.task(), point);
 }
 
 double LearningChart::yOf(const CurvePoint& point) const {
@@ -60,10 +65,10 @@ double LearningChart::yOf(const CurvePoint& point) const {
 std::string LearningChart::asCsv() const {
   const std::vector<Run> list = runs();
   if (list.empty()) return "";
-  std::string csv = fmt::format("life,policy,{},{}\n", session_.task().stepTime ? "minutes" : "episode",
+  std::string csv = fmt::format("life,policy,{},{}\n", life_.task().stepTime ? "minutes" : "episode",
                                 shows_ == Shows::Falls ? "falls" : "average_reward");
   std::size_t life = list.size() - (secondCurve() ? 2 : 1);
-  if (session_.curves().live().points.empty()) ++life;  // the newest of those before is 1 all the same
+  if (life_.curves().live().points.empty()) ++life;  // the newest of those before is 1 all the same
   for (const Run& run : list) {
     const std::string name = run.kind == Run::Kind::Live     ? "0"
                              : run.kind == Run::Kind::Second ? "second"
@@ -125,7 +130,7 @@ void LearningChart::roundRange(double least, double most) {
 /// From 0 to what the curves and the greedy tests have come to, as far as the task's returns go; a little more, so that
 /// no curve lies on the frame.
 void LearningChart::chooseRewards() {
-  const Task& task = session_.task();
+  const Task& task = life_.task();
   double least = 0, most = 0;
   const auto include = [&](double x, double value) {
     if (x < span_.from() || x > span_.to()) return;
@@ -134,7 +139,7 @@ void LearningChart::chooseRewards() {
   };
   for (const Run& run : runs())
     for (const CurvePoint& point : run.curve->points) include(xOf(point), yOf(point));
-  if (const ValueSnapshot* v = session_.values())
+  if (const ValueSnapshot* v = life_.values())
     for (const GreedyTest& test : v->tests) include(timeOf(task, test.episode, test.lifeSteps), test.reward);
   least = std::max(least, std::min(task.lowestReturn, 0.0));
   most = std::min(most, std::max(task.highestReturn, 0.0));
@@ -164,7 +169,7 @@ void LearningChart::chooseRanges() {
   chart()->axes(Qt::Vertical).front()->setRange(yLeast_, yMost_);
 }
 
-void LearningChart::setSecond(Session* second) {
+void LearningChart::setSecond(RunningLife* second) {
   second_ = second;
   span_.setSecond(second);
   refresh();
@@ -177,9 +182,9 @@ const RunCurve* LearningChart::secondCurve() const {
 
 std::vector<LearningChart::Run> LearningChart::runs() const {
   std::vector<Run> list;
-  for (const RunCurve& curve : session_.curves().earlier()) list.push_back({&curve, Run::Kind::Earlier});
+  for (const RunCurve& curve : life_.curves().earlier()) list.push_back({&curve, Run::Kind::Earlier});
   if (const RunCurve* second = secondCurve()) list.push_back({second, Run::Kind::Second});
-  if (const RunCurve& live = session_.curves().live(); !live.points.empty()) list.push_back({&live, Run::Kind::Live});
+  if (const RunCurve& live = life_.curves().live(); !live.points.empty()) list.push_back({&live, Run::Kind::Live});
   return list;
 }
 

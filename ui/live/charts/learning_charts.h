@@ -18,6 +18,9 @@ class QMenu;
 
 namespace surefoot {
 
+class History;
+class Looking;
+class RunningLife;
 struct Theme;
 
 /// One chart. Qt Charts draws the curves; grid, axes, marks and the list at the right are drawn here, because the
@@ -29,13 +32,14 @@ class LearningChart final : public Painted<QChartView>, public CsvSource {
 
  public:
   enum class Shows { AverageReward, Falls };
-  LearningChart(Session& session, ChartSpan& span, Shows shows, QWidget* parent = nullptr);
+  LearningChart(RunningLife& life, Looking& looking, History& history, ChartSpan& span, Shows shows,
+                QWidget* parent = nullptr);
   QSize sizeHint() const override { return scaled({440, shows_ == Shows::Falls ? 152 : 168}); }
   QSize minimumSizeHint() const override { return scaled({240, 100}); }
   /// The chart that may stand below this one and bears the numbers of the time axis for both while it does.
   void setBelow(const QWidget* below) { below_ = below; }
   /// A second learner's curve beside this one's (nullptr: none), while it lives.
-  void setSecond(Session* second);
+  void setSecond(RunningLife* second);
   void prepareExport(bool exporting) override;
   /// A row a point of what is kept: life (0 the one that runs, 1 the one before …), policy, x, value.
   std::string asCsv() const override;
@@ -135,10 +139,12 @@ class LearningChart final : public Painted<QChartView>, public CsvSource {
   static constexpr double kLeft = 48, kTop = 12, kTopWithTitle = 34, kBottom = 12,
                           kBottomWithAxis = 40;  // gutters [px]
 
-  Session& session_;
+  RunningLife& life_;
+  Looking& looking_;
+  History& history_;
   ChartSpan& span_;
   Shows shows_;
-  QPointer<Session> second_;
+  QPointer<RunningLife> second_;
   const QWidget* below_ = nullptr;
   bool exporting_ = false, ring_ = false;
   std::vector<QLineSeries*> series_;  // one a piece, earlier lives first; those not needed are empty

@@ -21,9 +21,9 @@ namespace {
 constexpr int kField = 104;  // [px]
 
 /// What a model may be wrong about: all of its numbers that take effect with the next episode.
-std::vector<Parameter> modelParameters(const Session& session) {
+std::vector<Parameter> modelParameters(const RunningLife& life) {
   std::vector<Parameter> list;
-  for (const auto& entry : session.configuration().parameters.all()) {
+  for (const auto& entry : life.configuration().parameters.all()) {
     const Parameter& p = entry.parameter;
     if (p.key.starts_with("environment.") && p.choices.empty() && p.when == When::NextEpisode) list.push_back(p);
   }
@@ -39,9 +39,9 @@ QString shownText(double value) {
 
 }  // namespace
 
-ModelRows::ModelRows(const Session& session, QWidget* parent)
+ModelRows::ModelRows(const RunningLife& life, QWidget* parent)
     : QWidget(parent),
-      session_(session),
+      life_(life),
       grid_(new QGridLayout(this)),
       alike_(new QLabel(tr("Simulation and reality are alike. Add what is to differ."))),
       add_(new Combo(tr("Add a parameter that differs"))) {
@@ -51,8 +51,8 @@ ModelRows::ModelRows(const Session& session, QWidget* parent)
     grid_->setHorizontalSpacing(scaled(16));
     grid_->setVerticalSpacing(scaled(6));
   });
-  for (const Parameter& p : modelParameters(session)) {
-    const double value = session.configuration().parameters.get(p.key);
+  for (const Parameter& p : modelParameters(life)) {
+    const double value = life.configuration().parameters.get(p.key);
     rows_.push_back({p, value, value});
   }
   const QString heads[] = {tr("Model"), tr("Simulation"), tr("Reality")};
@@ -109,7 +109,7 @@ void ModelRows::show(Row& row) {
 
 void ModelRows::simulate(const std::vector<std::pair<std::string, double>>& values) {
   for (Row& row : rows_) {
-    row.simulation = session_.configuration().parameters.get(row.parameter.key);
+    row.simulation = life_.configuration().parameters.get(row.parameter.key);
     for (const auto& [key, value] : values)
       if (key == row.parameter.key) row.simulation = value;
     if (row.name) row.first->setText(shownText(row.simulation));
@@ -139,7 +139,7 @@ void ModelRows::addChosen() {
 }
 
 Result<Configuration> ModelRows::model(Side side) const {
-  Configuration c = session_.configuration();
+  Configuration c = life_.configuration();
   for (const Row& row : rows_) {
     const bool simulation = side == Side::Simulation;
     const QLineEdit* field = simulation ? row.first : row.second;
@@ -150,7 +150,7 @@ Result<Configuration> ModelRows::model(Side side) const {
     if (!value) return value.error();
     if (const Status s = c.parameters.set(row.parameter.key, *value); !s) return s.error();
   }
-  if (const auto environment = makeEnvironment(session_.registry(), c); !environment) return environment.error();
+  if (const auto environment = makeEnvironment(life_.registry(), c); !environment) return environment.error();
   return c;
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/parameters.h"
-#include "ui/session/session.h"
+#include "ui/session/running_life.h"
 
 class QComboBox;
 class QGridLayout;
@@ -22,7 +22,7 @@ class ModelRows final : public QWidget {
 
  public:
   enum class Side { Simulation, Reality };
-  explicit ModelRows(const Session& session, QWidget* parent = nullptr);
+  explicit ModelRows(const RunningLife& life, QWidget* parent = nullptr);
   /// Whether this environment's model has anything to be wrong about.
   bool empty() const { return rows_.empty(); }
   /// A scenario's values as the simulation's; the rest is as in reality.
@@ -46,7 +46,7 @@ class ModelRows final : public QWidget {
   void addChosen();
   void fillChoices();
 
-  const Session& session_;
+  const RunningLife& life_;
   QGridLayout* grid_;
   QLabel* alike_;
   QComboBox* add_;

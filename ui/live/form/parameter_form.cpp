@@ -6,7 +6,9 @@
 #include <set>
 
 #include "ui/live/form/parameter_row.h"
-#include "ui/session/session.h"
+#include "ui/session/editing.h"
+#include "ui/session/history.h"
+#include "ui/session/running_life.h"
 #include "ui/style/icons.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
@@ -84,16 +86,20 @@ std::string ownerOf(const Registry& registry, const std::string& key) {
 
 }  // namespace
 
-ParameterForm::ParameterForm(Session& session, QWidget* parent) : QScrollArea(parent), session_(session) {
+ParameterForm::ParameterForm(RunningLife& life, Editing& editing, History& history, QWidget* parent)
+    : QScrollArea(parent),
+      life_(life),
+      editing_(editing),
+      history_(history) {
   setWidgetResizable(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setFrameShape(QFrame::NoFrame);
   setFocusPolicy(Qt::NoFocus);
   whenScaled(this, [this] { setMinimumWidth(scaled(264)); });
   build();
-  connect(&session_, &Session::parametersReplaced, this, &ParameterForm::build);
-  connect(&session_, &Session::configurationChanged, this, &ParameterForm::refresh);
-  connect(&session_, &Session::valuesArrived, this, &ParameterForm::refresh);
+  connect(&life_, &RunningLife::parametersReplaced, this, &ParameterForm::build);
+  connect(&life_, &RunningLife::configurationChanged, this, &ParameterForm::refresh);
+  connect(&life_, &RunningLife::valuesArrived, this, &ParameterForm::refresh);
 }
 
 void ParameterForm::build() {
@@ -107,7 +113,7 @@ void ParameterForm::build() {
     const QString tag = newTable ? tr("new table") : nextEpisode ? tr("next episode") : QString();
     Section section{new SectionHead(titleOf(group), tag, newTable, sections_.empty(), page), {}};
     column->addWidget(section.head);
-    for (const auto& entry : session_.configuration().parameters.all()) {
+    for (const auto& entry : life_.configuration().parameters.all()) {
       const Parameter& p = entry.parameter;
       if (p.group != group) continue;
       auto* place = new QVBoxLayout;
@@ -127,7 +133,7 @@ void ParameterForm::setShowAll(bool all) {
 }
 
 void ParameterForm::make(Row& row) {
-  row.row = new ParameterRow(row.parameter, ownerOf(session_.registry(), row.parameter.key), widget());
+  row.row = new ParameterRow(row.parameter, ownerOf(life_.registry(), row.parameter.key), widget());
   connect(row.row, &ParameterRow::edited, this, &ParameterForm::edit);
   connect(row.row, &ParameterRow::refused, this, &ParameterForm::refused);
   row.place->addWidget(row.row);
@@ -147,7 +153,7 @@ void ParameterForm::orderTabs() {
 
 void ParameterForm::chooseRows() {
   const int most = all_ ? 3 : height() >= scaled(kRoomForMore) ? 2 : 1;
-  const Parameters& parameters = session_.configuration().parameters;
+  const Parameters& parameters = life_.configuration().parameters;
   const auto hasEffect = [&](const Parameter& p) { return p.needs.empty() || parameters.get(p.needs) != 0.0; };
   bool made = false;
   for (Section& section : sections_) {
@@ -170,20 +176,20 @@ void ParameterForm::resizeEvent(QResizeEvent* event) {
 
 void ParameterForm::refresh() {
   chooseRows();
-  const Configuration& c = session_.configuration();
-  const auto policy = findEntry(session_.registry().policies, "policy", c.names.policy);
+  const Configuration& c = life_.configuration();
+  const auto policy = findEntry(life_.registry().policies, "policy", c.names.policy);
   const std::vector<std::string> keys = policyKeys(**policy);
   const std::set<std::string> inForce(keys.begin(), keys.end());
   for (const Section& section : sections_)
     for (const auto& [parameter, place, row] : section.rows) {
       if (!row || !c.parameters.find(row->key())) continue;  // its rows are those of the task before
-      row->show(c.parameters.get(row->key()), session_.base(row->key()), session_.changedAt(row->key()));
+      row->show(c.parameters.get(row->key()), life_.base(row->key()), life_.changedAt(row->key()));
       row->setInForce(inForce.contains(row->key()) ? c.names.policy : "");
     }
 }
 
 void ParameterForm::edit(const QString& key, double value) {
-  if (const Status s = session_.setParameter(key.toStdString(), value); !s) {
+  if (const Status s = editing_.setParameter(key.toStdString(), value); !s) {
     const QString sentence = toText(s.error().message);
     for (const Section& section : sections_)
       for (const Row& row : section.rows)
@@ -194,11 +200,11 @@ void ParameterForm::edit(const QString& key, double value) {
 }
 
 void ParameterForm::resetAll() {
-  const Parameters before = session_.configuration().parameters;
-  session_.beginMacro(tr("all parameters"));
+  const Parameters before = life_.configuration().parameters;
+  history_.beginMacro(tr("all parameters"));
   for (const auto& entry : before.all())
-    if (entry.parameter.when != When::NewTable) edit(toText(entry.parameter.key), session_.base(entry.parameter.key));
-  session_.endMacro();
+    if (entry.parameter.when != When::NewTable) edit(toText(entry.parameter.key), life_.base(entry.parameter.key));
+  history_.endMacro();
 }
 
 }  // namespace surefoot

@@ -12,13 +12,15 @@
 namespace surefoot {
 
 class ParameterRow;
-class Session;
+class Editing;
+class History;
+class RunningLife;
 
 class ParameterForm final : public QScrollArea {
   Q_OBJECT
 
  public:
-  explicit ParameterForm(Session& session, QWidget* parent = nullptr);
+  explicit ParameterForm(RunningLife& life, Editing& editing, History& history, QWidget* parent = nullptr);
   /// All parameters, or only those that fit the usual window.
   void setShowAll(bool all);
   bool showsAll() const { return all_; }
@@ -50,7 +52,9 @@ class ParameterForm final : public QScrollArea {
   void orderTabs();
   void edit(const QString& key, double value);
 
-  Session& session_;
+  RunningLife& life_;
+  Editing& editing_;
+  History& history_;
   bool all_ = false;
   std::vector<Section> sections_;
 };

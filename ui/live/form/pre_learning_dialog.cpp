@@ -16,7 +16,8 @@
 #include "core/text/text.h"
 #include "ui/controls/combo.h"
 #include "ui/live/form/model_rows.h"
-#include "ui/session/session.h"
+#include "ui/session/new_lives.h"
+#include "ui/session/running_life.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
@@ -33,11 +34,12 @@ constexpr double kMinutes = 120;
 constexpr std::int64_t kEpisodes = 1000;
 }  // namespace
 
-PreLearningDialog::PreLearningDialog(Session& session, QWidget* parent)
+PreLearningDialog::PreLearningDialog(RunningLife& life, NewLives& newLives, QWidget* parent)
     : QDialog(parent),
-      session_(session),
-      pool_(session.registry()),
-      model_(new ModelRows(session)) {
+      life_(life),
+      newLives_(newLives),
+      pool_(life.registry()),
+      model_(new ModelRows(life)) {
   setWindowTitle(tr("Pre-learn, then transfer"));
   auto* body = new QWidget;
   auto* grid = new QGridLayout(body);
@@ -73,8 +75,8 @@ void PreLearningDialog::fitToScreen() {
 void PreLearningDialog::makeModel(QGridLayout* grid) {
   scenario_ = new Combo(tr("Scenario of the simulation"));
   scenario_->addItem(tr("a model of your own"));
-  for (const auto& entry : session_.registry().scenarios)
-    if (entry.environment == session_.configuration().names.environment)
+  for (const auto& entry : life_.registry().scenarios)
+    if (entry.environment == life_.configuration().names.environment)
       scenario_->addItem(toText(entry.title), toText(entry.name));
   grid->setColumnStretch(0, 1);
   if (scenario_->count() > 1) {
@@ -95,8 +97,8 @@ void PreLearningDialog::makeModel(QGridLayout* grid) {
 }
 
 void PreLearningDialog::useScenario(const std::string& name) {
-  for (const auto& entry : session_.registry().scenarios)
-    if (entry.name == name && entry.environment == session_.configuration().names.environment)
+  for (const auto& entry : life_.registry().scenarios)
+    if (entry.name == name && entry.environment == life_.configuration().names.environment)
       model_->simulate(entry.values);
 }
 
@@ -104,9 +106,9 @@ void PreLearningDialog::makeLearning(QGridLayout* grid) {
   until_ = new QLineEdit;
   until_->setAlignment(Qt::AlignRight);
   until_->setAccessibleName(tr("Average reward that ends the pre-learning"));
-  const auto goal = session_.task().goalReward;
+  const auto goal = life_.task().goalReward;
   if (goal) until_->setText(toText(fixedText(0.99 * *goal, 0)));
-  const bool clock = session_.task().stepTime.has_value();
+  const bool clock = life_.task().stepTime.has_value();
   size_ = new QSpinBox;
   size_->setRange(1, 20);
   size_->setValue(5);
@@ -187,7 +189,7 @@ void PreLearningDialog::startOrStop() {
     const auto value = parseValue({.key = "average reward", .low = -1e9, .high = 1e9}, typed);
     if (!value) return words_->setText(toText(value.error().message));
     simulation->until = *value;
-  } else if (session_.task().stepTime) {
+  } else if (life_.task().stepTime) {
     simulation->minutes = kMinutes;
   } else {
     simulation->episodes = kEpisodes;
@@ -205,7 +207,7 @@ void PreLearningDialog::transfer() {
   if (!reality) return words_->setText(toText(reality.error().message));
   const PreLearned& one = pool_.pool()[static_cast<std::size_t>(row)];
   beginWith(*reality, one.file);
-  if (const Status s = session_.begin(std::move(*reality)); !s) return words_->setText(toText(s.error().message));
+  if (const Status s = newLives_.begin(std::move(*reality)); !s) return words_->setText(toText(s.error().message));
   Q_EMIT transferred(tr("A life has begun with Q-function %1: %2 episodes and %3 falls of simulation are behind it.")
                          .arg(row + 1)
                          .arg(toText(countText(static_cast<double>(one.episodes))),

@@ -20,13 +20,14 @@ namespace surefoot {
 
 class Combo;
 class ModelRows;
-class Session;
+class NewLives;
+class RunningLife;
 
 class PreLearningDialog final : public QDialog {
   Q_OBJECT
 
  public:
-  explicit PreLearningDialog(Session& session, QWidget* parent);
+  explicit PreLearningDialog(RunningLife& life, NewLives& newLives, QWidget* parent);
 
  Q_SIGNALS:
   /// A life has begun with a Q-function of the pool.
@@ -44,7 +45,8 @@ class PreLearningDialog final : public QDialog {
   void refresh();
   void refreshRow(int row);
 
-  Session& session_;
+  RunningLife& life_;
+  NewLives& newLives_;
   QPool pool_;
   ModelRows* model_;
   Combo* scenario_ = nullptr;

@@ -9,25 +9,29 @@
 #include <tuple>
 
 #include "core/text/text.h"
-#include "ui/session/session.h"
+#include "ui/session/looking.h"
+#include "ui/session/running_life.h"
 #include "ui/style/round_numbers.h"
 
 namespace surefoot {
 
-ValueMaps::ValueMaps(Session& session, QWidget* parent) : Painted(parent), session_(session) {
+ValueMaps::ValueMaps(RunningLife& life, Looking& looking, QWidget* parent)
+    : Painted(parent),
+      life_(life),
+      looking_(looking) {
   setAttribute(Qt::WA_OpaquePaintEvent);
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
-  choice_.fit(session_.task());
-  connect(&session_, &Session::valuesArrived, this, &ValueMaps::recompute);
-  connect(&session_, &Session::frame, this, &ValueMaps::followLive);
-  connect(&session_, &Session::examinedChanged, this, [this] {
+  choice_.fit(life_.task());
+  connect(&life_, &RunningLife::valuesArrived, this, &ValueMaps::recompute);
+  connect(&looking_, &Looking::frame, this, &ValueMaps::followLive);
+  connect(&looking_, &Looking::examinedChanged, this, [this] {
     speak();
     update();
   });
-  connect(&session_, &Session::lifeReplaced, this, [this] {
+  connect(&life_, &RunningLife::replaced, this, [this] {
     any_ = false;
-    if (!choice_.suits(session_.task())) choice_.fit(session_.task());
+    if (!choice_.suits(life_.task())) choice_.fit(life_.task());
     update();
   });
 }
@@ -35,22 +39,22 @@ ValueMaps::ValueMaps(Session& session, QWidget* parent) : Painted(parent), sessi
 // Values come ten times a second, the world moves sixty times: the ring goes with the world.
 void ValueMaps::followLive() {
   constexpr int kEvery = 30;  // [ms]
-  if (!isVisible() || !any_ || session_.shown().state == drawn_) return;
+  if (!isVisible() || !any_ || looking_.shown().state == drawn_) return;
   if (sinceDrawn_.isValid() && sinceDrawn_.elapsed() < kEvery) return;
   sinceDrawn_.start();
-  drawn_ = session_.shown().state;
+  drawn_ = looking_.shown().state;
   update();
 }
 
 void ValueMaps::setChoice(const MapChoice& choice) {
-  if (!choice.suits(session_.task())) return;  // chosen for another environment
+  if (!choice.suits(life_.task())) return;  // chosen for another environment
   choice_ = choice;
   recompute();
   Q_EMIT shown();
 }
 
 bool ValueMaps::split() const {
-  return session_.values() && session_.values()->values->split();
+  return life_.values() && life_.values()->values->split();
 }
 
 bool ValueMaps::valued() const {
@@ -59,7 +63,7 @@ bool ValueMaps::valued() const {
 
 /// The colours of the large map.
 MapScale ValueMaps::scaleOf(const ValueMap& map) const {
-  const Task& task = session_.task();
+  const Task& task = life_.task();
   const auto range = map.range();
   switch (choice_.quantity) {
     case MapQuantity::GreedyAction:
@@ -95,7 +99,7 @@ std::vector<QPointF> ValueMaps::directions() const {
   static const std::map<std::string, QPointF> kDirections = {
       {"up", {0, -1}}, {"down", {0, 1}}, {"left", {-1, 0}}, {"right", {1, 0}}};
   std::vector<QPointF> list;
-  for (const std::string& name : session_.task().actionNames) {
+  for (const std::string& name : life_.task().actionNames) {
     const auto found = kDirections.find(name);
     if (found == kDirections.end()) return {};
     list.push_back(found->second);
@@ -110,12 +114,12 @@ void ValueMaps::changeEvent(QEvent* event) {
 }
 
 void ValueMaps::recompute() {
-  const ValueSnapshot* v = session_.values();
-  const Task& task = session_.task();
-  if (!isVisible() || !v || task.state.empty() || session_.shown().state.size() != task.state.size()) return;
+  const ValueSnapshot* v = life_.values();
+  const Task& task = life_.task();
+  if (!isVisible() || !v || task.state.empty() || looking_.shown().state.size() != task.state.size()) return;
   const bool dark = themeOf(*this).dark;
   const Geometry g = geometry();
-  slice_ = choice_.slice(session_.shown().state);
+  slice_ = choice_.slice(looking_.shown().state);
   const auto chosen = choice_.quantity == MapQuantity::Visits        ? visits()
                       : choice_.quantity == MapQuantity::Eligibility ? eligibility()
                                                                      : quantity(Layer::Sum);
@@ -131,7 +135,7 @@ void ValueMaps::recompute() {
 }
 
 void ValueMaps::computeSmall(int cells, bool dark) {
-  const Task& task = session_.task();
+  const Task& task = life_.task();
   if (split() && valued()) {
     upper_.evaluate(task, slice_, cells, choice_.projected(task, partOf(Layer::Positive)));
     lower_.evaluate(task, slice_, cells, choice_.projected(task, partOf(Layer::Negative)));
@@ -148,38 +152,38 @@ void ValueMaps::computeSmall(int cells, bool dark) {
 }
 
 std::string ValueMaps::asCsv() const {
-  return big_.empty() ? "" : big_.asCsv(session_.task(), quantityText(choice_, session_.task()).toStdString());
+  return big_.empty() ? "" : big_.asCsv(life_.task(), quantityText(choice_, life_.task()).toStdString());
 }
 
 std::optional<std::vector<double>> ValueMaps::stateAt(const QPointF& at) const {
   if (!any_) return std::nullopt;
   const Geometry g = geometry();
   for (const auto& [map, square] : {std::pair{&big_, g.big}, {&upper_, g.upper}, {&lower_, g.lower}})
-    if (auto state = map->stateAt(session_.task(), at, square)) return state;
+    if (auto state = map->stateAt(life_.task(), at, square)) return state;
   return std::nullopt;
 }
 
 void ValueMaps::mouseMoveEvent(QMouseEvent* event) {
   const auto state = stateAt(mouseAt(*event));
   setCursor(state ? Qt::CrossCursor : Qt::ArrowCursor);
-  session_.examine(state);
+  looking_.examine(state);
 }
 
 void ValueMaps::mousePressEvent(QMouseEvent* event) {
   const auto state = stateAt(mouseAt(*event));
   if (!state || event->button() != Qt::LeftButton) return;
   if (event->modifiers() & Qt::ShiftModifier)
-    session_.pin(state);
+    looking_.pin(state);
   else
     Q_EMIT placeAsked(*state);
 }
 
 void ValueMaps::leaveEvent(QEvent*) {
-  session_.examine(std::nullopt);
+  looking_.examine(std::nullopt);
 }
 
 void ValueMaps::focusOutEvent(QFocusEvent* event) {
-  session_.examine(std::nullopt);
+  looking_.examine(std::nullopt);
   QWidget::focusOutEvent(event);
 }
 

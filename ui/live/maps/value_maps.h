@@ -16,13 +16,14 @@
 
 namespace surefoot {
 
-class Session;
+class Looking;
+class RunningLife;
 
 class ValueMaps final : public Painted<>, public CsvSource {
   Q_OBJECT
 
  public:
-  explicit ValueMaps(Session& session, QWidget* parent = nullptr);
+  explicit ValueMaps(RunningLife& life, Looking& looking, QWidget* parent = nullptr);
   QSize sizeHint() const override { return scaled({440, 264}); }
   QSize minimumSizeHint() const override { return scaled({300, 160}); }
 
@@ -97,7 +98,8 @@ class ValueMaps final : public Painted<>, public CsvSource {
   void drawReading(QPainter& painter, const Geometry& geometry, const Theme& theme) const;
   MapMarks marks(double ring) const;
 
-  Session& session_;
+  RunningLife& life_;
+  Looking& looking_;
   MapChoice choice_;
   ValueMap big_, upper_, lower_, greedy_;
   std::vector<double> drawn_;  // the live state, as it was drawn last

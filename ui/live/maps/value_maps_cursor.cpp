@@ -9,7 +9,8 @@
 #include "core/features/tile_layout.h"
 #include "core/text/text.h"
 #include "ui/live/maps/value_maps.h"
-#include "ui/session/session.h"
+#include "ui/session/looking.h"
+#include "ui/session/running_life.h"
 #include "ui/style/symbol_text.h"
 
 namespace surefoot {
@@ -19,7 +20,7 @@ bool ValueMaps::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     const int key = static_cast<QKeyEvent*>(event)->key();
     if (key == Qt::Key_Left || key == Qt::Key_Right || key == Qt::Key_Up || key == Qt::Key_Down ||
-        (key == Qt::Key_Escape && !session_.examined().empty())) {
+        (key == Qt::Key_Escape && !looking_.examined().empty())) {
       event->accept();
       return true;
     }
@@ -31,10 +32,10 @@ void ValueMaps::moveCursor(int columns, int rows) {
   if (!any_) return;
   const QRectF unit(0, 0, 1, 1);
   const double w = 1.0 / big_.columns(), h = 1.0 / big_.rows();
-  const auto& from = session_.examined().empty() ? session_.shown().state : session_.examined();
-  QPointF at = big_.toPixel(session_.task(), from, unit) + QPointF(columns * w, rows * h);
+  const auto& from = looking_.examined().empty() ? looking_.shown().state : looking_.examined();
+  QPointF at = big_.toPixel(life_.task(), from, unit) + QPointF(columns * w, rows * h);
   at = {std::clamp(at.x(), w / 2, 1 - w / 2), std::clamp(at.y(), h / 2, 1 - h / 2)};
-  session_.examine(big_.stateAt(session_.task(), at, unit));
+  looking_.examine(big_.stateAt(life_.task(), at, unit));
 }
 
 void ValueMaps::keyPressEvent(QKeyEvent* event) {
@@ -50,39 +51,39 @@ void ValueMaps::keyPressEvent(QKeyEvent* event) {
       return moveCursor(0, far);
     case Qt::Key_Return:
     case Qt::Key_Enter:
-      if (session_.examined().empty()) return;
-      if (event->modifiers() & Qt::ControlModifier) return Q_EMIT placeAsked(session_.examined());
-      return session_.pin(session_.examined());
+      if (looking_.examined().empty()) return;
+      if (event->modifiers() & Qt::ControlModifier) return Q_EMIT placeAsked(looking_.examined());
+      return looking_.pin(looking_.examined());
     case Qt::Key_Escape:
-      session_.examine(std::nullopt);
-      return session_.pin(std::nullopt);
+      looking_.examine(std::nullopt);
+      return looking_.pin(std::nullopt);
     default:
       QWidget::keyPressEvent(event);
   }
 }
 
 QString ValueMaps::spoken() const {
-  const std::vector<double>& state = session_.examined();
-  const ValueSnapshot* v = session_.values();
-  const Task& task = session_.task();
+  const std::vector<double>& state = looking_.examined();
+  const ValueSnapshot* v = life_.values();
+  const Task& task = life_.task();
   if (state.size() != task.state.size() || !v) return {};
   QStringList words;
   for (std::size_t d = 0; d < state.size(); ++d)
     words << QStringLiteral("%1 %2").arg(symbolOf(task.state[d]),
                                          toText(fixedText(state[d], task.state[d].whole ? 0 : 2)));
-  if (session_.valuesShown()->familiarity(state) < kFamiliar)
+  if (looking_.valuesShown()->familiarity(state) < kFamiliar)
     return words.join(QStringLiteral("  ")) + tr(", never visited");
   std::vector<double> q(static_cast<std::size_t>(v->values->actions()));
-  session_.valuesShown()->evaluate(state, Layer::Sum, q);
+  looking_.valuesShown()->evaluate(state, Layer::Sum, q);
   const auto best = static_cast<std::size_t>(std::max_element(q.begin(), q.end()) - q.begin());
   return tr("%1:  Q %2 for %3,  %4 visits")
       .arg(words.join(QStringLiteral("  ")), toText(fixedText(q[best], 1)), actionNameOf(task, best),
-           toText(countText(session_.valuesShown()->visits(state))));
+           toText(countText(looking_.valuesShown()->visits(state))));
 }
 
 QString ValueMaps::reached() const {
-  const ValueSnapshot* v = session_.values();
-  if (session_.examined().size() != session_.task().state.size() || !v || !v->layouts.is_object()) return {};
+  const ValueSnapshot* v = life_.values();
+  if (looking_.examined().size() != life_.task().state.size() || !v || !v->layouts.is_object()) return {};
   for (const auto& layout : v->layouts)
     if (const auto tiles = TileLayout::fromJson(layout))
       return tr("outlined: the %1 tiles of this state").arg(tiles->tilings());
@@ -99,9 +100,9 @@ void ValueMaps::speak() {
 
 // The tiles that an update in the state under the cursor would reach: all of Q⁺'s (or Q's) and all of Q⁻'s.
 void ValueMaps::drawFootprints(QPainter& p, const Geometry& g, const Theme& t) const {
-  const std::vector<double>& state = session_.examined();
-  const ValueSnapshot* v = session_.values();
-  if (state.size() != session_.task().state.size() || !v || !v->layouts.is_object()) return;
+  const std::vector<double>& state = looking_.examined();
+  const ValueSnapshot* v = life_.values();
+  if (state.size() != life_.task().state.size() || !v || !v->layouts.is_object()) return;
   p.save();
   p.setRenderHint(QPainter::Antialiasing, false);
   p.setBrush(Qt::NoBrush);
@@ -122,7 +123,7 @@ void ValueMaps::drawFootprints(QPainter& p, const Geometry& g, const Theme& t) c
           const auto d = static_cast<std::size_t>(axis);
           std::tie(low[d], high[d]) = tiles->tileAt(d, i, state[d]);
         }
-        QRectF tile(big_.toPixel(session_.task(), low, square), big_.toPixel(session_.task(), high, square));
+        QRectF tile(big_.toPixel(life_.task(), low, square), big_.toPixel(life_.task(), high, square));
         if (slice_.strip()) tile.setTop(square.top() + 1 + i), tile.setBottom(square.bottom() - 1 - i);
         p.drawRect(tile);
       }
@@ -142,7 +143,7 @@ void ValueMaps::drawReading(QPainter& p, const Geometry& g, const Theme& t) cons
   double wide = 0;
   for (const QString& l : lines) wide = std::max(wide, symbolWidth(p.font(), l));
   const QSizeF size(std::min(wide + 12 * k, width() - 8.0), line * static_cast<double>(lines.size()) + 6 * k);
-  const bool upper = big_.toPixel(session_.task(), session_.examined(), g.big).y() < g.square.center().y();
+  const bool upper = big_.toPixel(life_.task(), looking_.examined(), g.big).y() < g.square.center().y();
   const double left = std::clamp(g.square.left() + 4, 4.0, std::max(4.0, width() - size.width() - 4));
   const QRectF box({left, upper ? g.square.bottom() - size.height() - 4 : g.square.top() + 4}, size);
   p.setPen(QPen(t.outline, 1));

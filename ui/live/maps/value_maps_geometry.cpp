@@ -4,7 +4,8 @@
 #include <cmath>
 
 #include "ui/live/maps/value_maps.h"
-#include "ui/session/session.h"
+#include "ui/session/looking.h"
+#include "ui/session/running_life.h"
 #include "ui/style/symbol_text.h"
 
 namespace surefoot {
@@ -21,7 +22,7 @@ constexpr double kSmallTop = 28;  // from a map to the one below it, whose title
 
 /// The room of a map whose cells fill as much of a square of this size as they can.
 QRectF ValueMaps::areaOf(const QRectF& square) const {
-  return ValueMap::area(session_.task(), {choice_.x, choice_.y, {}}, square);
+  return ValueMap::area(life_.task(), {choice_.x, choice_.y, {}}, square);
 }
 
 ValueMaps::Geometry ValueMaps::geometry() const {

@@ -6,7 +6,8 @@
 
 #include "core/text/text.h"
 #include "ui/live/maps/value_maps.h"
-#include "ui/session/session.h"
+#include "ui/session/looking.h"
+#include "ui/session/running_life.h"
 #include "ui/style/round_numbers.h"
 #include "ui/style/symbol_text.h"
 
@@ -50,14 +51,14 @@ QString ValueMaps::title() const {
 }
 
 MapMarks ValueMaps::marks(double ring) const {
-  return {.live = session_.shown().state, .cursor = session_.examined(), .ring = ring};
+  return {.live = looking_.shown().state, .cursor = looking_.examined(), .ring = ring};
 }
 
 void ValueMaps::paintEvent(QPaintEvent*) {
   const Theme& t = themeOf(*this);
   ScaledPainter p(this);
   p.fillRect(rect(), t.panel);
-  if (session_.task().state.empty()) return;
+  if (life_.task().state.empty()) return;
   const Geometry g = geometry();
   const double k = textScale();
   if (hasFocus()) {
@@ -70,14 +71,14 @@ void ValueMaps::paintEvent(QPaintEvent*) {
     p.drawText(g.square, Qt::AlignCenter | Qt::TextWordWrap, tr("The map appears with the first steps."));
     return;
   }
-  const double cell = session_.task().state[static_cast<std::size_t>(choice_.x)].whole
+  const double cell = life_.task().state[static_cast<std::size_t>(choice_.x)].whole
                           ? 0.36 * g.big.width() / std::max(1, big_.columns())
                           : 100.0;
   MapMarks m = marks(std::clamp(cell, 3.0, 6 * k));
-  if (valued() && session_.configuration().names.policy == "trl") m.contour = session_.threshold();
+  if (valued() && life_.configuration().names.policy == "trl") m.contour = life_.threshold();
   drawTitles(p, g, t);
   const auto ways = directions();
-  big_.draw(p, g.big, t, session_.task(), m);
+  big_.draw(p, g.big, t, life_.task(), m);
   if (!ways.empty() && (valued() || choice_.quantity == MapQuantity::GreedyAction))
     big_.drawArrows(p, g.big, t, greedy_, ways);
   drawBigBar(p, g, t);
@@ -91,22 +92,21 @@ void ValueMaps::paintEvent(QPaintEvent*) {
 /// A value never visited counts as below.
 bool ValueMaps::thresholdCuts() const {
   const auto range = big_.range();
-  return range && session_.threshold() < range->second &&
-         (session_.threshold() >= range->first || big_.anyNeverVisited());
+  return range && life_.threshold() < range->second && (life_.threshold() >= range->first || big_.anyNeverVisited());
 }
 
 /// What the contour is, or that there is none; as long as there is room for.
 void ValueMaps::drawThresholdNote(QPainter& p, const Geometry& g, const Theme& t) const {
-  if (!valued() || session_.configuration().names.policy != "trl" || !big_.range()) return;
+  if (!valued() || life_.configuration().names.policy != "trl" || !big_.range()) return;
   p.setFont(textFont(11));
   p.setPen(t.quiet);
   const double from = g.square.left() + symbolWidth(textFont(13, 500), title()) + 8;
-  const bool below = session_.threshold() >= big_.range()->second;
+  const bool below = life_.threshold() >= big_.range()->second;
   const QStringList texts = thresholdCuts() ? QStringList{tr("contour: threshold %1"), tr("threshold %1"), "%1"}
                             : below ? QStringList{tr("all values below threshold %1"), tr("all below %1"), "< %1"}
                                     : QStringList{tr("all values above threshold %1"), tr("all above %1"), "> %1"};
   for (const QString& text : texts) {
-    const QString words = text.arg(toText(countText(session_.threshold())));
+    const QString words = text.arg(toText(countText(life_.threshold())));
     const double x = g.square.right() - symbolWidth(p.font(), words);
     if (x < from) continue;
     return drawSymbol(p, x, g.square.top() - 8 * textScale(), words);
@@ -128,10 +128,10 @@ void ValueMaps::drawTitles(QPainter& p, const Geometry& g, const Theme& t) const
   const double up = 8 * textScale();
   write(g.square.left(), g.square.top() - up, title(), {}, 0);
   drawThresholdNote(p, g, t);
-  const bool goal = session_.task().goalReward.has_value();
-  const auto& terms = session_.task().rewardTerms;
+  const bool goal = life_.task().goalReward.has_value();
+  const auto& terms = life_.task().rewardTerms;
   const bool falls = std::find(terms.begin(), terms.end(), "fall") != terms.end();
-  const bool fall = goal && falls && session_.task().timeReward == 0.0;
+  const bool fall = goal && falls && life_.task().timeReward == 0.0;
   write(g.upper.left(), g.upper.top() - up, parts ? QStringLiteral("Q⁺") : tr("Visits"),
         parts ? goal ? tr("goal") : tr("gains") : QString(), g.upperTitleEnd);
   write(g.lower.left(), g.lower.top() - up, parts ? QStringLiteral("Q⁻") : tr("Eligibility"),
@@ -139,7 +139,7 @@ void ValueMaps::drawTitles(QPainter& p, const Geometry& g, const Theme& t) const
 }
 
 void ValueMaps::drawBigBar(QPainter& p, const Geometry& g, const Theme& t) const {
-  const Task& task = session_.task();
+  const Task& task = life_.task();
   std::vector<double> numbers;
   std::vector<QString> names;
   if (bigScale_.kind == MapScale::Kind::Steps) {
@@ -159,8 +159,8 @@ void ValueMaps::drawBigBar(QPainter& p, const Geometry& g, const Theme& t) const
     numbers.push_back(high);
   }
   ValueMap::drawBar(p, g.bigBar, bigScale_, t, numbers, names, g.bigBarRoom);
-  if (!valued() || session_.configuration().names.policy != "trl") return;
-  const double share = bigScale_.position(session_.threshold());
+  if (!valued() || life_.configuration().names.policy != "trl") return;
+  const double share = bigScale_.position(life_.threshold());
   if (share < 0 || share > 1) return;  // the note at the title says where it is
   const double y = g.bigBar.bottom() - share * g.bigBar.height();
   p.setPen(QPen(t.ink, 2));
@@ -169,9 +169,9 @@ void ValueMaps::drawBigBar(QPainter& p, const Geometry& g, const Theme& t) const
 
 void ValueMaps::drawSmallMaps(QPainter& p, const Geometry& g, const Theme& t) const {
   const double ring = std::clamp(0.5 * g.upper.width() / std::max(1, upper_.columns()), 2.5, 4 * textScale());
-  const double radius = session_.task().state[static_cast<std::size_t>(choice_.x)].whole ? ring : 4 * textScale();
-  upper_.draw(p, g.upper, t, session_.task(), marks(radius));
-  lower_.draw(p, g.lower, t, session_.task(), marks(radius));
+  const double radius = life_.task().state[static_cast<std::size_t>(choice_.x)].whole ? ring : 4 * textScale();
+  upper_.draw(p, g.upper, t, life_.task(), marks(radius));
+  lower_.draw(p, g.lower, t, life_.task(), marks(radius));
   if (split() && valued()) return;
   const double middle = std::pow(10.0, std::floor(std::log10(visitScale_.high) / 2));
   const double visitNumbers[] = {1, middle, visitScale_.high};
@@ -192,7 +192,7 @@ void ValueMaps::drawKey(QPainter& p, const Geometry& g, const Theme& t) const {
 }
 
 void ValueMaps::drawNumbers(QPainter& p, const QRectF& m, const Theme& t, bool horizontal) const {
-  const StateVariable& v = session_.task().state[static_cast<std::size_t>(horizontal ? choice_.x : choice_.y)];
+  const StateVariable& v = life_.task().state[static_cast<std::size_t>(horizontal ? choice_.x : choice_.y)];
   p.setFont(textFont(11));
   const double k = textScale(), height = QFontMetricsF(p.font()).height();
   const double length = horizontal ? m.width() : m.height();
@@ -217,7 +217,7 @@ void ValueMaps::drawNumbers(QPainter& p, const QRectF& m, const Theme& t, bool h
 }
 
 void ValueMaps::drawAxes(QPainter& p, const Geometry& g, const Theme& t) const {
-  const Task& task = session_.task();
+  const Task& task = life_.task();
   const double k = textScale();
   const auto& state = task.state;
   const StateVariable &x = state[static_cast<std::size_t>(choice_.x)], &y = state[static_cast<std::size_t>(choice_.y)];

@@ -3,13 +3,14 @@
 #include <algorithm>
 
 #include "ui/live/maps/value_maps.h"
-#include "ui/session/session.h"
+#include "ui/session/looking.h"
+#include "ui/session/running_life.h"
 
 namespace surefoot {
 
 /// q̂ of the best action or of the chosen one, or the number of the greedy action.
 ValueMap::Quantity ValueMaps::quantity(Layer layer) const {
-  const ActionValueFunction& values = *session_.valuesShown();
+  const ActionValueFunction& values = *looking_.valuesShown();
   return [this, layer, &values,
           q = std::vector<double>(static_cast<std::size_t>(values.actions()))](std::span<const double> s) mutable {
     if (values.familiarity(s) < kFamiliar) return kNever;
@@ -18,14 +19,14 @@ ValueMap::Quantity ValueMaps::quantity(Layer layer) const {
     const auto best = std::max_element(q.begin(), q.end());
     if (choice_.quantity != MapQuantity::GreedyAction) return *best;
     const auto action = static_cast<std::size_t>(best - q.begin());
-    const Task& task = session_.task();
+    const Task& task = life_.task();
     return static_cast<double>(
         task.actionVariables.empty() ? action : levelOf(task, action, static_cast<std::size_t>(choice_.action)));
   };
 }
 
 ValueMap::Quantity ValueMaps::greedyAction() const {
-  const ActionValueFunction& values = *session_.valuesShown();
+  const ActionValueFunction& values = *looking_.valuesShown();
   return [&values,
           q = std::vector<double>(static_cast<std::size_t>(values.actions()))](std::span<const double> s) mutable {
     if (values.familiarity(s) < kFamiliar) return kNever;
@@ -37,7 +38,7 @@ ValueMap::Quantity ValueMaps::greedyAction() const {
 // Both parts of the action that is best by their sum, so that the large map is the sum of the small ones.
 ValueMap::Quantity ValueMaps::partOf(Layer layer) const {
   if (choice_.quantity == MapQuantity::OneAction) return quantity(layer);
-  const ActionValueFunction& values = *session_.valuesShown();
+  const ActionValueFunction& values = *looking_.valuesShown();
   const auto n = static_cast<std::size_t>(values.actions());
   return
       [layer, &values, q = std::vector<double>(n), part = std::vector<double>(n)](std::span<const double> s) mutable {
@@ -49,12 +50,12 @@ ValueMap::Quantity ValueMaps::partOf(Layer layer) const {
 }
 
 ValueMap::Quantity ValueMaps::visits() const {
-  const ActionValueFunction& values = *session_.valuesShown();
+  const ActionValueFunction& values = *looking_.valuesShown();
   return [&values](std::span<const double> s) { return values.familiarity(s) < kFamiliar ? kNever : values.visits(s); };
 }
 
 ValueMap::Quantity ValueMaps::eligibility() const {
-  const ValueSnapshot& v = *session_.values();
+  const ValueSnapshot& v = *life_.values();
   return
       [&v, z = std::vector<double>(static_cast<std::size_t>(v.values->actions()))](std::span<const double> s) mutable {
         if (v.values->familiarity(s) < kFamiliar) return kNever;

@@ -7,15 +7,15 @@
 
 #include "ui/controls/link_button.h"
 #include "ui/controls/slider.h"
-#include "ui/session/session.h"
+#include "ui/session/looking.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
 
 namespace surefoot {
 
-Scrubber::Scrubber(Session& session, QWidget* parent)
+Scrubber::Scrubber(Looking& looking, QWidget* parent)
     : QWidget(parent),
-      session_(session),
+      looking_(looking),
       play_(new LinkButton(tr("Play"), this)),
       live_(new LinkButton(tr("Back to live"), this)),
       slider_(new Slider(this)) {
@@ -30,33 +30,33 @@ Scrubber::Scrubber(Session& session, QWidget* parent)
   row->addWidget(slider_, 1);
   row->addWidget(live_);
   connect(play_, &QToolButton::clicked, this, [this] {
-    if (const Playback* p = session_.playback()) session_.play(p->rate == 0);
+    if (const Playback* p = looking_.playback()) looking_.play(p->rate == 0);
   });
-  connect(live_, &QToolButton::clicked, &session_, &Session::backToLive);
+  connect(live_, &QToolButton::clicked, &looking_, &Looking::backToLive);
   connect(slider_, &QSlider::valueChanged, this, [this](int value) {
-    const Playback* p = session_.playback();
-    if (p) session_.seek(value * (static_cast<double>(p->frames.size()) - 1.0) / Slider::kSteps);
+    const Playback* p = looking_.playback();
+    if (p) looking_.seek(value * (static_cast<double>(p->frames.size()) - 1.0) / Slider::kSteps);
   });
-  connect(&session_, &Session::playbackChanged, this, &Scrubber::place);
-  connect(&session_, &Session::frame, this, [this] {
-    if (session_.playback()) refresh();
+  connect(&looking_, &Looking::playbackChanged, this, &Scrubber::place);
+  connect(&looking_, &Looking::frame, this, [this] {
+    if (looking_.playback()) refresh();
   });
   place();
 }
 
 void Scrubber::fold(int room) {
   const int usual = scaled(290);
-  setFixedWidth(session_.playback() ? std::clamp(usual, 0, std::max(0, room)) : 0);
+  setFixedWidth(looking_.playback() ? std::clamp(usual, 0, std::max(0, room)) : 0);
 }
 
 void Scrubber::place() {
-  for (QWidget* part : std::initializer_list<QWidget*>{play_, slider_, live_}) part->setVisible(session_.playback());
+  for (QWidget* part : std::initializer_list<QWidget*>{play_, slider_, live_}) part->setVisible(looking_.playback());
   if (auto* header = qobject_cast<PanelHeader*>(parentWidget())) header->layOutExtra(), header->update();
   refresh();
 }
 
 void Scrubber::refresh() {
-  const Playback* p = session_.playback();
+  const Playback* p = looking_.playback();
   if (!p || p->frames.size() < 2) return;
   const QString does = p->rate > 0 ? tr("Stop") : tr("Play");
   if (play_->text() != does) play_->setText(does), play_->setAccessibleName(does);

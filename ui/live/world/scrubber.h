@@ -10,21 +10,21 @@
 namespace surefoot {
 
 class LinkButton;
-class Session;
+class Looking;
 class Slider;
 
 class Scrubber final : public QWidget, public Folding {
   Q_OBJECT
 
  public:
-  explicit Scrubber(Session& session, QWidget* parent = nullptr);
+  explicit Scrubber(Looking& looking, QWidget* parent = nullptr);
   void fold(int room) override;
 
  private:
   void refresh();
   void place();
 
-  Session& session_;
+  Looking& looking_;
   LinkButton *play_, *live_;
   Slider* slider_;
 };

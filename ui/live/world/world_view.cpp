@@ -6,7 +6,8 @@
 #include <cmath>
 
 #include "ui/controls/preferences.h"
-#include "ui/session/session.h"
+#include "ui/session/looking.h"
+#include "ui/session/running_life.h"
 #include "ui/style/symbol_text.h"
 #include "ui/support/keyboard.h"
 
@@ -17,12 +18,15 @@ constexpr std::size_t kTrail = 14;  // frames
 constexpr double kJump = 0.05;      // the tip does not move that far in a frame [m]: the trail starts afresh
 }  // namespace
 
-WorldView::WorldView(Session& session, QWidget* parent) : Painted(parent), session_(session) {
+WorldView::WorldView(RunningLife& life, Looking& looking, QWidget* parent)
+    : Painted(parent),
+      life_(life),
+      looking_(looking) {
   setAccessibleName(tr("World"));
   setAttribute(Qt::WA_OpaquePaintEvent);
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
-  connect(&session_, &Session::frame, this, &WorldView::nextFrame);
+  connect(&looking_, &Looking::frame, this, &WorldView::nextFrame);
 }
 
 void WorldView::fit() {
@@ -32,8 +36,8 @@ void WorldView::fit() {
 }
 
 void WorldView::nextFrame() {
-  if (!isVisible() || session_.shown().pose.empty()) return;
-  session_.environment().draw(session_.shown().pose, scene_);
+  if (!isVisible() || looking_.shown().pose.empty()) return;
+  life_.environment().draw(looking_.shown().pose, scene_);
   measure();
   const double scale = pixelsPerMetre();
   if (!reducedMotion() || std::abs(scene_.focus.x - camera_) * scale > width() / 4.0) camera_ = scene_.focus.x;
@@ -97,14 +101,14 @@ void WorldView::mousePressEvent(QMouseEvent* event) {
   if (event->button() == Qt::RightButton || event->button() == Qt::MiddleButton) panning_ = mouseAt(*event) - pan_;
   if (event->button() != Qt::LeftButton || !overBody(mouseAt(*event))) return;
   hand_ = mouseAt(*event);
-  session_.hold(toMetres(*hand_).x);
+  looking_.hold(toMetres(*hand_).x);
 }
 
 void WorldView::mouseMoveEvent(QMouseEvent* event) {
   if (panning_) pan_ = mouseAt(*event) - *panning_;
   if (hand_) {
     hand_ = mouseAt(*event);
-    session_.hold(toMetres(*hand_).x);
+    looking_.hold(toMetres(*hand_).x);
   }
   setCursor(hand_ ? Qt::ClosedHandCursor : overBody(mouseAt(*event)) ? Qt::OpenHandCursor : Qt::ArrowCursor);
   update();
@@ -112,7 +116,7 @@ void WorldView::mouseMoveEvent(QMouseEvent* event) {
 
 void WorldView::mouseReleaseEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return panning_.reset();
-  if (hand_) session_.hold(std::nullopt);
+  if (hand_) looking_.hold(std::nullopt);
   hand_.reset();
 }
 

@@ -16,14 +16,15 @@ class QPainter;
 
 namespace surefoot {
 
-class Session;
+class Looking;
+class RunningLife;
 struct Theme;
 
 class WorldView final : public Painted<> {
   Q_OBJECT
 
  public:
-  explicit WorldView(Session& session, QWidget* parent = nullptr);
+  explicit WorldView(RunningLife& life, Looking& looking, QWidget* parent = nullptr);
   QSize sizeHint() const override { return scaled({576, 400}); }
   QSize minimumSizeHint() const override { return scaled(beside_ ? QSize(216, 246) : QSize(240, 220)); }
   /// Somebody holds the body with the mouse.
@@ -60,7 +61,8 @@ class WorldView final : public Painted<> {
   void drawReadOuts(QPainter& painter, const Theme& theme) const;
   void drawCaption(QPainter& painter, const Theme& theme) const;
 
-  Session& session_;
+  RunningLife& life_;
+  Looking& looking_;
   QPointer<WorldView> beside_;
   QString which_;
   Scene scene_;

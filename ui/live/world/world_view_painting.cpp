@@ -7,7 +7,8 @@
 #include "core/text/text.h"
 #include "ui/controls/preferences.h"
 #include "ui/live/world/world_view.h"
-#include "ui/session/session.h"
+#include "ui/session/looking.h"
+#include "ui/session/running_life.h"
 #include "ui/style/round_numbers.h"
 #include "ui/style/scene_painter.h"
 #include "ui/style/symbol_text.h"
@@ -46,7 +47,7 @@ double readOutWidth(const ReadOut& r) {
 
 /// As many read-outs in a row as fit with their units; the scale by which everything can be seen, words too.
 void WorldView::measure() {
-  readOuts_ = session_.environment().readOuts(session_.shown().pose);
+  readOuts_ = life_.environment().readOuts(looking_.shown().pose);
   const double k = textScale();
   double widest = 1;
   for (const ReadOut& r : readOuts_) widest = std::max(widest, readOutWidth(r) + 12);
@@ -88,12 +89,12 @@ void WorldView::drawSpring(QPainter& p, const Theme& t) const {
 
 // The body as it would stand in the state under the cursor on a map.
 void WorldView::drawGhost(QPainter& p, const Theme& t) const {
-  const std::vector<double>& state = session_.examined();
-  if (state.size() != session_.task().state.size()) return;
-  const auto pose = session_.environment().poseAt(state);
+  const std::vector<double>& state = looking_.examined();
+  if (state.size() != life_.task().state.size()) return;
+  const auto pose = life_.environment().poseAt(state);
   if (pose.empty()) return;
   Scene ghost;
-  session_.environment().draw(pose, ghost);
+  life_.environment().draw(pose, ghost);
   p.setOpacity(0.28);
   const double dx = scene_.focus.x - ghost.focus.x;  // it stands where the body stands
   ScenePainter painter(
@@ -130,7 +131,7 @@ void WorldView::drawPicture(QPainter& p, const Theme& t) const {
   drawGhost(p, t);
   const double scale = pixelsPerMetre();
   ScenePainter painter(
-      p, t, session_.shown().flash && !reducedMotion(), [this](Point at) { return toPixel(at); }, scale);
+      p, t, looking_.shown().flash && !reducedMotion(), [this](Point at) { return toPixel(at); }, scale);
   painter.setBounds(QRectF(rect()).adjusted(3, 2 + captionHeight(), -3, -2));
   painter.setStrokes(strokes());
   paintScene(scene_, painter);
@@ -178,8 +179,8 @@ void WorldView::drawTrail(QPainter& p, const Theme& t) const {
 void WorldView::drawCaption(QPainter& p, const Theme& t) const {
   if (captionHeight() == 0) return;
   const double k = textScale(), baseline = 18 * k;
-  const Names& names = session_.configuration().names;
-  const auto& registry = session_.registry();
+  const Names& names = life_.configuration().names;
+  const auto& registry = life_.registry();
   const auto title = [](const auto& entry, const std::string& name) { return toText(entry ? (*entry)->title : name); };
   p.setFont(textFont(13, 500));
   p.setPen(t.ink);

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a person changes in the life that runs: parameters, policy, scenario. Undo takes changes of parameters back.
+#pragma once
+
+#include <QObject>
+#include <string>
+
+#include "ui/session/history.h"
+#include "ui/session/running_life.h"
+
+namespace surefoot {
+
+class Editing final : public QObject {
+  Q_OBJECT
+
+ public:
+  Editing(RunningLife& life, History& history) : life_(life), history_(history) {}
+
+  /// Changes a parameter of the running life, or, if it needs a new table, asks for a restart first (needsNewTable).
+  Status setParameter(const std::string& key, double value);
+  void setPolicy(const std::string& name);
+  void setScenario(const std::string& name);
+
+ Q_SIGNALS:
+  void needsNewTable(const QString& key, double value);
+
+ private:
+  RunningLife& life_;
+  History& history_;
+};
+
+}  // namespace surefoot

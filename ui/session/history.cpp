@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/history.h"
+
+namespace surefoot {
+
+namespace {
+
+/// Gives the life that runs way to another one, or to another one that was kept.
+class AnotherLife final : public QUndoCommand {
+ public:
+  AnotherLife(History& history, std::shared_ptr<KeptLife> kept)
+      : QUndoCommand(History::tr("the new life")),
+        history_(history),
+        kept_(std::move(kept)) {}
+  void undo() override { exchange(false); }
+  void redo() override {
+    if (done_) exchange(true);
+    done_ = true;  // the first time it was done already
+  }
+  const std::shared_ptr<KeptLife>& kept() const { return kept_; }
+
+ private:
+  void exchange(bool redo) {
+    if (kept_->aside) {
+      history_.exchange(kept_);
+    } else {  // it had to make room
+      setObsolete(true);
+      history_.undoOnceMore(redo);
+    }
+  }
+
+  History& history_;
+  std::shared_ptr<KeptLife> kept_;
+  bool done_ = false;
+};
+
+/// Curves of earlier lives that were taken out of the charts.
+class RemovedRuns final : public QUndoCommand {
+ public:
+  RemovedRuns(RunningLife& life, std::vector<int> numbers)
+      : QUndoCommand(QObject::tr("Remove earlier runs")),
+        life_(life),
+        numbers_(std::move(numbers)) {}
+  void undo() override {
+    life_.curves().putBack(removed_);
+    Q_EMIT life_.curvesChanged();
+  }
+  void redo() override {
+    removed_ = life_.curves().remove(numbers_);
+    Q_EMIT life_.curvesChanged();
+  }
+
+ private:
+  RunningLife& life_;
+  std::vector<int> numbers_;
+  std::vector<RunCurve> removed_;
+};
+
+}  // namespace
+
+void History::removeEarlierRuns(std::vector<int> numbers) {
+  if (!numbers.empty()) push(new RemovedRuns(life_, std::move(numbers)));
+}
+
+/// A new command ends what could be made again; a life in it must not go with it, so undo goes by way of it.
+void History::push(QUndoCommand* command) {
+  saveRedone();
+  undo_.push(command);
+}
+
+void History::beginMacro(const QString& text) {
+  saveRedone();
+  undo_.beginMacro(text);
+}
+
+void History::saveRedone() {
+  std::vector<std::shared_ptr<KeptLife>> lives;
+  for (int i = undo_.index(); i < undo_.count(); ++i)
+    if (const auto* another = dynamic_cast<const AnotherLife*>(undo_.command(i)); another && another->kept()->aside)
+      lives.push_back(another->kept());
+  for (auto& life : lives) undo_.push(new AnotherLife(*this, std::move(life)));
+}
+
+void History::undoOnceMore(bool redo) {
+  if (std::exchange(undoAgain_, true)) return;
+  QMetaObject::invokeMethod(
+      this,
+      [this, redo] {
+        undoAgain_ = false;
+        redo ? undo_.redo() : undo_.undo();
+      },
+      Qt::QueuedConnection);
+}
+
+void History::replace(KnownLife next, std::unique_ptr<Life> life, As as) {
+  auto before = life_.learned() && keepsBefore_ ? putAside() : nullptr;  // nothing learned: it is not missed
+  next.lineage = before || as == As::Another ? ++lineages_ : life_.lineage();
+  if (as == As::Another && !before && unsavedBefore().empty()) forgetChanges();
+  next.progress = {life->log().totals().episodes, life->steps()};
+  next.bytes = life->agent().values().bytes();
+  const bool elsewhere = next.configuration.names.environment != life_.configuration().names.environment;
+  const bool wasFinished = life_.finished();
+  if (elsewhere) {
+    moveCurves(before);
+    life_.curves().forget();
+  } else {
+    life_.curves().archive();
+  }
+  looking_.setSeen({});
+  if (before) keep(before);
+  life_.replace(std::move(next), {.life = std::move(life), .back = {}, .before = before ? before->aside : nullptr});
+  if (wasFinished) life_.setRunning(true);
+  if (!before) return;
+  push(new AnotherLife(*this, std::move(before)));
+  Q_EMIT lifeKept();
+}
+
+void History::exchange(std::shared_ptr<KeptLife>& kept) {
+  const std::shared_ptr<KeptLife> back = std::exchange(kept, putAside());
+  const bool elsewhere = back->known.configuration.names.environment != kept->known.configuration.names.environment;
+  if (elsewhere) {
+    kept->curves = std::move(life_.curves());
+    life_.curves() = back->curves ? std::move(*back->curves) : RunCurves();
+  } else {
+    life_.curves().archive();
+  }
+  life_.curves().bringBack(back->curve);
+  looking_.setSeen(std::move(back->seen));
+  kept_.push_back(kept);  // both were there before
+  life_.replace(std::move(back->known),
+                {.life = {}, .back = std::exchange(back->aside, nullptr), .before = kept->aside});
+  Q_EMIT lifeBroughtBack();
+}
+
+}  // namespace surefoot

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/life_files.h"
+
+#include <new>
+
+#include "core/experiment/experiment.h"
+#include "core/files/read_file.h"
+#include "core/files/whole_file.h"
+#include "core/saved/checkpoint.h"
+#include "core/saved/journal.h"
+#include "core/saved/q_file.h"
+
+namespace surefoot {
+
+namespace {
+
+/// A journal longer than this is left to `surefoot replay`: about ten seconds.
+constexpr std::int64_t kMostReplayed = 10'000'000;  // [steps]
+
+/// The bytes of a file that holds the life.
+std::string bytesOf(const Life& life, const Configuration& began, const Configuration& now, SavedAs what) {
+  switch (what) {
+    case SavedAs::Session:
+      return checkpointOf(life, began, false).write();
+    case SavedAs::QFunction:
+      return qFileOf(life, now).write();
+    case SavedAs::Journal:
+      break;
+  }
+  return journalOf(began, summarise(life, 0, 0.0));
+}
+
+/// Writes a life; what it learned may need more memory than there is.
+Status write(const Life& life, const Configuration& began, const Configuration& now, SavedAs what,
+             const std::string& path) {
+  if (life.changesLeftOut() && what == SavedAs::Journal)
+    return Error{"More was changed than a journal holds; save the session instead."};
+  if (life.diverged() && what != SavedAs::Journal)
+    return Error{"The action values diverged; there is nothing worth keeping."};
+  try {
+    return writeWhole("file", path, bytesOf(life, began, now, what));
+  } catch (const std::bad_alloc&) {
+    return Error{path + ": there is not enough memory to write it; nothing is lost."};
+  }
+}
+
+}  // namespace
+
+// Written on the learner's thread, between two steps: the life stands still meanwhile.
+void LifeFiles::save(SavedAs what, const std::string& path, Then then) {
+  life_.visit([this, what, path, then = std::move(then), began = life_.began(), now = life_.configuration(),
+               of = life_.number()](const Life& life) {
+    const Status status = write(life, began, now, what, path);
+    QMetaObject::invokeMethod(
+        this,
+        [this, then, status, of, written = LifeProgress{life.log().totals().episodes, life.steps()}] {
+          written_.reset();
+          if (of == life_.number()) written_ = written;
+          then(status);
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void LifeFiles::saveKept(const KeptLife& kept, const std::string& path, Then then) {
+  life_.visit([this, path, then = std::move(then), aside = kept.aside, began = kept.known.began,
+               now = kept.known.configuration](const Life&) {
+    const Status status = aside && aside->life ? write(*aside->life, began, now, SavedAs::Session, path)
+                                               : Status(Error{"The life is not kept any more."});
+    QMetaObject::invokeMethod(
+        this, [then, status] { then(status); }, Qt::QueuedConnection);
+  });
+}
+
+void LifeFiles::open(const std::string& path, const Then& then) {
+  const auto head = readHead(path, 1);
+  if (!head) return then(head.error());
+  static_cast<void>(newLives_.beginWhenMade(*head == "{" ? makeOfJournal(path) : makeOfFile(path), then));
+}
+
+namespace {
+
+/// A checkpoint: its life goes on.
+Result<NewLives::Made> goOnFrom(const Registry& registry, const std::string& path,
+                                const std::shared_ptr<const TensorFile>& file) {
+  auto resumed = resume(registry, file, {}, Versions::Any);
+  if (!resumed) return resumed.error();
+  resumed->life->keepInputs();
+  const Life& life = *resumed->life;
+  const bool named = path.ends_with(".surefoot");  // another name may be another program's
+  LifeFile from{named ? QString::fromStdString(path) : QString(), {life.log().totals().episodes, life.steps()}};
+  const Status same = checkLivesVersion(*file);
+  return NewLives::Made{std::move(resumed->configuration), std::move(resumed->life), std::move(from),
+                        same ? "" : same.error().message + " It goes on with those of this one."};
+}
+
+}  // namespace
+
+NewLives::Make LifeFiles::makeOfFile(const std::string& path) const {
+  return [&registry = life_.registry(), keepRows = life_.keepsRows(), path,
+          now = life_.configuration()](const std::atomic<bool>&) -> Result<NewLives::Made> {
+    try {
+      auto file = readQFile(path);
+      if (!file) return file.error();
+      if ((*file)->about.value("kind", "") == "checkpoint") return goOnFrom(registry, path, *file);
+      auto learned = configurationOf(registry, **file);
+      if (!learned) return learned.error();
+      learned->seed = now.seed;
+      learned->minutes = now.minutes;
+      learned->episodes = now.episodes;
+      beginWith(*learned, std::move(*file));
+      auto life = makeLifeToRun(registry, *learned, keepRows);
+      if (!life) return life.error();
+      return NewLives::Made{std::move(*learned), std::move(*life)};
+    } catch (const std::bad_alloc&) {
+      return Error{path + ": there is not enough memory for what it holds."};
+    }
+  };
+}
+
+NewLives::Make LifeFiles::makeOfJournal(const std::string& path) const {
+  return [&newLives = newLives_, &registry = life_.registry(),
+          path](const std::atomic<bool>& interrupted) -> Result<NewLives::Made> {
+    const auto text = readText(path);
+    if (!text) return text.error();
+    auto journal = parseJournal(registry, *text, path);
+    if (!journal) return journal.error();
+    if (journal->steps > kMostReplayed)
+      return Error{path + ": the life in it is too long to be lived again while one waits; `surefoot replay` does it."};
+    auto made = newLives.makeOf(std::move(journal->configuration))(interrupted);
+    if (!made) return made;
+    Life& life = *made->life;
+    while (life.steps() < journal->steps && !life.finished() && !interrupted) life.step();
+    made->file = LifeFile{{}, {life.log().totals().episodes, life.steps()}};  // the journal is as good as a copy
+    return made;
+  };
+}
+
+}  // namespace surefoot

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Writes lives to files, and begins them from files.
+#pragma once
+
+#include <QObject>
+#include <optional>
+#include <string>
+
+#include "ui/session/new_lives.h"
+
+namespace surefoot {
+
+class LifeFiles final : public QObject {
+  Q_OBJECT
+
+ public:
+  LifeFiles(RunningLife& life, NewLives& newLives) : life_(life), newLives_(newLives) {}
+
+  using Then = NewLives::Then;
+  /// Writes the life that runs; `then` is called when it is written, or could not be.
+  void save(SavedAs what, const std::string& path, Then then);
+  /// Writes one that is kept for undo.
+  void saveKept(const KeptLife& kept, const std::string& path, Then then);
+  /// How far the life had come when save() wrote it last; nothing if that was another one.
+  const std::optional<LifeProgress>& written() const { return written_; }
+
+  /// A saved session goes on, a Q-function is what a new life begins with, a journal is lived again; `then` is called
+  /// when it has begun, or could not.
+  void open(const std::string& path, const Then& then);
+
+ private:
+  NewLives::Make makeOfFile(const std::string& path) const;
+  NewLives::Make makeOfJournal(const std::string& path) const;
+
+  RunningLife& life_;
+  NewLives& newLives_;
+  std::optional<LifeProgress> written_;
+};
+
+}  // namespace surefoot

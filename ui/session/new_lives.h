@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Begins new lives. Where the tables are large, a life is made while the old one goes on, and comes when it is ready;
+// then background() is busy, and what went wrong is said by `refused`.
+#pragma once
+
+#include <QObject>
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "ui/session/background.h"
+#include "ui/session/history.h"
+#include "ui/session/running_life.h"
+
+namespace surefoot {
+
+/// A configuration under other names, with every parameter that both know.
+Result<Configuration> configurationUnder(const Registry& registry, const Configuration& now, const Names& names);
+
+class NewLives final : public QObject {
+  Q_OBJECT
+
+ public:
+  NewLives(RunningLife& life, History& history);
+
+  /// A new life with the present configuration, the same seed and the same start; the old one stays as a faint curve.
+  Status restart();
+  /// The same with an empty table.
+  Status restartEmpty();
+  /// The same with another value of a parameter, with an empty table if it needs one.
+  Status setParameterAndRestart(const std::string& key, double value);
+  /// Under another configuration.
+  Status begin(Configuration configuration);
+  /// … in another environment, with its usual parameters.
+  Status beginEnvironment(const std::string& name);
+  Status setSeed(std::uint64_t seed);
+  /// Another learning rule has another table: a new life begins, with every parameter that both know.
+  Status setAgent(const std::string& name);
+
+  using Then = std::function<void(const Status&)>;
+  /// With a parameter that needs a new table, and with what was learned, fitted to it.
+  void carryOver(const std::string& key, double value, Then then);
+
+  /// A life that can begin.
+  struct Made {
+    Configuration configuration;
+    std::unique_ptr<Life> life;
+    std::optional<LifeFile> file{};  ///< that it was read from
+    std::string remark{};            ///< about that file
+  };
+  using Make = std::function<Result<Made>(const std::atomic<bool>& interrupted)>;
+  /// Begins what is made in the background; `then` is called when it has begun, or could not.
+  Status beginWhenMade(Make make, const Then& then = {});
+  /// Makes a life of this configuration.
+  Make makeOf(Configuration configuration) const;
+  Background& background() { return background_; }
+
+ Q_SIGNALS:
+  void remarked(const QString& remark);  ///< about the file of a life that has begun
+  void refused(const QString& why);      ///< a life that was begun could not be made
+
+ private:
+  using Adopt = std::function<Status(Made)>;
+  Status whenMade(Make make, Adopt adopt, const Then& then = {});
+  Status beginAgain(Configuration configuration);
+  Status adopt(Made made);
+
+  RunningLife& life_;
+  History& history_;
+  Background background_;
+};
+
+}  // namespace surefoot

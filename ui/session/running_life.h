@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The life that runs on the learner's thread, as the window knows it: its configuration, its newest snapshots, and the
+// commands by which a person runs it. Everything here belongs to the window's thread.
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "core/experiment/configuration.h"
+#include "core/live/learner_thread.h"
+#include "ui/session/known_life.h"
+#include "ui/session/run_curves.h"
+
+namespace surefoot {
+
+/// What is told of a life in several places of the window: all of it of one moment, that of the newest curve.
+struct Numbers {
+  std::int64_t episodes = 0, falls = 0;
+  std::int64_t fallsByHand = 0;  ///< of the falls, those of episodes in which a person placed or pushed the body
+  std::int64_t steps = 0;
+  double simulatedSeconds = 0;  ///< NaN: no clock
+  double stepsPerSecond = 0;    ///< learning steps per second of wall-clock time, as measured; 0: not yet
+};
+
+/// A life that can be saved in the middle of an episode; an error where memory does not suffice.
+Result<std::unique_ptr<Life>> makeLifeToRun(const Registry& registry, const Configuration& configuration,
+                                            bool keepRows);
+
+/// A life of which only these configurations are known.
+KnownLife knownAs(const Registry& registry, Configuration now, Configuration began);
+
+class RunningLife final : public QObject {
+  Q_OBJECT
+
+ public:
+  RunningLife(const Registry& registry, Configuration configuration, bool keepRows);
+  ~RunningLife() override;
+
+  // What it is.
+  const Registry& registry() const { return registry_; }
+  /// As it is now.
+  const Configuration& configuration() const { return known_.configuration; }
+  /// As it was when the life began: its start, too.
+  const Configuration& began() const { return known_.began; }
+  /// "pre-learned (scenario 2)", "with walks.safetensors"; empty: with an empty table.
+  QString beginning() const;
+  /// Tells of the task and draws it; never stepped.
+  const Environment& environment() const { return *environment_; }
+  const Task& task() const { return environment_->task(); }
+  /// The value of a parameter under the chosen preset and scenario: what Reset goes back to.
+  double base(const std::string& key) const { return known_.base.get(key); }
+  /// Whether rows of its episodes are kept for a log.
+  bool keepsRows() const { return keepRows_; }
+
+  // How far it has come.
+  const Snapshot& snapshot() const { return learner_->snapshot(); }
+  /// The newest snapshot is of this life, not of the one before.
+  bool isShown() const { return snapshot().life == lifeSent_; }
+  /// nullptr until the first has come.
+  const ValueSnapshot* values() const;
+  /// Counters, chart, status line, titles and list of falls all show these; they change with valuesArrived, and with
+  /// stateChanged, which forgets the speed.
+  const Numbers& numbers() const { return numbers_; }
+  /// Falls and episodes as of the newest curve.
+  CurvePoint latest() const;
+  /// How many times faster than real time, as text: "×4,300". Empty where it is not known (yet).
+  QString factorText() const;
+  /// The step at which a parameter was last changed, if it was.
+  std::optional<std::int64_t> changedAt(const std::string& key) const;
+  /// Schedules go by this.
+  LifeTime lifeTime() const;
+  /// TRL's threshold now, on its schedule.
+  double threshold() const;
+  /// The life has reached its limit, or diverged.
+  bool finished() const { return isShown() && (snapshot().finished || !snapshot().trouble.empty()); }
+  LifeProgress progress() const;
+  /// Whether anything was learned in it, and since it was saved.
+  bool learned() const { return progress().learnedSince({}); }
+  bool unsaved() const { return progress().learnedSince(known_.file.saved); }
+  /// Memory of what it learned [bytes]; hashed tables grow.
+  std::size_t bytes() const;
+  /// Curves of this life and of those before it.
+  const RunCurves& curves() const { return curves_; }
+  RunCurves& curves() { return curves_; }
+  /// The falls since the last call, of this life.
+  std::vector<Fall> takeFalls();
+
+  // How a person runs it.
+  bool running() const { return running_; }
+  bool turbo() const { return turbo_; }
+  double pace() const { return pace_; }
+  void setRunning(bool running);
+  void setTurbo(bool turbo);
+  void setPace(double pace);
+  /// One step of a life that is paused; one that runs is paused first.
+  void stepOnce();
+  /// Holds the body by its tip [m], or lets go.
+  void hold(std::optional<double> target);
+  /// Puts the body into a state: a new episode begins there.
+  Status place(const std::vector<double>& state);
+  /// Whether anyone can see the window; a hidden one asks the learner for nothing but the moment.
+  void setLookedAt(bool lookedAt) { lookedAt_ = lookedAt; }
+
+  // How it is changed; ParameterEditing, History and LifeFiles do this.
+  Status setParameter(const std::string& key, double value);
+  Status setPolicy(const std::string& name);
+  /// The names of preset and scenario, which say what Reset goes back to.
+  void setScenario(const std::string& name);
+  const LifeFile& file() const { return known_.file; }
+  void setFile(LifeFile file);
+  /// Called on the learner's thread, between two steps: the life stands still meanwhile.
+  void visit(std::function<void(const Life&)> look);
+  /// Counts the lives that ran here.
+  std::uint64_t number() const { return lifeSent_; }
+  /// Changes that were made to one life are not undone in another: which life it is. One that begins again with
+  /// another parameter is another one; one that is brought back is the same.
+  std::uint64_t lineage() const { return known_.lineage; }
+  /// What is known of it, up to now.
+  KnownLife known() const;
+  /// Another life takes its place, which is so known; its curves() are set before.
+  void replace(KnownLife known, ReplaceLife replacement);
+
+  /// Ends the learner's thread; the life as it is, or nullptr if it was ended before.
+  std::unique_ptr<Life> finish();
+
+ Q_SIGNALS:
+  void ticked(double seconds);  ///< about 60 times a second
+  void valuesArrived();         ///< at most ten times a second
+  void curvesChanged();         ///< earlier ones came or went
+  void stateChanged();          ///< running, turbo, pace
+  void commanded();             ///< to run or to stand still, before stateChanged
+  void parameterChanged(const QString& key);
+  void policyChanged();
+  void configurationChanged();  ///< after both
+  void replaced();              ///< another life runs
+  void parametersReplaced();    ///< … under other names, so with other parameters
+  void fileChanged();
+
+ private:
+  void tick();
+  void takeValues();
+  void measureSpeed(double seconds);
+  void restartMeasuring();
+  bool obeyed() const;  ///< the newest snapshot is of a learner that has heard of pace, turbo, and whether it runs
+  void makeEnvironmentAnew();
+  Parameters baseOf(const Names& names) const;
+
+  const Registry& registry_;
+  const bool keepRows_;
+  KnownLife known_;
+  std::unique_ptr<Environment> environment_;
+  std::unique_ptr<LearnerThread> learner_;
+  RunCurves curves_;
+  Numbers numbers_;
+  QTimer timer_;
+  QElapsedTimer clock_, sinceValues_;
+  bool lookedAt_ = true, running_ = false, turbo_ = false, measuring_ = false;
+  double pace_ = 1.0, stepsPerSecond_ = 0.0, speedSeconds_ = 0.0;
+  std::int64_t stepsBefore_ = 0;
+  std::uint64_t lifeSent_ = 1, lifeMeasured_ = 0;
+};
+
+}  // namespace surefoot
