@@ -8,7 +8,7 @@ namespace surefoot {
 namespace {
 
 std::vector<Word> policies() {
-  return {{"greedy", "Greedy", "π(a) = 1/m for each of the m actions with Q(s, a) = max_b Q(s, b), else 0",
+  return {{"greedy", "Greedy", "π(a) = 1/m for each of the m actions with Q(s, a) = max Q(s, ·), else 0",
            "Always takes an action that is worth most, so it never explores.", "Sutton & Barto 2018, section 2.2"},
           {"epsilon-greedy", "ε-greedy", "π(a) = (1 − ε)·greedy(a) + ε/n",
            "Mostly greedy; in a share ε of the steps it takes any of the n actions with equal chance. So it also takes "
@@ -35,8 +35,7 @@ std::vector<Word> learningRules() {
        "Two Sarsa learners: Q⁺ expects the gains, Q⁻ the losses, each with its own resolution, α and λ. Actions are "
        "chosen on the sum. A coarse Q⁻ generalises falls to states where none has happened yet.",
        "thesis, section 6.1.2, eq. 6.1 to 6.4"},
-      {"q-learning", "Q-learning, Q(λ)",
-       "δ = r + γ·max_b Q(s′, b) − Q(s, a); after an action that is not greedy, z ← 0",
+      {"q-learning", "Q-learning, Q(λ)", "δ = r + γ·max Q(s′, ·) − Q(s, a); after an action that is not greedy, z ← 0",
        "Learns the value of the greedy policy, whatever is done meanwhile (Watkins). So at a cliff it learns the "
        "edge, and falls while it explores.",
        "thesis, eq. 2.7; Sutton & Barto 2018, sections 6.5 and 12.10"},

@@ -28,9 +28,9 @@ Parameter model(const char* key, const char* title, const char* symbol, const ch
 
 void LeoSettings::declare(Fields& f) {
   f.real(footstepReward, rewardParameter("footstep_reward", "Footstep", 0, 600,
-                                         "Reward of a metre by which the ankles part.", kLeosim));
-  f.real(energyReward,
-         rewardParameter("energy_reward", "Energy", -10, 0, "Reward of a joule that hips and knees take.", kLeosim));
+                                         "Reward of a metre by which the ankles part.", kLeosim, "1/m"));
+  f.real(energyReward, rewardParameter("energy_reward", "Energy", -10, 0, "Reward of a joule that hips and knees take.",
+                                       kLeosim, "1/J"));
   f.real(fallReward, rewardParameter("fall_reward", "Fall", -400, 0, "Reward for being doomed to fall.", kLeosim));
   f.real(timeReward, rewardParameter("time_reward", "Time", -5, 0, "Reward of every step.", kLeosim));
   f.real(resistance, model("resistance", "Resistance", "R", "Ω", 1, 100, "Of a motor's windings.", kLeosim, 1));

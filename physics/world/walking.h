@@ -46,9 +46,10 @@ inline Parameter testParameter() {
 
 /// A reward that applies at once; low and high are the slider's.
 inline Parameter rewardParameter(const char* key, const char* title, double low, double high, const char* help,
-                                 const char* origin) {
+                                 const char* origin, const char* unit = "") {
   return {.key = key,
           .title = title,
+          .unit = unit,
           .low = -1e6,
           .high = 1e6,
           .sliderLow = low,

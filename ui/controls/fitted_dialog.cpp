@@ -33,7 +33,7 @@ void fillDialog(QDialog& dialog, QWidget* body, QWidget* foot) {
     const QSize below = foot ? foot->sizeHint() : QSize(0, 0);
     wanted = {std::max(wanted.width(), below.width()), wanted.height() + below.height()};
     wanted += QSize(2, 2);
-    if (wanted.height() > room.height()) wanted.rwidth() += scroll->style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+    wanted.rwidth() += scroll->style()->pixelMetric(QStyle::PM_ScrollBarExtent);
     dialog.setMinimumSize(scaled({240, 120}).boundedTo(room));
     dialog.resize(wanted.boundedTo(room));
   });

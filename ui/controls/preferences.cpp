@@ -93,17 +93,17 @@ PreferencesDialog::PreferencesDialog(QWidget* parent) : QDialog(parent) {
             [this, member](bool checked) { change([&](Preferences& p) { p.*member = checked; }); });
   };
   label(tr("Motion"));
-  check(tr("reduce it: no trail, no flash, a standing camera,\nand falls are looked at frame by frame"),
-        now.reduceMotion, &Preferences::reduceMotion);
+  check(tr("less of it: no trail, no flash, a camera that stands,\nfalls shown frame by frame"), now.reduceMotion,
+        &Preferences::reduceMotion);
   label(tr("At the start"));
   check(tr("learn as soon as the window is open"), now.beginRunning, &Preferences::beginRunning);
 
-  label(tr("After a crash"));
+  label(tr("Safety copy"));
   auto* minutes = new QSpinBox;
   minutes->setRange(1, 60);
   minutes->setValue(now.autosaveMinutes);
-  minutes->setPrefix(tr("at most "));
-  minutes->setSuffix(tr(" min are lost"));
+  minutes->setPrefix(tr("every "));
+  minutes->setSuffix(tr(" min; a crash loses no more"));
   minutes->setAccessibleName(tr("Minutes between two copies of the session on the disk"));
   grid->addWidget(minutes, row++, 1);
   connect(minutes, &QSpinBox::valueChanged, this,

@@ -38,25 +38,33 @@ PlanEditor::PlanEditor(Experiment& experiment, QWidget* parent)
   verdict_->setTextFormat(Qt::PlainText);
   auto* live = new QPushButton(tr("Add what the Live page runs"));
   auto* column = new QVBoxLayout(this);
+  auto* heading = new QLabel(tr("A new condition; it begins as the first one"));
+  auto* addButton = new QPushButton(tr("Add the condition"));
   auto* scroll = new QScrollArea;
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setFocusPolicy(Qt::NoFocus);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  whenScaled(this, [this, column, scroll] {
+  whenScaled(this, [this, column, scroll, heading] {
     QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
     fixed.setPixelSize(scaled(13));
     edit_->setFont(fixed);
     verdict_->setFont(scaledFont(11));
+    heading->setFont(scaledFont(13, 500));
+    heading->setIndent(scaled(12));
     column->setContentsMargins(scaled({12, 4, 12, 12}));
     scroll->setFixedWidth(scaled(360));
   });
   scroll->setWidget(form_);
   auto* upper = new QHBoxLayout;
   upper->addWidget(edit_, 1);
-  upper->addWidget(scroll);
+  auto* beside = new QVBoxLayout;
+  beside->addWidget(heading);
+  beside->addWidget(scroll, 1);
+  beside->addWidget(addButton, 0, Qt::AlignRight);
+  upper->addLayout(beside);
   column->addLayout(upper, 1);
-  connect(form_, &ConditionForm::addAsked, this, [this] {
+  connect(addButton, &QPushButton::clicked, this, [this] {
     const auto toml = form_->toml();
     if (toml)
       addCondition(*toml);

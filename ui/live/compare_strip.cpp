@@ -30,7 +30,7 @@ QString count(std::int64_t number) {
 
 QString beganAs(const RunningLife& life) {
   const QString beginning = life.beginning();
-  return beginning.isEmpty() ? CompareStrip::tr("began empty") : CompareStrip::tr("began %1").arg(beginning);
+  return beginning.isEmpty() ? CompareStrip::tr("began with an empty table") : CompareStrip::tr("began %1").arg(beginning);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ class CompareStrip final : public QWidget {
   explicit CompareStrip(Rival& rival);
   /// "after 327 episodes 195 : 399 falls".
   QString falls() const;
-  /// "● ε-greedy, Sarsa, began empty" of the first.
+  /// "● ε-greedy, Sarsa, began with an empty table" of the first.
   QString first() const;
 
  protected:

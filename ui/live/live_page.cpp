@@ -181,16 +181,16 @@ QString LivePage::worldNote() const {
                        : tr("%1; ← → move, Escape: back to live").arg(p->title);
   if (session_.life().finished()) return tr("the life is complete");
   if (!session_.life().running())
-    return session_.life().turbo() ? tr("the learner's own, paused; turbo is on") : tr("the learner's own, paused");
+    return session_.life().turbo() ? tr("the learner's world, paused; turbo is on") : tr("the learner's world, paused");
   const QString beginning = session_.life().beginning();
-  if (!beginning.isEmpty() && !session_.life().turbo()) return tr("the learner's own; it began %1").arg(beginning);
+  if (!beginning.isEmpty() && !session_.life().turbo())
+    return tr("the learner's world; its life began %1").arg(beginning);
   const QString speed = session_.life().factorText();
-  if (session_.life().turbo() && world_->held())
-    return tr("real time; only this world is held, the learner's own is not");
+  if (session_.life().turbo() && world_->held()) return tr("real time; only this world is held, the learner's is not");
   if (session_.life().turbo())
     return speed.isEmpty() ? tr("real time, newest Q-function")
                            : tr("real time, newest Q-function; the learner runs %1").arg(speed);
-  return speed.isEmpty() ? tr("the learner's own") : tr("the learner's own, %1").arg(speed);
+  return speed.isEmpty() ? tr("the learner's world") : tr("the learner's world, %1").arg(speed);
 }
 
 QWidget* LivePage::makeCentre() {

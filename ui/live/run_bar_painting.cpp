@@ -101,7 +101,7 @@ void RunBar::paintEvent(QPaintEvent*) {
   const double k = textScale();
   ScaledPainter p(this);
   p.fillRect(rect(), t.panel);
-  p.fillRect(QRect(0, height() - 1, width(), 1), t.hairline);
+  p.fillRect(lowerEdge(), t.hairline);
   for (const double x : {placeOf(*buttons_[2]).right() + 13, placeOf(*task_).x() - 10})
     p.fillRect(QRectF(x, height() / 4, 1, height() / 2), t.hairline);
   const QRectF line(0, 0, width(), height());

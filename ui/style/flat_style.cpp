@@ -21,7 +21,7 @@ constexpr int kSpinButtons = 22;
 
 /// The buttons stand above each other at the right end, as large as the text is.
 QRect spinBoxPart(const QStyleOptionSpinBox& box, QStyle::SubControl part, const QRect& usual) {
-  const int buttons = box.buttonSymbols == QAbstractSpinBox::NoButtons ? 0 : scaled(kSpinButtons);
+  const int buttons = scaled(box.buttonSymbols == QAbstractSpinBox::NoButtons ? kSpinMargin : kSpinButtons);
   const QRect right(box.rect.right() + 1 - buttons, box.rect.top(), buttons, box.rect.height());
   if (part == QStyle::SC_SpinBoxUp) return right.adjusted(0, 0, 0, -right.height() / 2);
   if (part == QStyle::SC_SpinBoxDown) return right.adjusted(0, right.height() / 2, 0, 0);

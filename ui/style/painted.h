@@ -26,6 +26,8 @@ class Painted : public Base {
   int height() const { return designed(Base::height()); }
   QSize size() const { return {width(), height()}; }
   QRect rect() const { return {0, 0, width(), height()}; }
+  /// For a line along the lower edge; height() may be up to a pixel too much.
+  QRectF lowerEdge() const { return {0, Base::height() / textSize() - 1, double(width()), 1}; }
 
  protected:
   /// Where the mouse or the wheel is, in the pixels of the drawing.

@@ -129,6 +129,7 @@ void MainWindow::keepLayout() {
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(tr("Keep this layout"));
   dialog->setLabelText(tr("Its name:"));
+  dialog->setMinimumWidth(scaled(360));
   connect(dialog, &QInputDialog::textValueSelected, this, [this](const QString& text) {
     const QString name = text.simplified();
     if (name.isEmpty() || name.size() > kLongestName)

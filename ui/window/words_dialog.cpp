@@ -61,7 +61,7 @@ WordsDialog::WordsDialog(QWidget* parent) : QDialog(parent), search_(new QLineEd
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
 
   auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(16, 16, 0, 16);
+  row->setContentsMargins(16, 16, 1, 16);  // its outline
   row->addLayout(left, 2);
   row->addWidget(scroll, 3);
   whenScaled(this, [this] {

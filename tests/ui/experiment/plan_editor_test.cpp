@@ -75,7 +75,8 @@ TEST(PlanEditor, AFormWritesConditionsIntoThePlan) {
   EXPECT_NE(form->toml().error().message.find("much"), std::string::npos);
   p.named<QLineEdit>("Values of parameter 1")->setText("0, 50");
   choose("Pre-learning of the condition", "2");
-  Q_EMIT form->addAsked();
+  for (auto* button : editor->findChildren<QPushButton*>())
+    if (button->text() == "Add the condition") QTest::mouseClick(button, Qt::LeftButton);
   EXPECT_TRUE(p.waitFor([&] { return editor->text().contains("pre(2)"); }));
   const auto plan = p.experiment().parse(editor->text().toStdString());
   ASSERT_TRUE(plan) << plan.error().message;

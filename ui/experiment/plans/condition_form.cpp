@@ -6,7 +6,6 @@
 #include <QFormLayout>
 #include <QLabel>
 #include <QLineEdit>
-#include <QPushButton>
 
 #include "core/experiment/configuration.h"
 #include "ui/controls/combo.h"
@@ -84,9 +83,6 @@ ConditionForm::ConditionForm(const Registry& registry, QWidget* parent)
   makePreLearning(form);
   name_->setPlaceholderText(tr("made from policy and values"));
   form->addRow(tr("Name"), name_);
-  auto* add = new QPushButton(tr("Add the condition"));
-  form->addRow({}, add);
-  connect(add, &QPushButton::clicked, this, &ConditionForm::addAsked);
   watch();
   setCounted(!hasClock());
   fillForEnvironment();

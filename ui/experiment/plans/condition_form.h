@@ -27,9 +27,6 @@ class ConditionForm final : public QWidget {
   /// What was filled in may go.
   void forget() { touched_ = false; }
 
- Q_SIGNALS:
-  void addAsked();
-
  private:
   struct Sweep {
     Combo* key;

@@ -94,6 +94,7 @@ void PlanChooser::makeList() {
   list_->setAccessibleName(tr("Experiments"));
   list_->setColumnCount(3);
   list_->setHeaderLabels({tr("Figure"), tr("Title"), tr("Takes")});
+  list_->headerItem()->setTextAlignment(Time, Qt::AlignRight | Qt::AlignVCenter);
   list_->setRootIsDecorated(false);
   list_->setUniformRowHeights(true);
   list_->setFrameShape(QFrame::NoFrame);

@@ -78,9 +78,9 @@ void ActionRows::drawLevelsOf(QPainter& p, const Theme& t, std::size_t variable,
   const auto& levels = levels_[variable];
   const double k = textScale(), n = static_cast<double>(levels.size()), top = k * kTop;
   const double row = std::clamp((height() - top - k * kUnder) / n, 8.0, 28.0 * k);
-  const double right = left + pitch - 12 * k, values = symbolWidth(textFont(13, 500), QStringLiteral("−1234"));
+  const double right = left + pitch - 12 * k, values = symbolWidth(textFont(13, 500), QStringLiteral("−1234")) + 14 * k;
   const double percents = symbolWidth(textFont(13, 500), QStringLiteral("100.0")) + 8 * k;
-  const bool room = right - left - values - percents > 30 * k;  // for the values, too
+  const bool room = right - left - values - percents > 36 * k;  // for the values, too
   LevelPlace at{left, 0, room ? right - values : right, room ? right : 0, 0, row};
   at.bar = std::max(12.0, at.percent - percents - left);
   drawLevelScale(p, t, at, top + row * n);

@@ -231,8 +231,15 @@ bool LearningChart::hasTimeAxis() const {
          its.top() > mine.bottom() + kHeader;
 }
 
+/// Where the panels stand is known when they have been laid out: then the plot may have other room.
+void LearningChart::paintEvent(QPaintEvent* event) {
+  if (withAxis_ != hasTimeAxis()) QMetaObject::invokeMethod(this, &LearningChart::refresh, Qt::QueuedConnection);
+  Painted::paintEvent(event);
+}
+
 void LearningChart::place() {
-  const double bottom = hasTimeAxis() ? kBottomWithAxis : kBottom;
+  withAxis_ = hasTimeAxis();
+  const double bottom = withAxis_ ? kBottomWithAxis : kBottom;
   const double top = exporting_ ? kTopWithTitle : kTop;
   setTransform(QTransform::fromScale(textSize(), textSize()));
   chart()->resize(QSizeF(size()));

@@ -71,6 +71,7 @@ class LearningChart final : public Painted<QChartView>, public CsvSource {
  protected:
   void drawBackground(QPainter* painter, const QRectF& rect) override;
   void drawForeground(QPainter* painter, const QRectF& rect) override;
+  void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void changeEvent(QEvent* event) override;
   void focusInEvent(QFocusEvent* event) override;
@@ -146,7 +147,7 @@ class LearningChart final : public Painted<QChartView>, public CsvSource {
   Shows shows_;
   QPointer<RunningLife> second_;
   const QWidget* below_ = nullptr;
-  bool exporting_ = false, ring_ = false;
+  bool exporting_ = false, ring_ = false, withAxis_ = false;
   std::vector<QLineSeries*> series_;  // one a piece, earlier lives first; those not needed are empty
   QRectF plot_;
   double yLeast_ = 0, yMost_ = 1, yStep_ = 1;

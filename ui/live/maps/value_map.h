@@ -39,10 +39,9 @@ struct MapSlice {
 
 /// What is drawn over a map.
 struct MapMarks {
-  std::span<const double> live;     ///< state of the world: a ring, with a crosshair if it is large
-  std::span<const double> cursor;   ///< state that is looked at: a crosshair of its own
-  double ring = 6;                  ///< [px]
-  std::optional<double> contour{};  ///< a line around the cells above this value
+  std::span<const double> live;    ///< state of the world: a ring, with a crosshair if it is large
+  std::span<const double> cursor;  ///< state that is looked at: a crosshair of its own
+  double ring = 6;                 ///< [px]
 };
 
 class ValueMap {
@@ -61,8 +60,8 @@ class ValueMap {
 
   /// The part of a square that the map of a slice takes: cells of whole numbers are square, a strip is low.
   static QRectF area(const Task& task, const MapSlice& slice, const QRectF& square);
-  /// Draws the map into its area; hatching, frame and marks.
-  void draw(QPainter& painter, const QRectF& square, const Theme& theme, const Task& task, const MapMarks& marks) const;
+  /// Draws the map into its area; hatching, frame, and a line around the cells above a level.
+  void draw(QPainter& painter, const QRectF& square, const Theme& theme, std::optional<double> contour = {}) const;
   QPointF toPixel(const Task& task, std::span<const double> state, const QRectF& square) const;
   /// The state at the centre of the cell there; nothing outside.
   std::optional<std::vector<double>> stateAt(const Task& task, QPointF at, const QRectF& square) const;
@@ -82,6 +81,10 @@ class ValueMap {
   static void drawBar(QPainter& painter, const QRectF& bar, const MapScale& scale, const Theme& theme,
                       std::span<const double> numbers, std::span<const QString> names = {}, double room = 1e9);
 
+  /// The live state and the cursor, on everything else.
+  void drawMarks(QPainter& painter, const QRectF& square, const Theme& theme, const Task& task,
+                 const MapMarks& marks) const;
+
  private:
   /// False: it would take too long.
   bool evaluateAll(const Task& task, const Quantity& quantity);
@@ -90,8 +93,6 @@ class ValueMap {
   double yAt(const Task& task, double row) const;
   void drawContour(QPainter& painter, const QRectF& square, double level) const;
   void drawBorder(QPainter& painter, const QRectF& square, double level) const;
-  void drawMarks(QPainter& painter, const QRectF& square, const Theme& theme, const Task& task,
-                 const MapMarks& marks) const;
 
   std::vector<double> values_;  // [row][column], the uppermost row first
   int columns_ = 0, rows_ = 0;

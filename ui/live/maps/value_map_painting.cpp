@@ -82,7 +82,7 @@ void ValueMap::drawHatching(QPainter& p, const QRectF& where, const Theme& t) {
   p.restore();
 }
 
-void ValueMap::draw(QPainter& p, const QRectF& square, const Theme& t, const Task& task, const MapMarks& marks) const {
+void ValueMap::draw(QPainter& p, const QRectF& square, const Theme& t, std::optional<double> contour) const {
   p.save();
   p.setClipRect(square);
   p.setRenderHint(QPainter::Antialiasing);
@@ -100,11 +100,10 @@ void ValueMap::draw(QPainter& p, const QRectF& square, const Theme& t, const Tas
   }
   p.setRenderHint(QPainter::Antialiasing);
   p.setBrush(Qt::NoBrush);
-  if (marks.contour) {
+  if (contour) {
     p.setPen(QPen(t.ink, 1.5));
-    whole_ ? drawBorder(p, square, *marks.contour) : drawContour(p, square, *marks.contour);
+    whole_ ? drawBorder(p, square, *contour) : drawContour(p, square, *contour);
   }
-  drawMarks(p, square, t, task, marks);
   p.restore();
   p.setPen(QPen(t.outline, 1));
   p.setBrush(Qt::NoBrush);
@@ -113,6 +112,10 @@ void ValueMap::draw(QPainter& p, const QRectF& square, const Theme& t, const Tas
 
 void ValueMap::drawMarks(QPainter& p, const QRectF& square, const Theme& t, const Task& task,
                          const MapMarks& marks) const {
+  p.save();
+  p.setClipRect(square);
+  p.setRenderHint(QPainter::Antialiasing);
+  p.setBrush(Qt::NoBrush);
   const auto cross = [&](const QPointF& at, const QPen& pen) {
     p.setPen(pen);
     p.drawLine(QPointF(at.x(), square.top()), QPointF(at.x(), square.bottom()));
@@ -129,6 +132,7 @@ void ValueMap::drawMarks(QPainter& p, const QRectF& square, const Theme& t, cons
     p.drawEllipse(at, marks.ring, marks.ring);
   }
   if (marks.cursor.size() == task.state.size()) cross(toPixel(task, marks.cursor, square), QPen(t.accent, 1));
+  p.restore();
 }
 
 void ValueMap::drawArrows(QPainter& p, const QRectF& square, const Theme& t, const ValueMap& numbers,
@@ -154,6 +158,8 @@ void ValueMap::drawArrows(QPainter& p, const QRectF& square, const Theme& t, con
 
 void ValueMap::drawBar(QPainter& p, const QRectF& bar, const MapScale& scale, const Theme& t,
                        std::span<const double> numbers, std::span<const QString> names, double room) {
+  const double height = QFontMetricsF(textFont(11)).height();
+  if (numbers.size() > 1 && bar.height() < 1.9 * height) return;  // with one number it could not be read
   p.save();
   p.setRenderHint(QPainter::Antialiasing, false);
   const int rows = static_cast<int>(bar.height());
@@ -162,11 +168,12 @@ void ValueMap::drawBar(QPainter& p, const QRectF& bar, const MapScale& scale, co
     p.fillRect(QRectF(bar.left(), bar.top() + row, bar.width(), 1), QColor::fromRgb(scale.colour(value, t.dark)));
   }
   p.setFont(textFont(11));
-  const double height = QFontMetricsF(p.font()).height();
-  // The ends first; between them what has room. No number leaves the bar: a title stands above it.
+  // The ends first, then 0; between them what has room. No number leaves the bar: a title stands above it.
   std::vector<std::size_t> order(numbers.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   if (order.size() > 2) std::rotate(order.begin() + 1, order.end() - 1, order.end());
+  std::stable_partition(order.begin() + std::min<std::ptrdiff_t>(2, std::ssize(order)), order.end(),
+                        [&](std::size_t i) { return numbers[i] == 0; });
   std::vector<double> taken;
   for (const std::size_t i : order) {
     const double value = numbers[i];

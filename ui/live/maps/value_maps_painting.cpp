@@ -37,6 +37,16 @@ QString fitted(const QFont& font, const StateVariable& v, double room) {
 
 }  // namespace
 
+/// 1, 10², 10⁴: equal steps from 1 to the end, as many as there are lines for.
+std::vector<double> powersOfTen(double end, double lines) {
+  const int decades = static_cast<int>(std::lround(std::log10(end)));
+  int step = 1;
+  while (step < decades && (decades % step != 0 || decades / step + 1 > lines)) ++step;
+  std::vector<double> numbers;
+  for (int d = 0; d <= decades; d += step) numbers.push_back(std::pow(10.0, d));
+  return numbers;
+}
+
 QString ValueMaps::title() const {
   switch (choice_.quantity) {
     case MapQuantity::GreedyAction:
@@ -74,13 +84,13 @@ void ValueMaps::paintEvent(QPaintEvent*) {
   const double cell = life_.task().state[static_cast<std::size_t>(choice_.x)].whole
                           ? 0.36 * g.big.width() / std::max(1, big_.columns())
                           : 100.0;
-  MapMarks m = marks(std::clamp(cell, 3.0, 6 * k));
-  if (valued() && life_.configuration().names.policy == "trl") m.contour = life_.threshold();
+  const bool contour = valued() && life_.configuration().names.policy == "trl";
   drawTitles(p, g, t);
   const auto ways = directions();
-  big_.draw(p, g.big, t, life_.task(), m);
+  big_.draw(p, g.big, t, contour ? std::optional(life_.threshold()) : std::nullopt);
   if (!ways.empty() && (valued() || choice_.quantity == MapQuantity::GreedyAction))
     big_.drawArrows(p, g.big, t, greedy_, ways);
+  big_.drawMarks(p, g.big, t, life_.task(), marks(std::clamp(cell, 3.0, 6 * k)));
   drawBigBar(p, g, t);
   drawSmallMaps(p, g, t);
   drawFootprints(p, g, t);
@@ -170,12 +180,13 @@ void ValueMaps::drawBigBar(QPainter& p, const Geometry& g, const Theme& t) const
 void ValueMaps::drawSmallMaps(QPainter& p, const Geometry& g, const Theme& t) const {
   const double ring = std::clamp(0.5 * g.upper.width() / std::max(1, upper_.columns()), 2.5, 4 * textScale());
   const double radius = life_.task().state[static_cast<std::size_t>(choice_.x)].whole ? ring : 4 * textScale();
-  upper_.draw(p, g.upper, t, life_.task(), marks(radius));
-  lower_.draw(p, g.lower, t, life_.task(), marks(radius));
+  for (const auto& [map, square] : {std::pair(&upper_, &g.upper), std::pair(&lower_, &g.lower)}) {
+    map->draw(p, *square, t);
+    map->drawMarks(p, *square, t, life_.task(), marks(radius));
+  }
   if (split() && valued()) return;
-  const double middle = std::pow(10.0, std::floor(std::log10(visitScale_.high) / 2));
-  const double visitNumbers[] = {1, middle, visitScale_.high};
-  ValueMap::drawBar(p, g.upperBar, visitScale_, t, visitNumbers);
+  const double lineHeight = QFontMetricsF(textFont(11)).height();
+  ValueMap::drawBar(p, g.upperBar, visitScale_, t, powersOfTen(visitScale_.high, g.upperBar.height() / lineHeight));
   const double eligibilityNumbers[] = {0, 0.5, 1};
   ValueMap::drawBar(p, g.lowerBar, eligibilityScale_, t, eligibilityNumbers);
 }

@@ -38,9 +38,13 @@ double valueWidth(const ReadOut& r) {
                   symbolWidth(textFont(13, 500), toText(fixedText(r.value, r.decimals))));
 }
 
+/// Up to its number's right edge.
+double numberEdge(const ReadOut& r) {
+  return symbolWidth(textFont(13), toText(r.symbol)) + kGap + valueWidth(r);
+}
+
 double readOutWidth(const ReadOut& r) {
-  return symbolWidth(textFont(13), toText(r.symbol)) + kGap + valueWidth(r) + 4 +
-         symbolWidth(textFont(11), toText(r.unit));
+  return numberEdge(r) + 4 + symbolWidth(textFont(11), toText(r.unit));
 }
 
 }  // namespace
@@ -149,7 +153,9 @@ void WorldView::drawFloor(QPainter& p, const Theme& t) const {
   const double left = camera_ - (width() / 2.0 + pan_.x()) / scale, right = left + width() / scale;
   const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
   const auto first = static_cast<std::int64_t>(std::ceil(left / step * parts));
-  const double middle = left <= 0 && right >= 0 ? 0.0 : std::round((left + right) / 2 / step);
+  const double edge = symbolWidth(p.font(), toText(fixedText(0, decimals)) + QStringLiteral(" m")) / 2 + 4;
+  const bool zero = left + edge / scale <= 0 && right - edge / scale >= 0;
+  const double middle = zero ? 0.0 : std::round((left + right) / 2 / step);  // bears the unit
   for (auto i = first; static_cast<double>(i) * step / parts <= right; ++i) {
     const double x = toPixel({static_cast<double>(i) * step / parts, 0}).x();
     const bool number = i % parts == 0;
@@ -204,8 +210,13 @@ void WorldView::drawReadOuts(QPainter& p, const Theme& t) const {
     p.setFont(textFont(13));
     p.setPen(t.quiet);
     drawSymbol(p, x, y, toText(r.symbol));
-    const double spare = std::clamp(0.4 * (column - readOutWidth(r) - 16), 0.0, k * 24);
-    const double right = x + readOutWidth(r) - symbolWidth(textFont(11), toText(r.unit)) - 4 + spare;
+    double edge = 0, most = column;  // numbers that stand under each other share their right edge
+    for (int j = i % columns_; j < n; j += columns_) {
+      const ReadOut& other = readOuts_[static_cast<std::size_t>(j)];
+      edge = std::max(edge, numberEdge(other));
+      most = std::min(most, column - (readOutWidth(other) - numberEdge(other)) - 16);
+    }
+    const double right = x + std::max(numberEdge(r), std::min(edge, most));
     p.setFont(textFont(13, 500));
     p.setPen(t.ink);
     const QString value = toText(fixedText(r.value, r.decimals));
