@@ -25,17 +25,37 @@ install_packages() {
   }
 }
 
-# build PRESET TARGET…: configures on the first start, then builds what has changed.
+# Reads what ninja says, "[done/all seconds] …"; says how far it is, and about how long it will take.
+show_progress() {
+  local line done all seconds last=0 left
+  while IFS= read -r line; do
+    [[ $line =~ ^\[([0-9]+)/([0-9]+)\ +([0-9]+) ]] || continue
+    done=${BASH_REMATCH[1]} all=${BASH_REMATCH[2]} seconds=${BASH_REMATCH[3]}
+    [ "$done" -gt 0 ] && [ "$all" -gt 20 ] || continue
+    left=$((seconds * (all - done) / done))
+    if [ -t 2 ]; then
+      printf '\rBuilding: %d of %d, about %d:%02d min left  ' "$done" "$all" $((left / 60)) $((left % 60)) >&2
+      [ "$done" -lt "$all" ] || printf '\n' >&2
+    elif [ $((10 * done / all)) -gt "$last" ]; then
+      last=$((10 * done / all))
+      printf 'Building: %d of %d, about %d:%02d min left\n' "$done" "$all" $((left / 60)) $((left % 60)) >&2
+    fi
+  done
+}
+
+# build PRESET TARGET…: configures on the first start, then builds what has changed. Program and tests share one folder,
+# so that nothing is compiled twice.
 build() {
-  local preset=$1 log
+  local preset=$1 folder=build/release log
   shift
   log=$(mktemp)
-  if [ ! -f "build/$preset/build.ninja" ]; then
-    echo "Configuring (build/$preset) …" >&2
+  if [ ! -f "$folder/build.ninja" ] ||
+     { [ "$preset" = ci ] && ! grep -q '^SUREFOOT_TESTS:.*=ON' "$folder/CMakeCache.txt"; }; then
+    echo "Configuring ($folder) …" >&2
     cmake --preset "$preset" >"$log" 2>&1 || { cat "$log" >&2; rm -f "$log"; exit 1; }
-    echo "Building, which takes a few minutes the first time …" >&2
   fi
-  cmake --build "build/$preset" --target "$@" >"$log" 2>&1 || { cat "$log" >&2; rm -f "$log"; exit 1; }
+  NINJA_STATUS='[%f/%t %e] ' cmake --build "$folder" --target "$@" 2>&1 | tee "$log" | show_progress ||
+    { echo >&2; cat "$log" >&2; rm -f "$log"; exit 1; }
   rm -f "$log"
 }
 

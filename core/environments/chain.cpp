@@ -6,8 +6,10 @@
 namespace surefoot {
 
 namespace {
-enum RewardTerm { kGoal, kFall };
-constexpr double kReward = 100.0;
+struct ChainTerms {
+  enum Term { Goal, Fall };
+};
+constexpr double kChainReward = 100.0;
 }  // namespace
 
 Chain::Chain() {
@@ -17,9 +19,9 @@ Chain::Chain() {
   task_.actionNames = {"left", "right"};
   task_.actionTitle = "move";
   task_.rewardTerms = {"goal", "fall"};
-  task_.goalReward = kReward;
-  task_.lowestReturn = -kReward;
-  task_.highestReturn = kReward;
+  task_.goalReward = kChainReward;
+  task_.lowestReturn = -kChainReward;
+  task_.highestReturn = kChainReward;
 }
 
 void Chain::reset(Random& random) {
@@ -31,11 +33,11 @@ Outcome Chain::step(Action action) {
   state_[0] += task_.actions[static_cast<std::size_t>(action)];
   Outcome outcome;
   if (state_[0] == 1) {
-    outcome.reward = outcome.terms[kFall] = -kReward;
+    outcome.reward = outcome.terms[ChainTerms::Fall] = -kChainReward;
     outcome.ending = Ending::Terminal;
     outcome.event = Event::Fall;
   } else if (state_[0] == kStates) {
-    outcome.reward = outcome.terms[kGoal] = kReward;
+    outcome.reward = outcome.terms[ChainTerms::Goal] = kChainReward;
     outcome.ending = Ending::Terminal;
     outcome.event = Event::Success;
   }

@@ -4,8 +4,10 @@
 namespace surefoot {
 
 namespace {
-enum RewardTerm { kTime, kFall };
-}
+struct CliffTerms {
+  enum Term { Time, Fall };
+};
+}  // namespace
 
 Cliff::Cliff() {
   kGrid.describe(task_);
@@ -23,18 +25,18 @@ Outcome Cliff::step(Action action) {
   constexpr double kGoal = kGrid.columns - 1.0;
   kGrid.move(state_, action);
   Outcome outcome;
-  outcome.terms[kTime] = -1.0;
+  outcome.terms[CliffTerms::Time] = -1.0;
   const auto [column, row] = state_;
   if (row == 0.0 && column == kGoal) {
     outcome.ending = Ending::Terminal;
     outcome.event = Event::Success;
   } else if (row == 0.0 && column > 0.0) {
-    outcome.terms[kTime] = 0.0;
-    outcome.terms[kFall] = -100.0;
+    outcome.terms[CliffTerms::Time] = 0.0;
+    outcome.terms[CliffTerms::Fall] = -100.0;
     outcome.event = Event::Fall;
     state_ = {0.0, 0.0};
   }
-  outcome.reward = outcome.terms[kTime] + outcome.terms[kFall];
+  outcome.reward = outcome.terms[CliffTerms::Time] + outcome.terms[CliffTerms::Fall];
   limit_.count(outcome);
   return outcome;
 }

@@ -4,16 +4,18 @@
 namespace surefoot {
 
 namespace {
-enum RewardTerm { kGoal, kFall };
-constexpr double kReward = 100.0;
+struct GridTerms {
+  enum Term { Goal, Fall };
+};
+constexpr double kGridReward = 100.0;
 }  // namespace
 
 GridWorld::GridWorld() {
   kGrid.describe(task_);
   task_.rewardTerms = {"goal", "fall"};
-  task_.goalReward = kReward;
-  task_.lowestReturn = -kReward;
-  task_.highestReturn = kReward;
+  task_.goalReward = kGridReward;
+  task_.lowestReturn = -kGridReward;
+  task_.highestReturn = kGridReward;
 }
 
 void GridWorld::reset(Random&) {
@@ -30,11 +32,11 @@ Outcome GridWorld::step(Action action) {
   Outcome outcome;
   const auto [column, row] = state_;
   if (column == kGrid.columns - 1.0 && row == kGrid.rows - 1.0) {
-    outcome.reward = outcome.terms[kGoal] = kReward;
+    outcome.reward = outcome.terms[GridTerms::Goal] = kGridReward;
     outcome.ending = Ending::Terminal;
     outcome.event = Event::Success;
   } else if (column >= kBadLeft && column <= kBadRight && row >= kBadBottom && row <= kBadTop) {
-    outcome.reward = outcome.terms[kFall] = -kReward;
+    outcome.reward = outcome.terms[GridTerms::Fall] = -kGridReward;
     outcome.ending = Ending::Terminal;
     outcome.event = Event::Fall;
   }

@@ -4,8 +4,10 @@
 namespace surefoot {
 
 namespace {
-enum RewardTerm { kRight, kLeft };
-}
+struct WalkTerms {
+  enum Term { Right, Left };
+};
+}  // namespace
 
 RandomWalk::RandomWalk() {
   task_.state = {cellVariable("state", 1, kStates)};
@@ -27,11 +29,11 @@ Outcome RandomWalk::step(Action) {
   state_[0] += way_.uniform() < 0.5 ? -1 : 1;
   Outcome outcome;
   if (state_[0] < 1) {
-    outcome.reward = outcome.terms[kLeft] = -1;
+    outcome.reward = outcome.terms[WalkTerms::Left] = -1;
     outcome.ending = Ending::Terminal;
     outcome.event = Event::Fall;
   } else if (state_[0] > kStates) {
-    outcome.reward = outcome.terms[kRight] = 1;
+    outcome.reward = outcome.terms[WalkTerms::Right] = 1;
     outcome.ending = Ending::Terminal;
     outcome.event = Event::Success;
   }

@@ -53,7 +53,7 @@ struct OfLife {
   const char* name;
   double (*value)(const Sums& during, const Sums& after, double stepTime);
 };
-constexpr OfLife kMeasures[] = {
+constexpr OfLife kOfLives[] = {
     {"falls", [](const Sums& d, const Sums&, double) { return d[Falls]; }},
     {"minutes", [](const Sums& d, const Sums&, double step) { return d[Transitions] * step / 60; }},
     {"success_during", [](const Sums& d, const Sums&, double) { return d[SuccessSteps] / d[Successes]; }},
@@ -96,7 +96,7 @@ std::map<std::string, std::vector<double>, std::less<>> resampledUntilEnd(const 
     for (std::size_t l = 0; l < lives.size(); ++l) times[l] = ofUnits[units.of[l]];
     const auto thisEnd = endOfLearning(meanAverages(lives, times), record.condition.goalReward);
     elsewhere = elsewhere || thisEnd != end;
-    for (const OfLife& m : kMeasures)
+    for (const OfLife& m : kOfLives)
       if (const double mean = meanUntil(m, lives, times, thisEnd, record.condition.stepTime); std::isfinite(mean))
         means[m.name].push_back(mean);
   }

@@ -10,7 +10,7 @@ namespace surefoot {
 namespace {
 using Clock = std::chrono::steady_clock;
 constexpr auto kFirstLook = std::chrono::seconds(1);
-constexpr int kShare = 10;  // measuring takes one part of the time in so many
+constexpr int kShareOfLooks = 10;  // measuring takes one part of the time in so many
 }  // namespace
 
 Result<LabView> viewOf(const Store& store) {
@@ -79,7 +79,7 @@ void LaboratoryThread::run(Store store, LabOptions options) {
     if (before < next || done == seen) return;
     look(s);
     seen = done;
-    next = Clock::now() + std::max<Clock::duration>(kFirstLook, kShare * (Clock::now() - before));
+    next = Clock::now() + std::max<Clock::duration>(kFirstLook, kShareOfLooks * (Clock::now() - before));
   };
   const auto result = runPlan(registry_, plan_, store, options);
   if (result) {

@@ -11,7 +11,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::int64_t kStretch = 1 << 16;           // [steps] between two looks at the clock
 constexpr auto kPatience = std::chrono::seconds(2);  // a pause that is over before leaves the disk alone
 constexpr auto kLook = std::chrono::milliseconds(20);
-constexpr int kShare = 50;  // keeping takes one part of the time in so many
+constexpr int kShareOfKeeping = 50;  // keeping takes one part of the time in so many
 
 class Keeper {
  public:
@@ -28,7 +28,7 @@ class Keeper {
     keep_();
     last_ = Clock::now();
     keptAt_ = life_.steps();
-    every_ = std::max<Clock::duration>(wanted_, kShare * (last_ - before));
+    every_ = std::max<Clock::duration>(wanted_, kShareOfKeeping * (last_ - before));
   }
   void keepIfDue() {
     if (Clock::now() - last_ >= every_) keepNow();

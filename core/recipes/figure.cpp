@@ -20,7 +20,7 @@ namespace surefoot {
 
 namespace {
 
-constexpr std::size_t kPoints = 361;  // of a curve against time
+constexpr std::size_t kCurvePoints = 361;  // of a curve against time
 
 std::string policyOf(const Evidence& e) {
   return textIn(e.configuration, "policy");
@@ -53,10 +53,10 @@ void addCurves(Figure& figure, const std::string& kind, const Chosen& chosen) {
                   : kind == "settling"       ? "change in 250 episodes"
                                              : "average reward";
   for (const Evidence* e : chosen) {
-    Curve curve = kind == "learning-curve"         ? learningCurve(e->record, kPoints)
+    Curve curve = kind == "learning-curve"         ? learningCurve(e->record, kCurvePoints)
                   : kind == "reward-against-falls" ? rewardAgainstFalls(e->record)
                   : kind == "settling"             ? settlingOf(*e)
-                                                   : cumulativeFalls(e->record, kPoints);
+                                                   : cumulativeFalls(e->record, kCurvePoints);
     figure.series.push_back({e->name(), policyOf(*e), std::move(curve.x), std::move(curve.y), {}});
   }
 }

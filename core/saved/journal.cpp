@@ -22,7 +22,7 @@ namespace surefoot {
 
 namespace {
 
-constexpr const char* kFormat = "1.0";
+constexpr const char* kJournalFormat = "1.0";
 
 std::string hashText(std::uint64_t hash) {
   return fmt::format("{:016x}", hash);
@@ -108,7 +108,7 @@ Status parseEnd(const Json& end, const std::string& name, Journal& journal) {
 }  // namespace
 
 std::string journalOf(const Configuration& c, const LifeResult& life) {
-  Json header = {{"surefoot_journal", kFormat},
+  Json header = {{"surefoot_journal", kJournalFormat},
                  {"program", kVersion},
                  {"lives_version", kLivesVersion},
                  {"configuration", Json(configurationAsJson(c))},

@@ -11,10 +11,6 @@ namespace surefoot {
 
 namespace {
 
-bool isDigit(char c) {
-  return c >= '0' && c <= '9';
-}
-
 /// Whether the comma at `at` may be one of thousands: one to three digits before it, three and no more behind it.
 bool mayGroup(std::string_view text, std::size_t at) {
   std::size_t begin = at, end = at + 1;

@@ -19,9 +19,6 @@ namespace {
 constexpr std::array<std::string_view, 10> kSuperscripts = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
 constexpr std::string_view kRaisedMinus = "⁻";
 
-bool isDigit(char c) {
-  return c >= '0' && c <= '9';
-}
 bool allDigits(std::string_view text) {
   return !text.empty() && std::all_of(text.begin(), text.end(), isDigit);
 }

@@ -7,6 +7,11 @@
 
 namespace surefoot {
 
+/// 0 … 9, whatever the locale.
+constexpr bool isDigit(char c) {
+  return c >= '0' && c <= '9';
+}
+
 /// 3.14159, 2 → "3.14"; −0.001, 2 → "0.00"; never "−0".
 std::string fixedText(double value, int decimals);
 

@@ -9,7 +9,7 @@ namespace {
 
 enum class Colour : int { Red, Blue };
 
-struct Settings {
+struct TestedSettings {
   double ratio = 0.25;
   int count = 3;
   Colour colour = Colour::Blue;
@@ -20,7 +20,7 @@ struct Settings {
   }
 };
 
-Parameters parametersOf(Settings& settings) {
+Parameters parametersOf(TestedSettings& settings) {
   Fields fields("part.");
   settings.declare(fields);
   Parameters parameters;
@@ -31,7 +31,7 @@ Parameters parametersOf(Settings& settings) {
 }  // namespace
 
 TEST(Parameters, TakeTheirDefaultsFromTheMembers) {
-  Settings settings;
+  TestedSettings settings;
   const Parameters parameters = parametersOf(settings);
   EXPECT_EQ(parameters.get("part.ratio"), 0.25);
   EXPECT_EQ(parameters.find("part.count")->parameter.fallback, 3);
@@ -39,12 +39,12 @@ TEST(Parameters, TakeTheirDefaultsFromTheMembers) {
 }
 
 TEST(Parameters, ApplyWritesEveryValueIntoItsMember) {
-  Settings settings;
+  TestedSettings settings;
   Parameters parameters = parametersOf(settings);
   ASSERT_TRUE(parameters.set("part.ratio", std::string_view("0.5")));
   ASSERT_TRUE(parameters.set("part.count", std::string_view("8")));
   ASSERT_TRUE(parameters.set("part.colour", std::string_view("red")));
-  Settings other;
+  TestedSettings other;
   Fields fields("part.");
   other.declare(fields);
   parameters.apply(fields);
@@ -54,7 +54,7 @@ TEST(Parameters, ApplyWritesEveryValueIntoItsMember) {
 }
 
 TEST(Parameters, RefuseAValueOutOfRangeWithKeyValueAndRange) {
-  Settings settings;
+  TestedSettings settings;
   Parameters parameters = parametersOf(settings);
   const Status status = parameters.set("part.ratio", std::string_view("1.5"));
   ASSERT_FALSE(status);
@@ -63,14 +63,14 @@ TEST(Parameters, RefuseAValueOutOfRangeWithKeyValueAndRange) {
 }
 
 TEST(Parameters, RefuseWhatIsNoFiniteNumber) {
-  Settings settings;
+  TestedSettings settings;
   Parameters parameters = parametersOf(settings);
   for (const char* text : {"", " ", "nan", "inf", "-inf", "1e999", "0.5x", "0,5", "0x1", "+-1", "--1", " 1", "1 ", "½"})
     EXPECT_FALSE(parameters.set("part.ratio", std::string_view(text))) << text;
 }
 
 TEST(Parameters, AnIntegerTakesNoFraction) {
-  Settings settings;
+  TestedSettings settings;
   Parameters parameters = parametersOf(settings);
   EXPECT_FALSE(parameters.set("part.count", std::string_view("2.5")));
   EXPECT_FALSE(parameters.set("part.count", 2.5));
@@ -78,7 +78,7 @@ TEST(Parameters, AnIntegerTakesNoFraction) {
 }
 
 TEST(Parameters, AnUnknownKeyNamesTheNearestKnownOne) {
-  Settings settings;
+  TestedSettings settings;
   Parameters parameters = parametersOf(settings);
   const Status status = parameters.set("part.coulor", std::string_view("red"));
   ASSERT_FALSE(status);

@@ -88,3 +88,5 @@ void BarButton::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace surefoot
+
+#include "moc_bar_button.cpp"

@@ -51,3 +51,5 @@ void Combo::wheelEvent(QWheelEvent* event) {
 }
 
 }  // namespace surefoot
+
+#include "moc_combo.cpp"

@@ -48,3 +48,5 @@ void LinkButton::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace surefoot
+
+#include "moc_link_button.cpp"

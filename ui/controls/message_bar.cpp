@@ -131,3 +131,5 @@ void MessageBar::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace surefoot
+
+#include "moc_message_bar.cpp"

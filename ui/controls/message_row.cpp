@@ -71,3 +71,5 @@ void MessageRow::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace surefoot
+
+#include "moc_message_row.cpp"

@@ -14,7 +14,7 @@ namespace surefoot {
 
 namespace {
 
-constexpr int kPadding = 12, kHeight = 32, kBaseline = 21, kButton = 24;  // [px], with texts of the usual size
+constexpr int kSide = 12, kHeader = 32, kBaseline = 21, kHeaderButton = 24;  // [px], with texts of the usual size
 
 class HeaderButton final : public Painted<QAbstractButton> {
  public:
@@ -77,11 +77,11 @@ QString wholeParts(const QString& note, const QFont& font, double room) {
 }  // namespace
 
 int PanelHeader::usualHeight() {
-  return kHeight;
+  return kHeader;
 }
 
 double PanelHeader::titleEnd() const {
-  return kPadding + QFontMetricsF(textFont(13, 500)).horizontalAdvance(title_);
+  return kSide + QFontMetricsF(textFont(13, 500)).horizontalAdvance(title_);
 }
 
 void PanelHeader::setTitle(const QString& title) {
@@ -121,8 +121,8 @@ void PanelHeader::resizeEvent(QResizeEvent*) {
   int right = width() - 6;
   for (QAbstractButton* button : {close_, button_})
     if (button && !button->isHidden()) {
-      place(*button, {right - kButton, (height() - kButton) / 2, kButton, kButton});
-      right -= kButton + 4;
+      place(*button, {right - kHeaderButton, (height() - kHeaderButton) / 2, kHeaderButton, kHeaderButton});
+      right -= kHeaderButton + 4;
     }
   if (!extra_) return;
   const int room = right - static_cast<int>(titleEnd()) - 8;
@@ -139,12 +139,12 @@ void PanelHeader::paintEvent(QPaintEvent*) {
   p.setPen(t.ink);
   p.setFont(textFont(13, 500));
   const double baseline = kBaseline;
-  p.drawText(QPointF(kPadding, baseline), title_);
+  p.drawText(QPointF(kSide, baseline), title_);
   const double x = titleEnd() + 8;
   const double right = extra_ && !extra_->isHidden()     ? placeOf(*extra_).x() - 8
                        : button_ && !button_->isHidden() ? placeOf(*button_).x() - 4
                        : floating_                       ? placeOf(*close_).x() - 4
-                                                         : width() - kPadding;
+                                                         : width() - kSide;
   p.setFont(textFont(11));
   p.setPen(t.quiet);
   drawSymbol(p, x, baseline, wholeParts(note_, p.font(), right - x));
@@ -163,3 +163,5 @@ Panel::Panel(const QString& title, const QString& name, QWidget* content, bool c
 }
 
 }  // namespace surefoot
+
+#include "moc_panel.cpp"

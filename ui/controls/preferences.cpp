@@ -126,3 +126,5 @@ void PreferencesDialog::change(const std::function<void(Preferences&)>& how) {
 }
 
 }  // namespace surefoot
+
+#include "moc_preferences.cpp"

@@ -68,3 +68,5 @@ void Slider::wheelEvent(QWheelEvent* event) {
 }
 
 }  // namespace surefoot
+
+#include "moc_slider.cpp"

@@ -154,3 +154,5 @@ QString verdictText(Verdict verdict) {
 }
 
 }  // namespace surefoot
+
+#include "moc_table_parts.cpp"

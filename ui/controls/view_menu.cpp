@@ -157,3 +157,5 @@ void ViewMenu::exportAs(const QString& ending) {
 }
 
 }  // namespace surefoot
+
+#include "moc_view_menu.cpp"

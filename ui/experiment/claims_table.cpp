@@ -17,8 +17,6 @@ namespace surefoot {
 
 namespace {
 
-enum Column { Code, Says, Thesis, Ours, P, VerdictIs, Why };
-
 /// A number with its interval; numbers of one row have one rounding.
 QString oursText(const Judgement& j, const QString& unit) {
   const double size = std::max(j.ours ? std::abs(*j.ours) : 0.0, j.high ? std::abs(*j.high) : 0.0);
@@ -95,3 +93,5 @@ void ClaimsTable::refresh() {
 }
 
 }  // namespace surefoot
+
+#include "moc_claims_table.cpp"

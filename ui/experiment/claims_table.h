@@ -19,6 +19,8 @@ class ClaimsTable final : public QTableWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
+  enum Column { Code, Says, Thesis, Ours, P, VerdictIs, Why };
+
   void refresh();
   void layOut();
 

@@ -133,3 +133,5 @@ void ConditionList::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace surefoot
+
+#include "moc_condition_list.cpp"

@@ -100,3 +100,5 @@ int Experiment::livesOf(const std::string& condition) const {
 }
 
 }  // namespace surefoot
+
+#include "moc_experiment.cpp"

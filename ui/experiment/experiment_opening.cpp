@@ -12,7 +12,7 @@ namespace surefoot {
 
 namespace {
 
-constexpr std::chrono::milliseconds kPatience(80);  // what takes no longer is there when open() returns
+constexpr std::chrono::milliseconds kOpeningPatience(80);  // what takes no longer is there when open() returns
 
 bool isStore(const std::string& path) {
   const auto head = readHead(path, 15);
@@ -97,7 +97,7 @@ Status Experiment::begin(Prepare prepare) {
                    else
                      Q_EMIT failed(toText(asked->made->error().message));
                  },
-                 kPatience);
+                 kOpeningPatience);
   asked->waiting = false;
   return asked->status;
 }

@@ -232,3 +232,5 @@ void ExperimentPage::refresh() {
 }
 
 }  // namespace surefoot
+
+#include "moc_experiment_page.cpp"

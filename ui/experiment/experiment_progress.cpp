@@ -71,3 +71,5 @@ void ExperimentProgress::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace surefoot
+
+#include "moc_experiment_progress.cpp"

@@ -8,7 +8,7 @@
 namespace surefoot {
 
 namespace {
-constexpr std::chrono::milliseconds kPatience(40);  // what takes no longer is there at once
+constexpr std::chrono::milliseconds kResultsPatience(40);  // what takes no longer is there at once
 }
 
 ExperimentResults::ExperimentResults(const Registry& registry, QObject* parent) : QObject(parent), registry_(registry) {
@@ -108,7 +108,7 @@ void ExperimentResults::make() {
         Q_EMIT changed();
         if (stale_) make();
       },
-      kPatience);
+      kResultsPatience);
 }
 
 std::shared_ptr<const Figure> figureOf(const Registry& registry, const FigureSpec& spec, const LabView& view,
@@ -120,3 +120,5 @@ std::shared_ptr<const Figure> figureOf(const Registry& registry, const FigureSpe
 }
 
 }  // namespace surefoot
+
+#include "moc_experiment_results.cpp"

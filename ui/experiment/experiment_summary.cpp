@@ -20,7 +20,7 @@ QString percent(double value) {
 }
 
 /// "(95 % interval 29 to 53 %)"; of fewer falls the smaller reduction comes first.
-QString intervalText(const Interval& i) {
+QString reductionText(const Interval& i) {
   if (!std::isfinite(i.low) || !std::isfinite(i.high)) return {};
   return ExperimentPage::tr(" (95 % interval %1 to %2 %)")
       .arg(toText(fixedText(-i.high, 0)), toText(fixedText(-i.low, 0)));
@@ -53,7 +53,7 @@ QString summaryOf(const Experiment& experiment) {
                                                                 .arg(toText(countText(experiment.livesPlanned())));
   QString text = ExperimentPage::tr("%1<b>%2 falls %3 % less than %4</b>%5.")
                      .arg(soFar, shownName(best->name).toHtmlEscaped(), percent(change.value),
-                          shownName(best->reference).toHtmlEscaped(), intervalText(change));
+                          shownName(best->reference).toHtmlEscaped(), reductionText(change));
   if (const ThesisVerdict* thesis = experiment.thesisOn(best->name); thesis && thesis->says.ends_with('%'))
     text += ExperimentPage::tr(" The thesis reports %1.").arg(toText(thesis->says).toHtmlEscaped());
   if (best->betweenQFunctions)

@@ -86,3 +86,5 @@ std::string FigurePanel::asCsv() const {
 }
 
 }  // namespace surefoot
+
+#include "moc_figure_panel.cpp"

@@ -21,8 +21,6 @@ namespace surefoot {
 
 namespace {
 
-enum Column { Name, Lives, Falls, PlusMinus, ChangeIs, Range, P, Holm, Mark, Time, Thesis, VerdictIs };
-
 QString signedText(double value) {
   if (!std::isfinite(value)) return QStringLiteral("–");
   return (value > 0 ? QStringLiteral("+") : QString()) + toText(fixedText(value, std::abs(value) < 9.95 ? 1 : 0));
@@ -158,3 +156,5 @@ void FindingsTable::fillRow(int row, const Finding& f) {
 }
 
 }  // namespace surefoot
+
+#include "moc_findings_table.cpp"

@@ -22,6 +22,8 @@ class FindingsTable final : public QTableWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  enum Column { Name, Lives, Falls, PlusMinus, ChangeIs, Range, P, Holm, Mark, Time, Thesis, VerdictIs };
+
   void refresh();
   void fillRow(int row, const Finding& finding);
   void showChosen();

@@ -194,3 +194,5 @@ void PlanEditor::use() {
 }
 
 }  // namespace surefoot
+
+#include "moc_plan_editor.cpp"

@@ -30,7 +30,8 @@ QString count(std::int64_t number) {
 
 QString beganAs(const RunningLife& life) {
   const QString beginning = life.beginning();
-  return beginning.isEmpty() ? CompareStrip::tr("began with an empty table") : CompareStrip::tr("began %1").arg(beginning);
+  return beginning.isEmpty() ? CompareStrip::tr("began with an empty table")
+                             : CompareStrip::tr("began %1").arg(beginning);
 }
 
 }  // namespace
@@ -173,3 +174,5 @@ void CompareStrip::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace surefoot
+
+#include "moc_compare_strip.cpp"

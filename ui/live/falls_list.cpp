@@ -145,3 +145,5 @@ void FallsList::paintEvent(QPaintEvent* event) {
 }
 
 }  // namespace surefoot
+
+#include "moc_falls_list.cpp"

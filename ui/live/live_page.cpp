@@ -279,3 +279,5 @@ void LivePage::showEvent(QShowEvent* event) {
 }
 
 }  // namespace surefoot
+
+#include "moc_live_page.cpp"

@@ -249,3 +249,5 @@ void Rival::setResting(bool resting) {
 }
 
 }  // namespace surefoot
+
+#include "moc_rival.cpp"

@@ -148,3 +148,5 @@ void RuleView::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace surefoot
+
+#include "moc_rule_view.cpp"

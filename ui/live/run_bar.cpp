@@ -212,3 +212,5 @@ void RunBar::refresh() {
 }
 
 }  // namespace surefoot
+
+#include "moc_run_bar.cpp"

@@ -117,3 +117,5 @@ void StepView::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace surefoot
+
+#include "moc_step_view.cpp"

@@ -59,3 +59,5 @@ void Background::cancel() {
 }
 
 }  // namespace surefoot
+
+#include "moc_background.cpp"

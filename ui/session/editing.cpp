@@ -81,3 +81,5 @@ void Editing::setScenario(const std::string& name) {
 }
 
 }  // namespace surefoot
+
+#include "moc_editing.cpp"

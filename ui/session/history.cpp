@@ -133,3 +133,5 @@ void History::exchange(std::shared_ptr<KeptLife>& kept) {
 }
 
 }  // namespace surefoot
+
+#include "moc_history.cpp"

@@ -137,3 +137,5 @@ NewLives::Make LifeFiles::makeOfJournal(const std::string& path) const {
 }
 
 }  // namespace surefoot
+
+#include "moc_life_files.cpp"

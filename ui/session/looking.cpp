@@ -127,3 +127,5 @@ SeenFalls Looking::seen() const {
 }
 
 }  // namespace surefoot
+
+#include "moc_looking.cpp"

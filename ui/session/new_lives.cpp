@@ -181,3 +181,5 @@ void NewLives::carryOver(const std::string& key, double value, Then then) {
 }
 
 }  // namespace surefoot
+
+#include "moc_new_lives.cpp"

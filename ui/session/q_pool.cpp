@@ -71,3 +71,5 @@ void QPool::take(PreLearned one, std::uint64_t run) {
 }
 
 }  // namespace surefoot
+
+#include "moc_q_pool.cpp"

@@ -13,8 +13,7 @@
 namespace surefoot {
 
 namespace {
-constexpr int kFrame = 16;         // [ms]
-constexpr int kValuesEvery = 100;  // [ms]
+constexpr int kFrame = 16;  // [ms]
 }  // namespace
 
 Result<std::unique_ptr<Life>> makeLifeToRun(const Registry& registry, const Configuration& configuration,
@@ -136,3 +135,5 @@ std::unique_ptr<Life> RunningLife::finish() {
 }
 
 }  // namespace surefoot
+
+#include "moc_running_life.cpp"

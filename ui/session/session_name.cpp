@@ -42,3 +42,5 @@ void SessionName::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace surefoot
+
+#include "moc_session_name.cpp"

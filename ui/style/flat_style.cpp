@@ -168,3 +168,5 @@ void FlatStyle::polish(QWidget* widget) {
 }
 
 }  // namespace surefoot
+
+#include "moc_flat_style.cpp"

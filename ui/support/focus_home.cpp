@@ -73,3 +73,5 @@ bool FocusHome::eventFilter(QObject* watched, QEvent* event) {
 }
 
 }  // namespace surefoot
+
+#include "moc_focus_home.cpp"

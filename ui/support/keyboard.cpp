@@ -88,3 +88,5 @@ void drawFocusRing(QPainter& painter, const QWidget& widget) {
 }
 
 }  // namespace surefoot
+
+#include "moc_keyboard.cpp"

@@ -223,3 +223,5 @@ void Autosave::finish() {
 }
 
 }  // namespace surefoot
+
+#include "moc_autosave.cpp"

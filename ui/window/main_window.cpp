@@ -164,3 +164,5 @@ void MainWindow::refresh() {
 }
 
 }  // namespace surefoot
+
+#include "moc_main_window.cpp"

@@ -105,3 +105,5 @@ void StatusLine::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace surefoot
+
+#include "moc_status_line.cpp"

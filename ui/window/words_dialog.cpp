@@ -111,3 +111,5 @@ void WordsDialog::showRow(int row) {
 }
 
 }  // namespace surefoot
+
+#include "moc_words_dialog.cpp"

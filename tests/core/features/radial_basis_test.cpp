@@ -16,7 +16,7 @@ StateVariable variable(double low, double high, double resolution) {
   return {.key = "x", .title = "x", .low = low, .high = high, .span = 1, .spanText = "1", .resolution = resolution};
 }
 
-Task taskWith(std::vector<StateVariable> state) {
+Task gaussianTask(std::vector<StateVariable> state) {
   Task task;
   task.state = std::move(state);
   task.actions = {0, 1};
@@ -35,7 +35,7 @@ RadialBasis mapFor(const Task& task, const std::vector<double>& width) {
 
 // By hand: centres at 0, 1 … 10, σ = 1, s = 5.25. The block is the 7 centres 2 … 8 around the nearest one, 5.
 TEST(RadialBasis, IsANormalisedGaussianOfEveryCentreNear) {
-  const RadialBasis map = mapFor(taskWith({variable(0, 10, 1)}), {1.0});
+  const RadialBasis map = mapFor(gaussianTask({variable(0, 10, 1)}), {1.0});
   ASSERT_EQ(map.size(), 11u);
   RadialBasis::Active x;
   EXPECT_EQ(map.find(std::vector<double>{5.25}, x), Cover::Inside);
@@ -50,7 +50,7 @@ TEST(RadialBasis, IsANormalisedGaussianOfEveryCentreNear) {
 }
 
 TEST(RadialBasis, SumsToOneInAnyNumberOfDimensions) {
-  const Task task = taskWith({variable(-1, 1, 4), variable(0, 3, 2), variable(-5, 5, 1)});
+  const Task task = gaussianTask({variable(-1, 1, 4), variable(0, 3, 2), variable(-5, 5, 1)});
   const RadialBasis map = mapFor(task, {0.1, 0.5, 1.0});
   Random random(9);
   for (int trial = 0; trial < 500; ++trial) {
@@ -67,7 +67,7 @@ TEST(RadialBasis, SumsToOneInAnyNumberOfDimensions) {
 
 // What tile coding cannot do (thesis, section 6.5): the same centres with a wide or a narrow reach.
 TEST(RadialBasis, WidthAndSpacingAreSetApart) {
-  const Task task = taskWith({variable(0, 10, 1)});
+  const Task task = gaussianTask({variable(0, 10, 1)});
   const RadialBasis narrow = mapFor(task, {0.3}), wide = mapFor(task, {3.0});
   EXPECT_EQ(narrow.size(), wide.size());
   const auto share = [](const RadialBasis& map) {  // how much of an update at 5 reaches the state 6
@@ -87,7 +87,7 @@ TEST(RadialBasis, WidthAndSpacingAreSetApart) {
 TEST(RadialBasis, WrapsAroundWhereTheVariableDoes) {
   StateVariable angle = variable(0, 1, 8);
   angle.period = 1.0;
-  const RadialBasis map = mapFor(taskWith({angle}), {0.1});
+  const RadialBasis map = mapFor(gaussianTask({angle}), {0.1});
   EXPECT_EQ(map.size(), 8u);
   RadialBasis::Active a, b;
   map.find(std::vector<double>{0.99}, a);
@@ -98,12 +98,12 @@ TEST(RadialBasis, WrapsAroundWhereTheVariableDoes) {
     EXPECT_NEAR(a.value[k], b.value[k], 1e-12);
   }
   angle.resolution = 2.5;
-  const Task odd = taskWith({angle});
+  const Task odd = gaussianTask({angle});
   EXPECT_FALSE(RadialBasis::create(odd, RadialBasis::Settings(odd)));
 }
 
 TEST(RadialBasis, AVeryNarrowGaussianTakesTheNearestCentre) {
-  const RadialBasis map = mapFor(taskWith({variable(0, 10, 1)}), {0.001});
+  const RadialBasis map = mapFor(gaussianTask({variable(0, 10, 1)}), {0.001});
   RadialBasis::Active x;
   map.find(std::vector<double>{4.4}, x);
   double best = 0.0;
@@ -115,7 +115,7 @@ TEST(RadialBasis, AVeryNarrowGaussianTakesTheNearestCentre) {
 }
 
 TEST(RadialBasis, TooManyAtOnceAreRefused) {
-  const Task task = taskWith({variable(0, 10, 100), variable(0, 10, 100)});
+  const Task task = gaussianTask({variable(0, 10, 100), variable(0, 10, 100)});
   RadialBasis::Settings settings(task);
   settings.width = {5.0, 5.0};
   const auto map = RadialBasis::create(task, settings);

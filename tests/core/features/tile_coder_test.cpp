@@ -18,7 +18,7 @@ StateVariable variable(const char* key, double low, double high, double resoluti
   return {.key = key, .title = key, .low = low, .high = high, .span = 1.0, .spanText = "1", .resolution = resolution};
 }
 
-Task taskWith(std::vector<StateVariable> state, int actions = 2) {
+Task tiledTask(std::vector<StateVariable> state, int actions = 2) {
   Task task;
   task.state = std::move(state);
   task.actions.assign(static_cast<std::size_t>(actions), 0.0);
@@ -44,7 +44,7 @@ std::vector<Index> active(const TileCoder& coder, std::vector<double> state) {
 // Thesis, Figure 4.2: 10 states, 3 tilings, tiles 3 states wide. By the formula floor((x + i)/3) the tiles with state 5
 // hold the states 3–5, 5–7 and 4–6, so an update of state 5 by 1 reaches the states 3 … 7 as 1/3, 2/3, 1, 2/3, 1/3.
 TEST(TileCoder, SpreadsAnUpdateAsInFigure42) {
-  const Task task = taskWith({variable("state", 0, 9, 1.0 / 3)});
+  const Task task = tiledTask({variable("state", 0, 9, 1.0 / 3)});
   const TileCoder coder = coderFor(task, 3);
   const auto updated = active(coder, {5});
   const std::vector<double> expected = {0, 0, 0, 1, 2, 3, 2, 1, 0, 0};
@@ -60,7 +60,7 @@ TEST(TileCoder, SpreadsAnUpdateAsInFigure42) {
 // Tiling i is displaced by (i, 3i): (2 + i)/4 = 0, 0, 1, 1 and (7 + 3i)/4 = 1, 2, 3, 4.
 // The state (0.3 + 0.125, 0.9) is step (3, 7), (3 + i)/4 = 0, 1, 1, 1: it shares the tilings 0, 2 and 3.
 TEST(TileCoder, DisplacesByOddNumbers) {
-  const Task task = taskWith({variable("x", 0, 1, 2), variable("y", 0, 1, 2)});
+  const Task task = tiledTask({variable("x", 0, 1, 2), variable("y", 0, 1, 2)});
   const TileCoder coder = coderFor(task, 4);
   const auto a = active(coder, {0.3, 0.9});
   const auto b = active(coder, {0.425, 0.9});
@@ -75,7 +75,7 @@ TEST(TileCoder, DisplacesByOddNumbers) {
 
 // Two states share the tile of tiling i exactly if Sutton's formula gives them the same tile in every dimension.
 TEST(TileCoder, PartitionsTheSpaceAsTheFormulaSays) {
-  const Task task = taskWith({variable("x", -2, 2, 1.7), variable("y", -3, 1, 0.8), variable("z", 0, 5, 2.9)});
+  const Task task = tiledTask({variable("x", -2, 2, 1.7), variable("y", -3, 1, 0.8), variable("z", 0, 5, 2.9)});
   for (const int n : {1, 3, 8, 16}) {
     const TileCoder coder = coderFor(task, n);
     Random random(17);
@@ -109,7 +109,7 @@ TEST(TileCoder, PartitionsTheSpaceAsTheFormulaSays) {
 }
 
 TEST(TileCoder, EveryTilingHasItsOwnNumbers) {
-  const Task task = taskWith({variable("x", -1, 1, 3), variable("y", -1, 1, 3)});
+  const Task task = tiledTask({variable("x", -1, 1, 3), variable("y", -1, 1, 3)});
   const TileCoder coder = coderFor(task, 8);
   Random random(3);
   std::vector<std::set<Index>> seen(8);
@@ -128,7 +128,7 @@ TEST(TileCoder, EveryTilingHasItsOwnNumbers) {
 TEST(TileCoder, AWrappingVariableIsTheSameAfterOnePeriod) {
   StateVariable angle = variable("angle", 0, 1, 5);
   angle.period = 1.0;
-  const Task task = taskWith({angle, variable("y", 0, 1, 2)});
+  const Task task = tiledTask({angle, variable("y", 0, 1, 2)});
   const TileCoder coder = coderFor(task, 8);
   for (const double a : {0.01, 0.13, 0.5, 0.77, 0.99}) {
     EXPECT_EQ(active(coder, {a, 0.4}), active(coder, {a + 1.0, 0.4}));
@@ -144,12 +144,12 @@ TEST(TileCoder, AWrappingVariableIsTheSameAfterOnePeriod) {
 TEST(TileCoder, AWrappingVariableNeedsAWholeNumberOfTiles) {
   StateVariable angle = variable("angle", 0, 1, 2.5);
   angle.period = 1.0;
-  const Task task = taskWith({angle});
+  const Task task = tiledTask({angle});
   EXPECT_FALSE(TileCoder::create(task, TileCoder::Settings(task)));
 }
 
 TEST(TileCoder, StatesOutsideUseTheEdgeAndSaySo) {
-  const Task task = taskWith({variable("x", -1, 1, 4)});
+  const Task task = tiledTask({variable("x", -1, 1, 4)});
   const TileCoder coder = coderFor(task, 8);
   TileCoder::Active x;
   EXPECT_EQ(coder.find(std::vector<double>{1.0}, x), Cover::Inside);
@@ -161,7 +161,7 @@ TEST(TileCoder, StatesOutsideUseTheEdgeAndSaySo) {
 }
 
 TEST(TileCoder, ATableBeyondTheLimitIsRefusedWithItsSize) {
-  const Task task = taskWith({variable("x", 0, 1, 1000), variable("y", 0, 1, 1000), variable("z", 0, 1, 1000)});
+  const Task task = tiledTask({variable("x", 0, 1, 1000), variable("y", 0, 1, 1000), variable("z", 0, 1, 1000)});
   const auto coder = TileCoder::create(task, TileCoder::Settings(task));
   ASSERT_FALSE(coder);
   EXPECT_NE(coder.error().message.find("features.z"), std::string::npos) << coder.error().message;
@@ -169,7 +169,7 @@ TEST(TileCoder, ATableBeyondTheLimitIsRefusedWithItsSize) {
 
 // Thesis, eq. 6.7 and section 6.2: 12 tiles × 16 tilings tell 192 positions per span apart.
 TEST(TileCoder, EffectiveResolutionIsTilesTimesTilings) {
-  const Task task = taskWith({variable("x", 0, 1, 12)});
+  const Task task = tiledTask({variable("x", 0, 1, 12)});
   const TileCoder coder = coderFor(task, 16);
   std::set<std::vector<Index>> distinct;
   for (int i = 0; i < 19200; ++i) distinct.insert(active(coder, {(i + 0.5) / 19200}));
@@ -178,7 +178,7 @@ TEST(TileCoder, EffectiveResolutionIsTilesTimesTilings) {
 
 // Thesis, section 6.5: a fine representation that covers only part of the states.
 TEST(TileCoder, OutsideItsBoxNoTileIsOn) {
-  const Task task = taskWith({variable("x", -1, 1, 10), variable("y", -1, 1, 10)});
+  const Task task = tiledTask({variable("x", -1, 1, 10), variable("y", -1, 1, 10)});
   TileCoder::Settings settings(task);
   settings.from[0] = -0.2;
   settings.to[0] = 0.3;

@@ -9,26 +9,26 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kGoal = 200;
+constexpr double kEndGoal = 200;
 
 /// Lives that fall less and less often, sooner or later: the share of falls halves every `halves` episodes.
 Evidence conditionOf(std::size_t lives, int episodes, Random& random) {
   Evidence e;
-  e.record.condition.goalReward = kGoal;
+  e.record.condition.goalReward = kEndGoal;
   e.record.condition.stepTime = 0.6;
   for (std::size_t l = 0; l < lives; ++l) {
     const double halves = 60 * (0.6 + 0.8 * random.uniform());
     auto& life = e.record.episodes.emplace_back();
     for (int k = 0; k < episodes; ++k) {
       const bool fall = random.uniform() < 0.6 * std::exp2(-k / halves) + 0.01;
-      life.push_back({50, fall ? -100.0 : kGoal, fall, fall ? EndingCode::Fall : EndingCode::Success});
+      life.push_back({50, fall ? -100.0 : kEndGoal, fall, fall ? EndingCode::Fall : EndingCode::Success});
     }
     StoredLife stored;
     stored.life = static_cast<int>(l);
     e.record.lives.push_back(stored);
   }
   e.averages = meanAverageRewards(e.record);
-  e.end = endOfLearning(e.averages, kGoal);
+  e.end = endOfLearning(e.averages, kEndGoal);
   e.lives = measure(e.record, e.end);
   e.untilOtherEnds = resampledUntilEnd(e.record, e.end);
   return e;

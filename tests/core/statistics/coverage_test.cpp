@@ -84,7 +84,7 @@ TwoConditions pooled(std::size_t lives, bool same, Random& random) {
 }
 
 /// Life i has the same seeds in both.
-TwoConditions paired(std::size_t lives, Random& random) {
+TwoConditions pairedLives(std::size_t lives, Random& random) {
   TwoConditions two{.trueBefore = 200, .trueAfter = 110, .same = true};
   for (Lives* l : {&two.before, &two.after}) l->units = Units::each(lives);
   for (std::size_t i = 0; i < lives; ++i) {

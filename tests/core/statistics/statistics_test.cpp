@@ -11,7 +11,7 @@ namespace surefoot {
 namespace {
 
 // R's data set PlantGrowth (Dobson 1983): dried weights of plants under a control and two treatments.
-const std::vector<double> kControl = {4.17, 5.58, 5.18, 6.11, 4.50, 4.61, 5.17, 4.53, 5.33, 5.14};
+const std::vector<double> kControlGroup = {4.17, 5.58, 5.18, 6.11, 4.50, 4.61, 5.17, 4.53, 5.33, 5.14};
 const std::vector<double> kFirst = {4.81, 4.17, 4.41, 3.59, 5.87, 3.83, 6.03, 4.89, 4.32, 4.69};
 const std::vector<double> kSecond = {6.31, 5.12, 5.54, 5.50, 5.37, 5.29, 4.92, 6.15, 5.80, 5.26};
 // R's data set sleep (Student 1908): hours gained by two drugs, by the same ten people.
@@ -21,7 +21,7 @@ const std::vector<double> kDrug2 = {1.9, 0.8, 1.1, 0.1, -0.1, 4.4, 5.5, 1.6, 4.6
 }  // namespace
 
 TEST(Statistics, OneWayAnovaOfPlantGrowth) {  // R: summary(aov(weight ~ group)): F 4.846, p 0.0159
-  const auto t = oneWayAnova({kControl, kFirst, kSecond});
+  const auto t = oneWayAnova({kControlGroup, kFirst, kSecond});
   ASSERT_TRUE(t);
   EXPECT_NEAR(t->statistic, 4.846, 5e-4);
   EXPECT_EQ(t->degrees1, 2);
@@ -64,13 +64,13 @@ TEST(Statistics, MeanIntervalByStudent) {  // t(0.975, 9) = 2.262157 (tables)
 }
 
 TEST(Statistics, BrownForsytheOfPlantGrowth) {  // R, car::leveneTest(weight ~ group): F 1.1192, p 0.3412
-  const auto t = brownForsytheTest({kControl, kFirst, kSecond});
+  const auto t = brownForsytheTest({kControlGroup, kFirst, kSecond});
   EXPECT_NEAR(t->statistic, 1.1192, 5e-5);
   EXPECT_NEAR(t->p, 0.3412, 5e-5);
 }
 
 TEST(Statistics, NormalityAsInScipy) {  // scipy.stats.normaltest, SciPy 1.10.1
-  std::vector<double> plants = kControl;
+  std::vector<double> plants = kControlGroup;
   plants.insert(plants.end(), kFirst.begin(), kFirst.end());
   plants.insert(plants.end(), kSecond.begin(), kSecond.end());
   EXPECT_NEAR(normalityTest(plants)->statistic, 0.5683353492831906, 1e-10);

@@ -21,13 +21,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kPlan =
+const std::string kStorePlan =
     "lives = 3\nseed = 5\n[base]\nenvironment = \"cliff\"\nfeatures = \"table\"\nepisodes = 30\n[[condition]]\n"
     "name = \"a\"\n";
 
 class StoreTest : public testing::Test {
  protected:
-  Plan plan(const std::string& text = kPlan, const std::string& path = "plan.toml") {
+  Plan plan(const std::string& text = kStorePlan, const std::string& path = "plan.toml") {
     auto made = parsePlan(registry, text, path, {});
     EXPECT_TRUE(made) << made.error().message;
     return *made;
@@ -229,7 +229,7 @@ TEST_F(StoreTest, AQFunctionCountsByItsValuesWhereverItLies) {
     TensorFile q = qFileOf(**life, c);
     if (name == "two") q.about["began_with"] = {{"file", "/home/somebody/old.safetensors"}, {"hash", "0"}};
     std::ofstream(folder.file(name + "/" + name + ".safetensors"), std::ios::binary) << q.write();
-    const std::string text = kPlan + "pre-learning.file = \"" + name + ".safetensors\"\n";
+    const std::string text = kStorePlan + "pre-learning.file = \"" + name + ".safetensors\"\n";
     const Plan p = plan(text, folder.file(name + "/plan.toml"));
     texts.push_back(p.conditions[0].text);
     seeds.push_back(p.conditions[0].configuration.seed);
@@ -253,7 +253,7 @@ TEST_F(StoreTest, AQFunctionCountsByItsValuesWhereverItLies) {
   auto store = Store::openToWrite(folder.file("one.sqlite"));
   auto again = planFromStore(registry, *store);
   ASSERT_TRUE(again) << again.error().message;
-  const Plan more = plan(kPlan + "pre-learning.file = \"two.safetensors\"\n", folder.file("two/plan.toml"));
+  const Plan more = plan(kStorePlan + "pre-learning.file = \"two.safetensors\"\n", folder.file("two/plan.toml"));
   again->lives = 4;
   ASSERT_TRUE(store->setLives(4));
   ASSERT_TRUE(runPlan(registry, *again, *store, {}));

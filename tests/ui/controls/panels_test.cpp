@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QToolButton>
 
+#include "tests/ui/pixels_of.h"
 #include "tests/ui/window_setup.h"
 #include "ui/live/live_page.h"
 #include "ui/live/maps/map_bar.h"
@@ -18,16 +19,7 @@
 
 namespace surefoot {
 
-namespace {
-
-int pixelsOf(const QImage& image, const QColor& colour) {
-  int count = 0;
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) count += image.pixelColor(x, y) == colour;
-  return count;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 TEST(MapBar, FoldsIntoOneMenuWithTheSameChoices) {
   Window w;

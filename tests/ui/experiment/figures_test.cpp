@@ -4,6 +4,7 @@
 #include <QWheelEvent>
 #include <set>
 
+#include "tests/ui/pixels_of.h"
 #include "tests/ui/window_setup.h"
 #include "ui/controls/table_parts.h"
 #include "ui/experiment/figures/figure_painter.h"
@@ -39,13 +40,6 @@ QImage drawn(const FigurePainter& painter, QSize size) {
   QPainter p(&image);
   painter.paint(p, lightTheme(), size);
   return image;
-}
-
-int pixelsOf(const QImage& image, const QColor& colour) {
-  int count = 0;
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) count += image.pixel(x, y) == colour.rgb();
-  return count;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QWheelEvent>
 
+#include "tests/ui/pixels_of.h"
 #include "tests/ui/window_setup.h"
 #include "ui/live/actions/action_rows.h"
 #include "ui/live/live_page.h"
@@ -19,13 +20,6 @@
 namespace surefoot {
 
 namespace {
-
-int pixelsOf(const QImage& image, const QColor& colour, const QRect& where) {
-  int count = 0;
-  for (int y = where.top(); y <= where.bottom(); ++y)
-    for (int x = where.left(); x <= where.right(); ++x) count += image.pixelColor(x, y) == colour;
-  return count;
-}
 
 int painted = 0;
 struct PaintCounter : QObject {

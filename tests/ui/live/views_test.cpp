@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QImage>
 
+#include "tests/ui/pixels_of.h"
 #include "tests/ui/window_setup.h"
 #include "ui/live/actions/action_rows.h"
 #include "ui/live/charts/learning_charts.h"
@@ -11,13 +12,6 @@
 namespace surefoot {
 
 namespace {
-
-int pixelsOf(const QImage& image, const QColor& colour) {
-  int count = 0;
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) count += image.pixelColor(x, y) == colour;
-  return count;
-}
 
 /// A window whose learner has run for a while and is paused.
 struct Learned : Window {

@@ -20,7 +20,7 @@ namespace surefoot {
 
 namespace {
 
-const char* const kPlan =
+const char* const kShortPlan =
     "lives = 2\n[[condition]]\nname = \"a\"\nenvironment = \"cliff\"\nfeatures = \"table\"\nepisodes = 5\n";
 
 /// Lets a test wait until nothing runs.
@@ -83,7 +83,7 @@ TEST(Experiment, APlansOwnFigureIsNotTakenForAStandardOne) {
   QTemporaryDir folder;
   Experiment experiment(registry, {}, folder.path());
   const std::string own = "[[figure]]\nname = \"falls\"\ntitle = \"Mine\"\nkind = \"settling\"\n";
-  ASSERT_TRUE(experiment.setText(kPlan + own));
+  ASSERT_TRUE(experiment.setText(kShortPlan + own));
   ASSERT_TRUE(waitFor([&] { return !experiment.isOpening(); }));
   std::set<std::string> names;
   for (const FigureSpec& figure : experiment.figures())
@@ -99,7 +99,8 @@ TEST(Experiment, AClaimOfAWrongTypeIsToldWhenThePlanIsRead) {
   Experiment experiment(registry, {}, folder.path());
   QString told;
   QObject::connect(&experiment, &Experiment::failed, [&](const QString& sentence) { told = sentence; });
-  const Status s = experiment.setText(std::string(kPlan) + "[[claim]]\nid = \"X\"\nkind = \"value\"\nmeasure = 3\n");
+  const Status s =
+      experiment.setText(std::string(kShortPlan) + "[[claim]]\nid = \"X\"\nkind = \"value\"\nmeasure = 3\n");
   ASSERT_TRUE(waitFor([&] { return !experiment.isOpening(); }));
   if (!s) told = QString::fromStdString(s.error().message);
   EXPECT_TRUE(told.contains("claim X: measure: a text is expected, not 3")) << told.toStdString();

@@ -192,7 +192,7 @@ TEST(MainWindow, PreferencesAreKeptAndApplyAtOnce) {
     Window w;
     PreferencesDialog dialog(w.window.get());
     for (auto* box : dialog.findChildren<QCheckBox*>())
-      if (box->text().startsWith("reduce")) box->setChecked(true);
+      if (box->text().startsWith("less of it")) box->setChecked(true);
     EXPECT_TRUE(reducedMotion());
   }
   EXPECT_TRUE(readPreferences().reduceMotion);

@@ -113,3 +113,5 @@ void FigureView::prepareExport(bool exporting) {
 }
 
 }  // namespace surefoot
+
+#include "moc_figure_view.cpp"

@@ -190,3 +190,5 @@ void ConditionForm::fillKeys() {
 }
 
 }  // namespace surefoot
+
+#include "moc_condition_form.cpp"

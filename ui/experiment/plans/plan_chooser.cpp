@@ -229,3 +229,5 @@ bool PlanChooser::eventFilter(QObject* object, QEvent* event) {
 }
 
 }  // namespace surefoot
+
+#include "moc_plan_chooser.cpp"

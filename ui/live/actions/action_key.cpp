@@ -89,3 +89,5 @@ void ActionKey::paintEvent(QPaintEvent*) {
 }
 
 }  // namespace surefoot
+
+#include "moc_action_key.cpp"

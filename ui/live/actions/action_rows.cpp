@@ -182,3 +182,5 @@ void ActionRows::mouseReleaseEvent(QMouseEvent*) {
 }
 
 }  // namespace surefoot
+
+#include "moc_action_rows.cpp"

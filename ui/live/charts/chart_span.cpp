@@ -126,3 +126,5 @@ void ChartSpan::setCursor(std::optional<double> at) {
 }
 
 }  // namespace surefoot
+
+#include "moc_chart_span.cpp"

@@ -269,3 +269,5 @@ double LearningChart::timeAt(double pixel) const {
 }
 
 }  // namespace surefoot
+
+#include "moc_learning_charts.cpp"

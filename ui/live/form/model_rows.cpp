@@ -155,3 +155,5 @@ Result<Configuration> ModelRows::model(Side side) const {
 }
 
 }  // namespace surefoot
+
+#include "moc_model_rows.cpp"

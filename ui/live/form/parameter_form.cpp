@@ -208,3 +208,5 @@ void ParameterForm::resetAll() {
 }
 
 }  // namespace surefoot
+
+#include "moc_parameter_form.cpp"

@@ -212,3 +212,5 @@ void ParameterRow::forgetRefusal() {
 }
 
 }  // namespace surefoot
+
+#include "moc_parameter_row.cpp"

@@ -26,9 +26,9 @@
 namespace surefoot {
 
 namespace {
-constexpr int kField = 104, kTable = 132;  // [px]
-constexpr QSize kRoomy(620, 580);          // [px] what it asks for
-constexpr int kScreenEdge = 48;            // [px] of the screen kept clear: the title bar
+constexpr int kNumberField = 104, kTable = 132;  // [px]
+constexpr QSize kRoomy(620, 580);                // [px] what it asks for
+constexpr int kScreenEdge = 48;                  // [px] of the screen kept clear: the title bar
 // Without an average reward: as long as the walkers of the laboratory pre-learn; in a task without a clock.
 constexpr double kMinutes = 120;
 constexpr std::int64_t kEpisodes = 1000;
@@ -114,8 +114,8 @@ void PreLearningDialog::makeLearning(QGridLayout* grid) {
   size_->setValue(5);
   size_->setAccessibleName(tr("Q-functions to learn"));
   whenScaled(this, [this] {
-    until_->setFixedWidth(scaled(kField));
-    size_->setFixedWidth(scaled(kField));
+    until_->setFixedWidth(scaled(kNumberField));
+    size_->setFixedWidth(scaled(kNumberField));
   });
   int row = grid->rowCount();
   auto* words = new QLabel(tr("ε-greedy, until the average reward is"));
@@ -245,3 +245,5 @@ void PreLearningDialog::refresh() {
 }
 
 }  // namespace surefoot
+
+#include "moc_pre_learning_dialog.cpp"

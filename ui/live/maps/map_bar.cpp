@@ -198,3 +198,5 @@ void MapBar::fillRange(QMenu& menu) {
 }
 
 }  // namespace surefoot
+
+#include "moc_map_bar.cpp"

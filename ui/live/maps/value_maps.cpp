@@ -188,3 +188,5 @@ void ValueMaps::focusOutEvent(QFocusEvent* event) {
 }
 
 }  // namespace surefoot
+
+#include "moc_value_maps.cpp"

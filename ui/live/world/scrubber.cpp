@@ -65,3 +65,5 @@ void Scrubber::refresh() {
 }
 
 }  // namespace surefoot
+
+#include "moc_scrubber.cpp"

@@ -14,8 +14,7 @@
 namespace surefoot {
 
 namespace {
-constexpr std::size_t kTrail = 14;  // frames
-constexpr double kJump = 0.05;      // the tip does not move that far in a frame [m]: the trail starts afresh
+constexpr double kJump = 0.05;  // the tip does not move that far in a frame [m]: the trail starts afresh
 }  // namespace
 
 WorldView::WorldView(RunningLife& life, Looking& looking, QWidget* parent)
@@ -127,3 +126,5 @@ void WorldView::focusInEvent(QFocusEvent* event) {
 }
 
 }  // namespace surefoot
+
+#include "moc_world_view.cpp"

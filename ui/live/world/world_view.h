@@ -72,7 +72,8 @@ class WorldView final : public Painted<> {
   double band_ = 0;                   // height of all below the floor, where nobody has moved the picture [px]
   double fit_ = 0;                    // [px/m]
   bool ring_ = false;
-  double camera_ = 0;  // what stands in the middle [m]
+  double camera_ = 0;                        // what stands in the middle [m]
+  static constexpr std::size_t kTrail = 14;  // frames
   std::deque<Point> trail_;
   double zoom_ = 1.0;
   QPointF pan_;                  // [px]

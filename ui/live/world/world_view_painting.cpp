@@ -28,7 +28,6 @@ constexpr double kHeadroom = 28;       // above the highest thing drawn
 constexpr double kCaption = 26;        // of two worlds: what acts in this one
 constexpr double kSide = 24;           // beside the widest
 constexpr double kMostScale = 1700;    // [px/m]
-constexpr std::size_t kTrail = 14;     // frames
 constexpr double kGap = 6;             // between symbol, value and unit [px]
 
 /// Room for the value: it stands still while its digits change.
