@@ -141,7 +141,7 @@ TEST(Coverage, OfConditionsThatShareTheirQFunctions) {
 }
 
 TEST(Coverage, OfPairs) {
-  expectCoverage("paired", paired);
+  expectCoverage("paired", pairedLives);
 }
 
 TEST(Coverage, LivesOfAPoolTakenForIndependentWouldNotHoldIt) {  // so the cells above can fail
