@@ -9,6 +9,7 @@
 #include "app/process/interrupt.h"
 #include "app/process/resources.h"
 #include "app/requests/requests.h"
+#include "core/recipes/recipe.h"
 #include "core/text/text.h"
 
 namespace surefoot {
@@ -141,9 +142,10 @@ Result<Request> makeExperimentRequest(const Registry& registry, const Experiment
     if (const Status s = readShard(*o.shard, request.lab); !s) return s.error();
   const auto path = findPlan(o.plan);
   if (!path) return path.error();
-  auto plan = readPlan(registry, *path, changes);
-  if (!plan) return plan.error();
-  request.plan = std::move(*plan);
+  // With its figures and claims: what is wrong with them should not be told after the lives.
+  auto recipe = readRecipe(registry, *path, changes);
+  if (!recipe) return recipe.error();
+  request.plan = std::move(recipe->plan);
   return Request(std::move(request));
 }
 

@@ -140,11 +140,8 @@ Result<Figure> makeFigure(const Registry& registry, const FigureSpec& spec, cons
     if (wanted && !e.lives.empty()) chosen.push_back(&e);
   }
   if (chosen.empty()) return Error{fmt::format("figure {}: no condition fits.", spec.name)};
-  if (isLiveFigure(spec.kind)) return makeLiveFigure(registry, spec, chosen);
-  const auto measures = measureNames();
-  if (std::find(measures.begin(), measures.end(), spec.measure) == measures.end())
-    return Error{fmt::format("figure {}: measure: there is no \"{}\"; it takes {}.", spec.name, spec.measure,
-                             joinWords(measures, "or"))};
+  if (const Status s = checkFigure(spec); !s) return s.error();
+  if (!needsLives(spec.kind)) return makeLiveFigure(registry, spec, chosen);
 
   Figure figure{.name = spec.name, .title = spec.title, .xTitle = {}, .yTitle = {}, .labels = {}, .series = {}};
   const std::vector<std::string> curves = {"learning-curve", "reward-against-falls", "cumulative-falls", "settling"};
@@ -152,8 +149,6 @@ Result<Figure> makeFigure(const Registry& registry, const FigureSpec& spec, cons
     addCurves(figure, spec.kind, chosen);
   else if (spec.kind == "bars")
     addBars(figure, spec, chosen, evidence);
-  else if (spec.kind != "against")
-    return Error{fmt::format("figure {}: there is no kind \"{}\".", spec.name, spec.kind)};
   else if (const Status s = addAgainst(registry, figure, spec, chosen); !s)
     return s.error();
   describeSeries(figure, chosen);

@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a figure shows, as numbers: for its CSV and for whoever draws it. Kinds: learning-curve, reward-against-falls,
-// cumulative-falls (curves with 95 % bands), settling (|A(k) − A(k − 250)| against episodes), bars (the mean of a
-// measure, an X where it differs from the reference with p < .01), against (the mean of a measure against a varied
-// parameter).
-//
-// Of policies and representations themselves: probabilities (of actions whose values are `q`), generalisation (how the
-// value changes along the first state variable when it is moved by 1 in `state`), values (along the first state
-// variable, before anything is learned), world (a picture of it), tilings (and which tiles hold `state`).
+// What a figure shows, as numbers: for its CSV and for whoever draws it.
 #pragma once
+
+#include <span>
+#include <string_view>
 
 #include "core/findings/evidence.h"
 #include "core/scene.h"
 
 namespace surefoot {
+
+/// A kind of figure: figure_kinds.cpp lists them.
+struct FigureKind {
+  enum class Needs { Nothing, Lives, Measure };  ///< Nothing: it is of policies and representations themselves
+  std::string_view name;
+  Needs needs;             ///< Measure: lives, and which measure of them
+  std::string_view shows;  ///< for a list of all kinds
+};
+std::span<const FigureKind> figureKinds();
 
 /// As a recipe states it.
 struct FigureSpec {
@@ -52,7 +57,10 @@ Result<Figure> makeFigure(const Registry& registry, const FigureSpec& spec, cons
 Result<Figure> makeLiveFigure(const Registry& registry, const FigureSpec& spec,
                               const std::vector<const Evidence*>& chosen);
 
-bool isLiveFigure(const std::string& kind);
+bool needsLives(const std::string& kind);
+
+/// Whether there is such a kind, and such a measure; an error names what there is.
+Status checkFigure(const FigureSpec& spec);
 
 /// A row a point: series, x, value, low, high, and of bars thesis; of a picture shape, x, y.
 std::string figureAsCsv(const Figure& figure);

@@ -102,16 +102,10 @@ Result<FigureSeries> section(const Registry& registry, const FigureSpec& spec, c
 
 }  // namespace
 
-bool isLiveFigure(const std::string& kind) {
-  for (const char* live : {"probabilities", "generalisation", "values", "world", "tilings"})
-    if (kind == live) return true;
-  return false;
-}
-
 Result<Figure> makeLiveFigure(const Registry& registry, const FigureSpec& spec,
                               const std::vector<const Evidence*>& chosen) {
   const auto refuse = [&](const std::string& what) { return Error{fmt::format("figure {}: {}.", spec.name, what)}; };
-  if (!isLiveFigure(spec.kind)) return refuse(fmt::format("\"{}\" is no figure without lives", spec.kind));
+  if (needsLives(spec.kind)) return refuse(fmt::format("\"{}\" is no figure without lives", spec.kind));
   if (spec.kind == "world" || spec.kind == "tilings") {
     const auto c = configurationOf(registry, *chosen[0]);
     if (!c) return refuse(c.error().message);

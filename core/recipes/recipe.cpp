@@ -84,6 +84,40 @@ std::string take(Json& block, const char* key) {
   return text;
 }
 
+/// All patterns that a claim names its conditions with.
+std::vector<std::string> patternsOf(const Claim& claim) {
+  std::vector<std::string> patterns;
+  const auto add = [&](const auto& self, const Json& value) -> void {
+    if (value.is_string()) patterns.push_back(value);
+    if (value.is_array())
+      for (const Json& element : value) self(self, element);
+  };
+  for (const char* key : {"conditions", "others", "pairs", "groups", "reference"})
+    if (claim.arguments.contains(key)) add(add, claim.arguments[key]);
+  for (const Json& row : partOf(claim.arguments, "rows"))
+    for (const char* key : {"condition", "of"})
+      if (row.is_object() && row.contains(key)) add(add, row[key]);
+  return patterns;
+}
+
+/// What a figure or a claim names must be there before lives are lived for it.
+Status checkNamed(const Recipe& recipe, const std::vector<std::string>& patterns) {
+  for (const std::string& pattern : patterns)
+    if (std::none_of(recipe.plan.conditions.begin(), recipe.plan.conditions.end(),
+                     [&](const Condition& c) { return fits(c.name, pattern); }))
+      return Error{fmt::format("conditions: none is called \"{}\".", shortened(pattern))};
+  return Done{};
+}
+
+Status checkMeasures(const Json& arguments) {
+  const auto measures = measureNames();
+  for (const char* key : {"measure", "other"})
+    if (arguments.contains(key) && std::find(measures.begin(), measures.end(), arguments[key]) == measures.end())
+      return Error{
+          fmt::format("{}: there is no {}; it takes {}.", key, jsonText(arguments[key]), joinWords(measures, "or"))};
+  return Done{};
+}
+
 Status readFigures(const Json& blocks, Recipe& recipe) {
   static const Keys kKeys = {{"name", Takes::Text},        {"title", Takes::Text},   {"kind", Takes::Text},
                              {"conditions", Takes::Texts}, {"measure", Takes::Text}, {"along", Takes::Text},
@@ -104,6 +138,9 @@ Status readFigures(const Json& blocks, Recipe& recipe) {
     for (const Json& number : partOf(block, "state")) figure.state.push_back(number);
     if (figure.name.empty() || figure.name.find_first_of("/\\") != std::string::npos)
       return wrong("figure", figure.name, "a name is needed, without a slash.");
+    if (const Status s = checkFigure(figure); !s) return s;
+    if (const Status s = checkNamed(recipe, figure.conditions); !s)
+      return wrong("figure", figure.name, s.error().message);
     if (!names.insert(figure.name).second)
       return wrong("figure", figure.name, "there are two of this name; every figure needs one of its own.");
     recipe.figures.push_back(std::move(figure));
@@ -149,25 +186,11 @@ Status readClaims(const Json& blocks, Recipe& recipe) {
     block.erase("calibrated");
     claim.arguments = std::move(block);
     if (const Status s = checkKind(claim); !s) return s;
+    for (const Status& s : {checkMeasures(claim.arguments), checkNamed(recipe, patternsOf(claim))})
+      if (!s) return wrong("claim", id, s.error().message);
     recipe.claims.push_back(std::move(claim));
   }
   return Done{};
-}
-
-/// All patterns that a claim names its conditions with.
-std::vector<std::string> patternsOf(const Claim& claim) {
-  std::vector<std::string> patterns;
-  const auto add = [&](const auto& self, const Json& value) -> void {
-    if (value.is_string()) patterns.push_back(value);
-    if (value.is_array())
-      for (const Json& element : value) self(self, element);
-  };
-  for (const char* key : {"conditions", "others", "pairs", "groups", "reference"})
-    if (claim.arguments.contains(key)) add(add, claim.arguments[key]);
-  for (const Json& row : partOf(claim.arguments, "rows"))
-    for (const char* key : {"condition", "of"})
-      if (row.is_object() && row.contains(key)) add(add, row[key]);
-  return patterns;
 }
 
 }  // namespace

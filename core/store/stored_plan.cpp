@@ -109,7 +109,7 @@ Result<Plan> planFromStore(const Registry& registry, const Store& store) {
     if (!condition) return condition.error();
     plan.conditions.push_back(std::move(*condition));
   }
-  // What it would be written as now: a parameter that the store does not know yet would make other lives.
+  // What it would be written as now: a parameter with another value would make other lives.
   const auto again = planToStore(registry, plan);
   if (!again) return again.error();
   if (const Status s = checkSamePlan(*stored, *again, store.path()); !s) return s.error();
@@ -128,6 +128,26 @@ Status checkLivesVersion(const std::vector<StoredLife>& lives, const std::string
   return Done{};
 }
 
+namespace {
+
+/// Takes parameters of policies out that the other one does not know: such a policy came to the program later, and no
+/// condition there has it.
+void leaveOutNewer(Json& json, const Json& other) {
+  for (auto& [key, value] : json.items()) {
+    if (!value.is_object() || !other.contains(key)) continue;
+    if (key != "parameters") {
+      leaveOutNewer(value, other[key]);
+      continue;
+    }
+    for (auto parameter = value.begin(); parameter != value.end();)
+      parameter = parameter.key().starts_with("policy.") && !other[key].contains(parameter.key())
+                      ? value.erase(parameter)
+                      : std::next(parameter);
+  }
+}
+
+}  // namespace
+
 Status checkSamePlan(const StoredPlan& stored, const StoredPlan& plan, const std::string& path) {
   const auto differs = [&](const std::string& what, const auto& there, const auto& here) {
     return fileError(path, fmt::format("it belongs to another plan: {} is {} there and {} here.", what, there, here));
@@ -145,7 +165,9 @@ Status checkSamePlan(const StoredPlan& stored, const StoredPlan& plan, const std
     if (there.text != here.text) return differs(which, there.text, here.text);
     if (there.configuration != here.configuration) {
       const auto theirs = parseJson(there.configuration);
-      const auto ours = parseJson(here.configuration);
+      auto ours = parseJson(here.configuration);
+      leaveOutNewer(ours, theirs);
+      if (ours == theirs) continue;
       const std::string whole = fmt::format("{} ({})", which, here.name);
       if (const auto d = firstDifference(theirs, ours, whole)) return differs(d->where, d->theirs, d->ours);
       const auto d = firstDifference(ours, theirs, whole);  // something that only the store has

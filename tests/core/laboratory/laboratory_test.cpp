@@ -72,6 +72,20 @@ TEST_F(LaboratoryTest, AnotherConfigurationIsNamedByItsFirstDifference) {
       << s.error().message;
 }
 
+// A policy that the program has learned since: no condition of the store has it.
+TEST_F(LaboratoryTest, AParameterOfANewPolicyIsNoDifference) {
+  const auto ours = planToStore(registry, plan());
+  auto theirs = *ours;
+  for (StoredCondition& c : theirs.conditions) {
+    auto json = nlohmann::json::parse(c.configuration);
+    ASSERT_EQ(json["parameters"].erase("policy.temperature"), 1u);
+    c.configuration = json.dump();
+  }
+  const Status s = checkSamePlan(theirs, *ours, "results.sqlite");
+  EXPECT_TRUE(s) << s.error().message;
+  EXPECT_FALSE(checkSamePlan(*ours, theirs, "results.sqlite")) << "one that is gone is one";
+}
+
 TEST_F(LaboratoryTest, AStoredLifeIsTheLifeThatTrainWouldLive) {
   Store store = make("s");
   run(store, {.jobs = 2});

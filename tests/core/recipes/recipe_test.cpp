@@ -38,6 +38,8 @@ TEST(Recipe, AnArgumentOfAnotherTypeIsToldWithWhatIsExpected) {
   expectTold(other + "calibrated = \"yes\"\n", {"calibrated", "true or false"});
   expectTold(other + "pairs = [\"a\"]\n", {"pairs", "a list of lists of texts"});
   expectTold(other + "rows = [1]\n", {"rows", "a list of tables"});
+  expectTold(claim + "measure = \"fals\"\n", {"claim X", "measure", "no \"fals\"", "falls"});
+  expectTold(other + "conditions = [\"a\", \"c\"]\n", {"claim X", "conditions", "none is called \"c\""});
   expectTold(other + "q = [\"a\"]\n", {"q", "a list of numbers"});
   expectTold(other + "mesure = \"falls\"\n", {"claim X", "mesure", "did you mean measure"});
   expectTold("[[claim]]\nid = 3\nkind = \"value\"\n", {"id", "a text is expected, not 3"});
@@ -52,6 +54,9 @@ TEST(Recipe, AFiguresArgumentsAreCheckedToo) {
   expectTold(figure + "conditions = [1]\n", {"figure f", "conditions", "a list of texts"});
   expectTold(figure + "q = [\"x\"]\n", {"figure f", "q", "a list of numbers"});
   expectTold(figure + "colour = \"red\"\n", {"figure f", "colour"});
+  expectTold(figure + "measure = \"fals\"\n", {"figure f", "measure", "no \"fals\"", "falls"});
+  expectTold(figure + "conditions = [\"b*\"]\n", {"figure f", "conditions", "none is called \"b*\""});
+  expectTold("[[figure]]\nname = \"f\"\nkind = \"learning-kurve\"\n", {"figure f", "kind", "learning-curve"});
   expectTold("[[figure]]\nname = \"a/b\"\n", {"a/b", "without a slash"});
   expectTold("[[figure]]\nkind = \"bars\"\n", {"a name is needed"});
   expectTold(figure + figure, {"figure f", "there are two of this name"});
