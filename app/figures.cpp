@@ -17,7 +17,7 @@ struct FigureDrawer::Application {
 
 FigureDrawer::FigureDrawer() {
   qputenv("QT_QPA_PLATFORM", "offscreen");
-  qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});  // remarks on the platform
+  qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});  // no remarks on the platform
   application_ = std::make_unique<Application>();
   applyAppearance(application_->qt, Appearance::Light);
 }

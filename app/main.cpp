@@ -25,19 +25,19 @@ int fail(const Error& error) {
 }
 
 void tellNote(const Store& store) {
-  if (!store.note().empty()) fail(Error{store.note(), ErrorKind::File});  // the sentence only; it goes on
+  if (!store.note().empty()) fail(Error{store.note(), ErrorKind::File});  // only prints; the program goes on
 }
 
 int print(const std::string& content) {
   const std::string text = printable(content);
   if (std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0) return kDone;
-  if (errno == EPIPE) return kDone;  // `… | head` has read what it wanted
+  if (errno == EPIPE) return kDone;  // the reader has enough, as in `… | head`
   return fail({fmt::format("standard output cannot be written: {}.", std::strerror(errno)), ErrorKind::File});
 }
 
 namespace {
 
-/// An empty name is a slip, of a script for instance whose variable is not set; nothing is written to "/" for that.
+/// An empty name is a mistake, for example an unset variable in a script; it must not lead to files in "/".
 Status checkNoneIsEmpty(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string_view text = argv[i], before = argv[i - 1];
@@ -61,7 +61,7 @@ int run(int argc, char** argv) {
   if (const Status s = checkNoneIsEmpty(argc, argv); !s) return fail(s.error());
   const Result<Request> request = parseCommandLine(registry, argc, argv);
   if (!request) return fail(request.error());
-  if (std::holds_alternative<WindowRequest>(*request))  // Qt has no other names
+  if (std::holds_alternative<WindowRequest>(*request))  // Qt's file names must be UTF-8
     for (int i = 1; i < argc; ++i)
       if (!isUtf8(argv[i]))
         return fail({fmt::format("argument {}: it is no UTF-8 text, as names of files in the window must be.", i)});

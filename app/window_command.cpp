@@ -31,8 +31,8 @@ Error noDisplay() {
       fmt::format("there is no display for the window{}; `surefoot train --minutes 9` learns without one.", tried)};
 }
 
-/// Qt ends the program itself where there is no display, after several lines: say it in one sentence. Its remarks on
-/// the platform are of no use to anyone.
+/// Without a display, Qt prints several lines and ends the program: this prints one sentence instead. Qt's remarks on
+/// the platform help nobody and are left out.
 void onMessage(QtMsgType type, const QMessageLogContext& context, const QString& text) {
   if (type == QtFatalMsg) _exit(fail(noDisplay()));
   const QLatin1String category(context.category);
@@ -41,7 +41,7 @@ void onMessage(QtMsgType type, const QMessageLogContext& context, const QString&
   std::fprintf(stderr, "%s\n", qPrintable(text));
 }
 
-/// Under which heading the list of experiments has a recipe.
+/// The heading of a recipe in the list of experiments.
 std::string groupOf(const ShippedPlan& plan) {
   if (plan.name.starts_with("walker")) return "Walking robot LEO";
   if (plan.name.starts_with("beyond") || plan.name == "readings") return "Beyond the thesis";
@@ -50,7 +50,7 @@ std::string groupOf(const ShippedPlan& plan) {
   return plan.name.starts_with("5.") ? "Chapter 5: Softmax" : "Chapter 6: resolution, and two Q-functions";
 }
 
-/// What `train` would report of the life that the window ran, with the configuration that it ran under in the end.
+/// Reports the window's life as `train` does, with the life's configuration at the end.
 int report(const WindowRequest& request, const Configuration& configuration, const Life& life,
            std::optional<WholeFile> log) {
   const std::vector<LifeResult> lives = {summarise(life, 0, 0.0)};
@@ -61,7 +61,7 @@ int report(const WindowRequest& request, const Configuration& configuration, con
   return life.diverged() ? fail({life.divergence(), ErrorKind::Diverged}) : kDone;
 }
 
-/// Nothing that is thrown in a slot ends the program, and the life with it: it is told in the window.
+/// An exception in a slot does not end the program and the life: the window shows it.
 class Application final : public QApplication {
  public:
   using QApplication::QApplication;
@@ -102,7 +102,7 @@ int windowCommand(const Registry& registry, const WindowRequest& request, int ar
   for (const ShippedPlan& plan : allShipped(registry))
     setup.plans.push_back({plan.title, plan.path, plan.recipe, plan.recipe ? groupOf(plan) : "", plan.name, plan.shows,
                            plan.answers, plan.minutes});
-  setup.asksOnQuit = !request.json && !request.log;  // then quitting writes what came out
+  setup.asksOnQuit = !request.json && !request.log;  // with these, quitting writes the results
   MainWindow window(session, std::move(setup));
   window.show();
   application.tell = [&session](const QString& sentence) { Q_EMIT session.newLives().refused(sentence); };

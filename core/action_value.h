@@ -13,14 +13,14 @@
 
 namespace surefoot {
 
-/// What a table of features holds. A dense one has a place for every feature.
+/// The memory of a table of features. A dense table has a slot for every feature.
 struct MemoryUse {
   std::size_t slots = 0;
-  std::optional<std::size_t> occupied;        ///< of a hashed table
-  std::optional<std::int64_t> failedLookUps;  ///< of a hashed table, since the life began
+  std::optional<std::size_t> occupied;        ///< slots in use, in a hashed table
+  std::optional<std::int64_t> failedLookUps;  ///< in a hashed table, since the life began
 };
 
-/// The eligibility of a weight. Lists of them are in the order of the weights; what is not in one has none.
+/// The eligibility of a weight. Lists of them are in the order of the weights; a weight not in the list has none.
 struct Eligibility {
   std::uint64_t weight = 0;
   float z = 0.0f;
@@ -45,7 +45,7 @@ class ActionValueFunction {
 
   /// The weights, a table for each estimate.
   virtual std::vector<std::vector<double>> tables() const = 0;
-  /// What each table holds.
+  /// The memory of each table.
   virtual std::vector<MemoryUse> memoryUse() const = 0;
   /// Memory of a copy [bytes], about.
   virtual std::size_t bytes() const = 0;

@@ -32,27 +32,27 @@ class Agent : public Scheduling {
   virtual void abandon() = 0;
 
   virtual const ActionValueFunction& values() const = 0;
-  /// z of the weights that have a trace, for those who look.
+  /// z of the weights that have a trace, for display.
   virtual void eligibility(std::vector<Eligibility>& z) const = 0;
-  /// What each estimate learned in the last step.
+  /// The last learning step of each estimate.
   virtual std::vector<NamedStep> lastSteps() const = 0;
   /// The values have left any sensible range; the life should stop.
   virtual bool diverged() const = 0;
   /// How many states so far lay outside the range that the features cover.
   virtual std::int64_t statesOutside() const = 0;
 
-  /// The estimates by name, with the layout of their features: what a file must share with this agent to fit it.
+  /// The estimates by name, with the layout of their features. A file fits this agent only if its layouts are the same.
   virtual Json layouts() const = 0;
   /// Moves q̂(s, ·) of one layer towards `q`, closing the given share of the error, and counts its features as visited
   /// at least so often. For carrying a function over into this agent's representation; not a learning step.
   virtual void fit(std::span<const double> state, Layer layer, std::span<const double> q, double share,
                    double visits) = 0;
-  /// What was learned, to a file or from one: the tables of the estimates.
+  /// Writes or reads the learned tables of the estimates.
   virtual void transferValues(Archive& archive) = 0;
-  /// Everything else that a life needs to go on in the middle of an episode.
+  /// Writes or reads everything else that a life needs to go on in the middle of an episode.
   virtual void transferLearning(Archive& archive) = 0;
 
-  /// From the next choice on. The policy must outlive its use.
+  /// The policy from the next choice on. It must outlive its use.
   virtual void setPolicy(const Policy& policy) { policy_ = &policy; }
 
  protected:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A world with a task: what a learner acts in.
+// A world with a task, in which a learner acts.
 #pragma once
 
 #include <memory>
@@ -42,32 +42,31 @@ struct ActionVariable {
   double resolution = 1.0;  ///< default number of tiles per unit: actions that are near share what they learn
 };
 
-/// Something besides reward and falls by which an episode is measured, such as the distance walked. Adds up over
-/// episodes.
+/// A measure of an episode besides reward and falls, for example the distance walked. It is summed over episodes.
 struct TaskMeasure {
   std::string key{};    ///< "distance"
   std::string title{};  ///< "distance"
   std::string unit{};   ///< "m"
 };
 
-/// What can be said of a task before it starts.
+/// Everything that is known of a task before it starts.
 struct Task {
   std::vector<StateVariable> state;
   std::vector<double> actions;                      ///< the physical value of every action, e.g. a torque in N m
-  std::vector<std::string> actionNames{};           ///< what to call them, if a number says nothing: "up"
+  std::vector<std::string> actionNames{};           ///< names where a number says too little: "up"
   std::vector<ActionVariable> actionVariables{};    ///< where an action is a combination; empty: it is one number
   std::string actionTitle;                          ///< "torque"
   std::string actionSymbol;                         ///< "T"
   std::string actionUnit;                           ///< "N m"
   std::vector<std::string> rewardTerms;             ///< names of Outcome::terms, in their order
-  std::optional<double> goalReward{};               ///< of a success, if there is such a reward
-  double timeReward = 0.0;                          ///< of every step
+  std::optional<double> goalReward{};               ///< reward of a success, if the task has one
+  double timeReward = 0.0;                          ///< reward of every step
   std::vector<TaskMeasure> measures{};              ///< at most kMaxMeasures
   int testEvery = 0;                                ///< episodes between two tests of the greedy policy; 0: none
   std::optional<double> stepTime{};                 ///< [s] simulated per step; none: the task has no clock
   bool handMade = false;                            ///< step() knows kHandMade
   bool canFall = true;                              ///< an event can be a fall; else only successes are counted
-  double lowestReturn = -1.0, highestReturn = 1.0;  ///< reward of an episode, as far as it is bounded: axes start there
+  double lowestReturn = -1.0, highestReturn = 1.0;  ///< bounds of an episode's reward, if any: axes start there
 };
 
 /// The place of a measure in Task::measures, if the task has it.
@@ -126,7 +125,7 @@ class Environment : public Configurable {
   /// The numbers below the picture.
   virtual std::vector<ReadOut> readOuts(std::span<const double> pose) const = 0;
 
-  /// Whether the parameters go together: what no range of a single one can say. Names the keys.
+  /// Whether the parameters fit together, which their ranges alone cannot say. The error names the keys.
   virtual Status check() const { return Done{}; }
   /// Parameters were changed through declare(): from here on they hold. Called between two episodes.
   virtual void parametersChanged() {}

@@ -10,7 +10,7 @@
 namespace surefoot {
 
 struct Word {
-  std::string name;     ///< of a thing that can be chosen, as in the registry; empty: a term
+  std::string name;     ///< name in the registry, if it can be chosen; empty: a term
   std::string title;    ///< "ε-greedy"
   std::string formula;  ///< in plain text; empty where there is none
   std::string text;     ///< what it means
@@ -20,7 +20,7 @@ struct Word {
 /// All of them: policies, learning rules, representations, environments, then terms.
 const std::vector<Word>& glossary();
 
-/// The word of a thing that can be chosen; nullptr: there is none, which a test forbids.
+/// The word for an entry that can be chosen; nullptr: there is none, which a test forbids.
 const Word* wordOf(std::string_view name);
 
 /// Whether a text that someone looks for, in any case, stands in the word.

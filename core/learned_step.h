@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What one estimate learned in its last step, for those who want it explained.
+// The last learning step of one estimate, to explain it to the user.
 #pragma once
 
 #include <string>
@@ -9,12 +9,12 @@ namespace surefoot {
 /// δ = reward + next − before (Sutton & Barto 2018, section 12.7).
 struct LearnedStep {
   double reward = 0.0;
-  double next = 0.0;    ///< γ times the value of what follows, before the update; 0 after a terminal outcome
-  double before = 0.0;  ///< q̂(S, A) before it
+  double next = 0.0;    ///< γ times the next state's value, before the update; 0 after a terminal outcome
+  double before = 0.0;  ///< q̂(S, A) before the update
   double delta() const { return reward + next - before; }
 };
 
-/// Of an agent's estimate: "q", "positive", "negative".
+/// The last step of an agent's estimate with its name: "q", "positive", "negative".
 struct NamedStep {
   std::string name;
   LearnedStep step;

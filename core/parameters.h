@@ -43,7 +43,7 @@ struct Parameter {
   Kind kind = Kind::Real;
   std::vector<std::string> choices{};  ///< names of the values 0, 1, … of a choice
   int order = 1;                       ///< 1: always in the form; 2: in a larger window; 3: only when asked for
-  std::string needs{};                 ///< key of a choice; while that is its first, this parameter has no effect
+  std::string needs{};                 ///< key of a choice; while it has its first value, this parameter has no effect
   double fallback = 0.0;               ///< the default; filled in from the member
 };
 
@@ -56,7 +56,7 @@ std::string formatValue(const Parameter& parameter, double value);
 /// Reads a value from text; the error names key, text and what is allowed. NaN and infinity are never allowed.
 Result<double> parseValue(const Parameter& parameter, std::string_view text);
 
-/// The same check for a number that is one already.
+/// The same check for a value that is a number already.
 Result<double> checkValue(const Parameter& parameter, double value);
 
 /// A number from text, nothing before or behind it, finite; independent of the locale.
@@ -92,7 +92,7 @@ class Fields {
   void under(const std::string& prefix, const std::string& title, const std::function<void(Fields&)>& declare);
   /// Moves a parameter declared so far to another place in the form (Parameter::order).
   void setOrder(std::string_view key, int order);
-  /// Everything declared so far whose key begins with `prefix` has no effect while a choice is its first.
+  /// Parameters declared so far with keys that begin with `prefix` have no effect while `choice` has its first value.
   void setNeeds(std::string_view prefix, const std::string& choice);
   const std::vector<Field>& all() const { return fields_; }
 

@@ -17,7 +17,7 @@
 
 namespace surefoot {
 
-/// What every entry tells of itself.
+/// The description that every entry has.
 struct Named {
   std::string name;   ///< in files and on the command line: "epsilon-greedy"
   std::string title;  ///< in the window: "ε-greedy"
@@ -34,19 +34,19 @@ struct PolicyEntry : Named {
 
 /// A set of parameter values by name: a scenario of the thesis, a preset.
 struct AssignmentEntry : Named {
-  std::string environment;  ///< for which it is meant
+  std::string environment;  ///< the environment that it is meant for
   std::vector<std::pair<std::string, double>> values;
 };
 
 struct FeatureEntry : Named {};
 
-/// What an agent is built from.
+/// The parts from which an agent is built.
 struct AgentParts {
   const Task& task;
   const std::string& features;
   const Parameters& parameters;
   std::uint64_t weightSeed;
-  const TensorFile* stored = nullptr;  ///< what was learned before, to begin with
+  const TensorFile* stored = nullptr;  ///< the learned tables to begin with
 
   int actions() const { return static_cast<int>(task.actions.size()); }
 };

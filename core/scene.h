@@ -13,7 +13,7 @@ struct Point {
   double x = 0.0, y = 0.0;  // [m]
 };
 
-/// What a line is, not which colour it has: the theme decides that. `Body` is solid, too, but turns to the colour of
+/// The role of a line; the theme chooses its colour. `Body` is solid, too, but turns to the colour of
 /// falling while the window shows a fall; `Far` is the side of a body that is turned away from the eye.
 enum class Ink { Solid, Body, Far, Outline, Quiet, Hairline, Fall };
 enum class Fill { None, Panel, Wash, Solid, Far, Fall };
@@ -62,12 +62,12 @@ using Shape = std::variant<Polyline, Polygon, Disc, Arrow, Label>;
 
 struct Scene {
   std::vector<Shape> shapes;
-  Point focus;          ///< what the camera follows, horizontally
-  double height = 0.3;  ///< [m] from the floor to the highest thing drawn: what must be seen
-  double width = 0.0;   ///< [m] what must be seen around the focus; 0: nothing but the height counts
+  Point focus;          ///< the camera follows it horizontally
+  double height = 0.3;  ///< [m] from the floor to the highest thing drawn: must be visible
+  double width = 0.0;   ///< [m] around the focus that must be visible; 0: only the height counts
   bool metres = true;   ///< draw the floor with a metre scale
   Point tip;            ///< leaves the fading trail
-  /// As before the first drawing, but for the memory of the shapes.
+  /// Empties the scene, but keeps the memory of the shapes.
   void clear() {
     std::vector<Shape> kept = std::move(shapes);
     kept.clear();

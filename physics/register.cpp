@@ -21,7 +21,7 @@ AssignmentEntry scenario(const char* name, const char* title, const char* help, 
           {{"environment.damping", damping}, {"environment.friction", friction}, {"environment.torque_scale", torque}}};
 }
 
-/// With the learning parameters that suit it; those of the thesis are the pendulum's.
+/// A preset with learning parameters that suit the compass walker; the thesis's values are for the pendulum.
 AssignmentEntry compassPreset(const char* name, const char* title, const char* help, double slope) {
   AssignmentEntry entry{{name, title, help}, "compass", {{"environment.slope", slope}}};
   for (const std::string estimate : {"agent.", "positive.", "negative."}) {
@@ -36,7 +36,7 @@ AssignmentEntry compassPreset(const char* name, const char* title, const char* h
 
 using Values = std::vector<std::pair<std::string, double>>;
 
-/// Of every estimate that a learning rule may have.
+/// Adds the value for every estimate that a learning rule may have.
 void addForEstimates(Values& values, const std::string& key, double value) {
   for (const char* estimate : {"agent.", "positive.", "negative."}) values.push_back({estimate + key, value});
 }
@@ -44,7 +44,7 @@ void addForFeatures(Values& values, const std::string& key, double value) {
   for (const char* features : {"features.", "positive.", "negative."}) values.push_back({features + key, value});
 }
 
-/// With the learning parameters of wcaarls/grl's walker.
+/// A preset with the learning parameters of wcaarls/grl's walker.
 AssignmentEntry leoPreset(const char* name, const char* title, const char* help, const Values& changes) {
   AssignmentEntry entry{{name, title, help}, "leo", changes};
   addForEstimates(entry.values, "step_size", 0.2);

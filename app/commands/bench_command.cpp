@@ -20,8 +20,8 @@ struct Case {
   const char* name;
   Names names;
   std::vector<Assignment> assignments;
-  std::int64_t steps;  // of a run
-  const char* limit;   // what is known of the limits of such a loop
+  std::int64_t steps;  // steps of a run
+  const char* limit;   // a sentence on the known limits of such a loop
 };
 
 /// The limits were measured on a virtual machine with an AMD EPYC processor, 2 cores.
@@ -80,9 +80,9 @@ Result<double> measure(const Registry& registry, const Case& which, const std::a
   return speeds.empty() || interrupted ? 0.0 : median(speeds);
 }
 
-/// How much more two threads do than one: two lives one after the other, at once, and one after the other again, so
-/// that a machine that becomes faster or slower meanwhile does not count. In CPU time, which other work on the machine
-/// leaves alone: what two threads lose to each other (memory, locks) shows in the CPU time of their lives.
+/// How much more two threads do than one. Two lives run one after the other, at once, and one after the other again, so
+/// that a change of the machine's speed does not count. Measured in CPU time, which other programs do not change: the
+/// loss of two threads to each other (memory, locks) shows in the CPU time of their lives.
 Result<double> gainOfTwoThreads(const Registry& registry, const std::atomic<bool>& interrupted) {
   auto c = configure(registry, {}, {});
   if (!c) return c.error();

@@ -26,7 +26,7 @@ int replayCommand(const Registry& registry, const ReplayRequest& request);
 /// Prints "surefoot: …" to standard error and returns the exit code of the error.
 int fail(const Error& error);
 
-/// Prints what a store has to say of itself, if anything, to standard error.
+/// Prints the note of a store, if it has one, to standard error.
 void tellNote(const Store& store);
 
 /// Writes text to standard output; an unwritable one (a full disk) is an error of its own.

@@ -19,7 +19,7 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-/// What would be done, a line a condition.
+/// Prints the work that would be done, one line per condition.
 int tellPlan(const ExperimentRequest& request) {
   const Plan& plan = request.plan;
   if (request.json) {

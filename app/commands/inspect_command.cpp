@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `surefoot inspect`: what a file holds and where it comes from. Reads any safetensors file of ours, even one whose
+// `surefoot inspect`: the contents and the origin of a file. Reads any safetensors file of ours, even one whose
 // environment this program does not know.
 #include <fmt/format.h>
 
@@ -81,7 +81,7 @@ std::string asTable(const TensorFile& file) {
   return text;
 }
 
-/// Whether it could be gone on from; of an environment that this program does not know that cannot be said.
+/// Whether a life could go on from the file; not checked if this program does not know the environment.
 Status checkWhole(const Registry& registry, const std::shared_ptr<const TensorFile>& file) {
   const Json name = file->about.value("/configuration/environment"_json_pointer, Json());
   if (!name.is_string()) return fileError(file->name, "its configuration names no environment.");

@@ -40,7 +40,7 @@ Status checkParts(const std::vector<StoredPlan>& plans, const std::vector<std::s
   return Done{};
 }
 
-/// All lives come from programs that live the same; none from one that did not note which.
+/// All lives come from versions of the program that give the same lives; each life must name its version.
 Status checkVersions(const std::vector<Store>& parts) {
   std::optional<int> version;
   for (const Store& part : parts) {
@@ -109,7 +109,7 @@ Result<Store> join(const MergeRequest& request, const std::string& path) {
   return store;
 }
 
-/// With all that SQLite and the lock may have left beside it.
+/// Removes a part, with all files that SQLite and the lock may have left beside it.
 void removePart(const std::string& path) {
   std::error_code ignored;
   for (const char* rest : {"", "-wal", "-shm", "-journal", "-lock"}) std::filesystem::remove(path + rest, ignored);
@@ -123,8 +123,8 @@ int mergeCommand(const MergeRequest& request) {
   if (!Store::missing(*request.out))
     return fail({fmt::format("{}: it exists already; name another file.", *request.out), ErrorKind::File});
 
-  // The whole appears at once: made beside its place, then given its name. One that was killed leaves its part, and
-  // the next takes it away.
+  // The result appears complete: it is made under another name and then gets its own. A process that was killed leaves
+  // its part, and the next one removes it.
   const std::string meanwhile = *request.out + ".merging";
   if (StoreLock::isHeld(meanwhile)) return fail(inUse(*request.out));
   removePart(meanwhile);
@@ -134,9 +134,9 @@ int mergeCommand(const MergeRequest& request) {
     if (!store) return store.error();
     return store->contentHash();
   }();
-  if (hash) std::filesystem::create_hard_link(meanwhile, *request.out, failed);  // which replaces nothing
+  if (hash) std::filesystem::create_hard_link(meanwhile, *request.out, failed);  // a hard link never replaces a file
   if (failed && failed != std::errc::file_exists && Store::missing(*request.out))
-    std::filesystem::rename(meanwhile, *request.out, failed);  // a file system without second names
+    std::filesystem::rename(meanwhile, *request.out, failed);  // the file system has no hard links
   removePart(meanwhile);
   if (hash && !failed)
     return print(fmt::format("{}: {} parts, content {:016x}\n", *request.out, request.parts.size(), *hash));

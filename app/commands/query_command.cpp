@@ -52,7 +52,7 @@ Result<Answer> answer(const Registry& registry, const QueryRequest& request, Sto
 
 using OrderedJson = nlohmann::ordered_json;
 
-/// The names and units of what stands in "actions" and "action_coordinates".
+/// The names and units of the values in "actions" and "action_coordinates".
 OrderedJson actionVariables(const Task& task) {
   OrderedJson list = OrderedJson::array();
   for (const ActionVariable& v : task.actionVariables)
@@ -81,7 +81,7 @@ std::string withUnit(const std::string& title, const std::string& unit) {
   return unit.empty() ? title : fmt::format("{} [{}]", title, unit);
 }
 
-/// What the columns of an action are called, and what stands in them.
+/// The heads of an action's columns; their contents come next.
 std::vector<std::string> actionHeads(const Task& task) {
   std::vector<std::string> heads;
   for (const ActionVariable& v : task.actionVariables) heads.push_back(withUnit(v.title, v.unit));

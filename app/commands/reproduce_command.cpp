@@ -15,7 +15,7 @@ namespace surefoot {
 
 namespace {
 
-/// A line a recipe: what came of its claims.
+/// The verdicts on a recipe's claims.
 std::string verdictsOf(const Reproduced& r) {
   std::string text = fmt::format("{}: {} ({})\n", r.name, r.title, durationText(r.seconds));
   const auto add = [&](const std::vector<Judgement>& judgements, const char* preset) {

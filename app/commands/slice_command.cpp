@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `surefoot slice`: a plane through a Q-function, a row a point.
+// `surefoot slice`: a plane through a Q-function, one row per point.
 #include <fmt/format.h>
 
 #include <algorithm>

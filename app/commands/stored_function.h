@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A Q-function from a file, ready to be asked: what query, slice, inspect and resample begin with.
+// A Q-function from a file, ready for use by query, slice, inspect and resample.
 #pragma once
 
 #include "core/saved/q_file.h"
@@ -8,7 +8,7 @@ namespace surefoot {
 
 struct StoredFunction {
   std::shared_ptr<const TensorFile> file;
-  Configuration configuration;  ///< that it was learned under
+  Configuration configuration;  ///< the configuration that it was learned under
   std::unique_ptr<Environment> environment;
   std::unique_ptr<Agent> agent;
 
@@ -25,10 +25,10 @@ Result<std::unique_ptr<Agent>> makeAgent(const Registry& registry, const Configu
 /// The values of the state variables from "0.1,0,0", each in its range.
 Result<std::vector<double>> parseState(const std::string& option, const std::string& text, const Task& task);
 
-/// What action `a` is, in physical units, one value an action variable: {0.75} [N m], {-8.9, 0, 8.9} [V].
+/// Action `a` in physical units, one value per action variable: {0.75} [N m], {-8.9, 0, 8.9} [V].
 std::vector<double> actionValues(const Task& task, std::size_t a);
 
-/// What to call action `a`: "left", "0.75" for a torque, "-8.9 0 8.9" for three voltages.
+/// The name of action `a`: "left", "0.75" for a torque, "-8.9 0 8.9" for three voltages.
 std::string actionText(const Task& task, std::size_t a);
 
 /// The same with the unit: "0.75 N m".

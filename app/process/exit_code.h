@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the program tells its caller. The README lists them; scripts rely on them.
+// The exit codes of the program. The README lists them; scripts rely on them.
 #pragma once
 
 #include "core/basics/result.h"

@@ -86,7 +86,7 @@ std::vector<std::string> shippedRecipes() {
 Result<std::vector<std::string>> findRecipes(const std::vector<std::string>& wanted) {
   const auto files = filesIn("recipes");
   std::vector<std::string> known = {"all"};
-  std::vector<std::vector<std::string>> names;  // that each file answers to
+  std::vector<std::vector<std::string>> names;  // the names that each file can be asked for by
   for (const fs::path& file : files) {
     const auto shows = recipeShows(file.string());
     if (!shows) return shows.error();

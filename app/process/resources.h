@@ -11,14 +11,14 @@
 
 namespace surefoot {
 
-/// A folder of what comes with the program, e.g. "plans"; empty if it is not there.
+/// A folder of the program's resources, e.g. "plans"; empty if it is not there.
 std::string resourceFolder(const std::string& name);
 /// The names of the plans that are there, in order.
 std::vector<std::string> shippedPlans();
 /// The file of a plan: a path, or the name of a shipped one.
 Result<std::string> findPlan(const std::string& plan);
 
-/// What `reproduce` can be asked for, in order.
+/// The names that `reproduce` accepts, in order.
 std::vector<std::string> shippedRecipes();
 
 /// A plan or recipe that comes with the program, with its title.
@@ -31,7 +31,7 @@ struct ShippedPlan {
 };
 /// All of them, plans first.
 std::vector<ShippedPlan> allShipped(const Registry& registry);
-/// The files of recipes by their names, by what they show ("4.6", "table 4.2"), or "all"; each once, in order.
+/// The files of recipes: wanted by name, by a figure or table ("4.6", "table 4.2"), or "all"; each once, in order.
 Result<std::vector<std::string>> findRecipes(const std::vector<std::string>& wanted);
 
 }  // namespace surefoot

@@ -28,7 +28,7 @@ OrderedJson finite(double value) {
   return std::isfinite(value) ? OrderedJson(value) : OrderedJson(nullptr);
 }
 
-/// Of every table: how much it holds.
+/// The memory use of every table.
 OrderedJson memoryAsJson(const std::vector<MemoryUse>& tables) {
   OrderedJson list = OrderedJson::array();
   for (const MemoryUse& use : tables) {

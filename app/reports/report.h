@@ -12,14 +12,14 @@ namespace surefoot {
 /// {version, configuration, seed, lives: […]}, ending in a newline.
 std::string resultAsJson(const Configuration& configuration, const std::vector<LifeResult>& lives);
 
-/// A row an episode, with a column for the life.
+/// One row per episode, with a column for the life.
 std::string logAsCsv(const std::vector<LifeResult>& lives, std::optional<double> stepTime);
 /// The same in parts: its heads, and some rows of a life.
 std::string logHeads(const std::vector<TaskMeasure>& measures);
 std::string logRows(int life, const std::vector<EpisodeRow>& rows, const std::vector<TaskMeasure>& measures,
                     std::optional<double> stepTime);
 
-/// What a person wants to know: the lives' means with 95 % intervals.
+/// A table for a person: the lives' means with 95 % intervals.
 std::string resultAsTable(const Configuration& configuration, const std::vector<LifeResult>& lives);
 
 }  // namespace surefoot

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Runs what is missing of a plan into a store, and reads all of it.
+/// Runs the missing lives of a plan into a store, and reads all results.
 Result<std::vector<Evidence>> runAndRead(const Registry& registry, const Plan& plan, const StoredPlan& stored,
                                          const std::string& path, const LabOptions& lab, bool otherVersion) {
   auto store = Store::missing(path) ? Store::create(path, stored) : Store::openToWrite(path, &watchForInterrupt());

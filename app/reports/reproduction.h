@@ -11,20 +11,20 @@
 
 namespace surefoot {
 
-/// What came of one recipe.
+/// The results of one recipe.
 struct Reproduced {
   std::string name{}, title{};
   std::vector<std::string> figures{};  ///< files without their ending, relative to the output folder
   std::vector<std::string> captions{};
-  ConditionsTable table{};                ///< of the recipe's own conditions
+  ConditionsTable table{};                ///< the table of the recipe's own conditions
   std::vector<Judgement> judgements{};    ///< on the recipe's own conditions
-  std::vector<Judgement> onLabPreset{};   ///< of calibrated claims
-  std::vector<std::string> calibrated{};  ///< their ids
+  std::vector<Judgement> onLabPreset{};   ///< the calibrated claims, judged on the lab preset
+  std::vector<std::string> calibrated{};  ///< ids of the calibrated claims
   int lives = 0, conditions = 0;
   double seconds = 0;
 };
 
-/// Runs a recipe into FOLDER/NAME, going on where it was left: store, a CSV a figure, pictures where `draw` makes them,
+/// Runs a recipe into FOLDER/NAME, or continues it: a store, one CSV per figure, pictures if `draw` makes them, and
 /// claims.json.
 Result<Reproduced> reproduce(const Registry& registry, const std::string& recipePath, const std::string& folder,
                              const PlanChanges& changes, const LabOptions& lab, bool otherVersion,

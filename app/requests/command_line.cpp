@@ -84,7 +84,7 @@ Error unexpected(const CLI::App& app, const CLI::App& train, const std::string& 
                            near.empty() ? "" : ", did you mean " + near, top ? "" : " " + app.get_name())};
 }
 
-/// What CLI11 found wrong, in one sentence.
+/// CLI11's error, in one sentence.
 Error plain(const CLI::ParseError& error) {
   std::string text = error.what();
   const std::string option = text.substr(0, text.find(':'));
@@ -187,7 +187,7 @@ struct CommandLine {
     replay->add_flag("--json", replayOptions.json, "print the result as one JSON object");
   }
 
-  /// What was given and no option takes, or an option that took what was not meant for it.
+  /// An error for words that no option takes, or for an option that took a word not meant for it.
   Status checkLeftovers() const {
     const auto chosen = app.get_subcommands();
     if (const auto extras = app.remaining(false); !extras.empty()) return unexpected(app, *train, extras.front());

@@ -39,12 +39,12 @@ struct TrainRequest {
   std::int64_t checkpointEvery = 0;           ///< steps
   std::shared_ptr<const TensorFile> resumed;  ///< the life goes on from here
   NewLimits limits;                           ///< for a life that goes on
-  Versions versions = Versions::Same;         ///< likewise
-  std::optional<std::int64_t> mostSteps;      ///< of a life that is lived anew, where nothing else ends it
+  Versions versions = Versions::Same;         ///< for a life that goes on
+  std::optional<std::int64_t> mostSteps;      ///< limit of a life that is lived anew, if it has no other
 };
 struct WindowRequest : TrainRequest {};
 
-/// `surefoot query`: what is learned about one state.
+/// `surefoot query`: the learned values of one state.
 struct QueryRequest {
   std::string file;
   std::optional<std::string> state, policy;
@@ -58,7 +58,7 @@ struct SliceRequest {
   std::optional<std::string> axes, at, points, out;
 };
 
-/// `surefoot inspect`: what a file holds.
+/// `surefoot inspect`: the contents of a file.
 struct InspectRequest {
   std::string file;
   bool json = false;

@@ -142,7 +142,7 @@ Result<Request> makeExperimentRequest(const Registry& registry, const Experiment
     if (const Status s = readShard(*o.shard, request.lab); !s) return s.error();
   const auto path = findPlan(o.plan);
   if (!path) return path.error();
-  // With its figures and claims: what is wrong with them should not be told after the lives.
+  // Reads figures and claims, too: errors in them should be reported before the lives run.
   auto recipe = readRecipe(registry, *path, changes);
   if (!recipe) return recipe.error();
   request.plan = std::move(recipe->plan);

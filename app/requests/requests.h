@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From the texts that were given to checked requests. Every value is converted by the parsers of core/parameters.h.
+// Turns the given texts into checked requests. Every value is converted by the parsers of core/parameters.h.
 #pragma once
 
 #include <optional>
@@ -10,11 +10,11 @@
 
 namespace surefoot {
 
-/// What was chosen by name; nothing where nothing was said.
+/// The names that were chosen; nothing where an option was not given.
 struct ChosenNames {
   std::optional<std::string> environment, preset, scenario, agent, features, policy;
 };
-/// These, and the others from `otherwise`.
+/// The chosen names, and the missing ones from `otherwise`.
 Names namesOr(const ChosenNames& chosen, const Names& otherwise);
 
 /// The options of `train` and `window`, as they were written.
@@ -41,7 +41,7 @@ Result<std::vector<Assignment>> parseAssignments(const std::vector<std::string>&
 /// A whole number from 1 to `most`.
 Result<std::int64_t> parseCount(const std::string& option, const std::string& text, std::int64_t most);
 
-/// A key of a policy that is not the chosen one would have no effect: a slip worth a word.
+/// An error for a key of a policy that is not chosen: it would have no effect.
 Status checkPolicyKeys(const Registry& registry, const std::string& policy, const std::vector<Assignment>& assignments);
 
 /// An error about lives of another version, with what can be done about it.

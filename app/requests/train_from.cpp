@@ -21,7 +21,7 @@ Result<LivedBefore> ofJournal(const Registry& registry, const std::string& text,
   return LivedBefore{std::move(journal->configuration), journal->steps};
 }
 
-/// A session holds the life itself; its journal says how that came about.
+/// A session holds the life itself; the journal made from it tells how to repeat the life.
 Result<LivedBefore> ofSession(const Registry& registry, std::shared_ptr<const TensorFile> file,
                               const std::string& path) {
   const auto resumed = resume(registry, std::move(file), {}, Versions::Any);
@@ -31,7 +31,7 @@ Result<LivedBefore> ofSession(const Registry& registry, std::shared_ptr<const Te
   std::erase_if(result.changes, [](const Change& c) { return c.key == kOtherLives; });  // it is lived anew
   auto lived = ofJournal(registry, journalOf(resumed->configuration, result), path);
   if (!lived) return lived;
-  for (const CommandText& command : resumed->configuration.commands)  // those that were still to come
+  for (const CommandText& command : resumed->configuration.commands)  // commands that were still to come
     if (command.step >= life.steps()) lived->configuration.commands.push_back(command);
   return lived;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `--from FILE`: what a journal, a saved session or a Q-function says of the life behind it, to be lived anew.
+// `--from FILE`: lives a life anew, from its description in a journal, a saved session or a Q-function.
 #pragma once
 
 #include <optional>
@@ -9,8 +9,8 @@
 namespace surefoot {
 
 struct LivedBefore {
-  Configuration configuration;        ///< that the life began with: seed and all that was done to it included
-  std::optional<std::int64_t> steps;  ///< how long it had lived when it was saved; a Q-function does not say
+  Configuration configuration;        ///< as the life began, with its seed and all commands given to it
+  std::optional<std::int64_t> steps;  ///< the life's length when it was saved; a Q-function does not hold it
 };
 
 /// An error names the file.

@@ -17,7 +17,7 @@ Status checkSame(const TensorFile& file, const char* option, const std::optional
                                           theirs, shortened(*given)));
 }
 
-/// The values that a preset or scenario stands for.
+/// Sets the values of a preset or scenario.
 Status bring(const std::vector<AssignmentEntry>& entries, const char* what, const std::optional<std::string>& name,
              Parameters& parameters) {
   if (!name) return Done{};

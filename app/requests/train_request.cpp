@@ -93,7 +93,7 @@ Status checkDifferentFiles(const TrainOptions& o) {
   return Done{};
 }
 
-/// Parameters that are given but do nothing, because what they belong to is off: a slip worth a word.
+/// An error for parameters that are given but have no effect, because the part that they belong to is off.
 Status checkEffect(const Parameters& parameters, const std::vector<Assignment>& assignments) {
   for (const Assignment& a : assignments) {
     const Parameters::Entry* choice = parameters.find(parameters.find(a.key)->parameter.needs);
@@ -127,7 +127,7 @@ Result<std::int64_t> checkpointEvery(const TrainOptions& o, const Task& task) {
   return kWithoutClock;
 }
 
-/// A name that was chosen where a file chooses them; nullptr: none.
+/// An option that chooses a name although the file fixes the names; nullptr: none.
 const char* namedOption(const TrainOptions& o) {
   if (o.names.environment) return "--environment";
   if (o.names.preset) return "--preset";
@@ -163,7 +163,7 @@ Result<TrainRequest> makeResumeRequest(const Registry& registry, const TrainOpti
   request.limits = {request.configuration.minutes, request.configuration.episodes};
   if (const Status same = checkLivesVersion(**file); !same && !o.otherVersion) return orOtherVersion(same.error());
   request.versions = o.otherVersion ? Versions::Any : Versions::Same;
-  // A look, so that a misfit is told before the run.
+  // Resumes once as a test, so that a misfit is reported before the run.
   auto resumed = resume(registry, *file, request.limits, request.versions);
   if (!resumed) return resumed.error();
   if (request.log && !resumed->keepRows)
@@ -182,7 +182,7 @@ Result<TrainRequest> makeResumeRequest(const Registry& registry, const TrainOpti
   return request;
 }
 
-/// The configuration that options choose by name, or that of a file: of --from, or else of --load (`loaded`).
+/// The configuration from a file (--from, or else --load, `loaded`), or the one that options choose by name.
 Result<LivedBefore> chosenConfiguration(const Registry& registry, const TrainOptions& o, const TensorFile* loaded,
                                         const std::vector<Assignment>& assignments) {
   if (!o.from) {
@@ -245,7 +245,7 @@ Result<TrainRequest> makeTrainRequest(const Registry& registry, const TrainOptio
   if (!c.minutes && !c.episodes) request.mostSteps = chosen->steps;
   if (!window && !c.minutes && !c.episodes && !request.mostSteps)
     return Error{"--minutes or --episodes: how long a life is must be given, e.g. --minutes 9."};
-  const auto life = makeLife(registry, c, 0, false);  // what no single check can see
+  const auto life = makeLife(registry, c, 0, false);  // finds errors that no single check can see
   if (!life) return life.error();
   const auto every = checkpointEvery(o, (*life)->environment().task());
   if (!every) return every.error();

@@ -58,7 +58,7 @@ struct OneEstimate {
   }
 };
 
-/// The terms of a reward with the one that shaping adds.
+/// The terms of a reward, with the term that shaping adds.
 std::vector<std::string> termsOf(const Task& task) {
   std::vector<std::string> terms = task.rewardTerms;
   terms.emplace_back("shaping");
@@ -84,7 +84,7 @@ struct TwoEstimates {
     };
     declare("positive.", "Q⁺", positive);
     declare("negative.", "Q⁻", negative);
-    // Q⁻ is told from Q⁺ by its scale, as in the thesis's chapter 6; the rest of it is for a closer look.
+    // Q⁻ differs from Q⁺ by its scale, as in the thesis's chapter 6; its other parameters are shown in a larger window.
     for (const auto& field : f.all())
       if (field.parameter.key.starts_with("negative.") && field.parameter.order < 2) f.setOrder(field.parameter.key, 2);
     f.setOrder("negative.scale", 1);
@@ -112,7 +112,7 @@ Result<Settings> settingsFrom(const AgentParts& parts) {
                   s.initial.low, s.initial.high)};
 }
 
-/// The agent itself, or with shaping around it; and what was learned before, if that was given.
+/// The agent itself, or with shaping around it; it gets the stored tables, if they were given.
 Result<std::unique_ptr<Agent>> complete(std::unique_ptr<Agent> agent, const ShapingParts& s, const AgentParts& parts) {
   if (s.shaping.kind != Shaping::Off) {
     auto features = makeFeatures(parts.task, parts.features, s.representation);

@@ -16,12 +16,12 @@ namespace surefoot {
 /// Every feature map that an estimate may stand on.
 using AnyFeatures = std::variant<TileCoder, HashedTileCoder, RadialBasis, Table>;
 
-/// What can be set of a representation, whichever it is.
+/// The settings of all representations.
 struct RepresentationSettings {
   TileSettings tiles;
   RadialBasis::Settings gaussians;
   explicit RepresentationSettings(const Task& task) : tiles(task), gaussians(task) {}
-  /// Declares what the named features have to set.
+  /// Declares the settings of the named features.
   void declare(const std::string& features, Fields& f);
 };
 
@@ -34,8 +34,8 @@ template <FeatureMap F>
 Result<Estimate<F>> makeEstimate(const std::string& name, F features, int actions, const InitialValue& initial,
                                  std::uint64_t seed, const EstimateSettings& learning, const TensorFile* stored);
 
-/// Whether a stored estimate is laid out like ours: the first difference, with both values. The tables of a hashed one
-/// are as long as it has features (`growing`).
+/// Whether a stored estimate has our layout; the error names the first difference, with both values. The tables of a
+/// hashed estimate are only as long as its number of features (`growing`).
 Status checkLayout(const TensorFile& stored, const std::string& name, const Json& layout,
                    const std::vector<std::size_t>& shape, bool growing);
 

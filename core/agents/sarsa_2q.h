@@ -56,7 +56,7 @@ class Sarsa2Q final : public Agent {
   void abandon() override { clearTraces(); }
 
   const ActionValueFunction& values() const override { return sum_; }
-  /// Of Q⁺, then of Q⁻.
+  /// The traces of Q⁺, then those of Q⁻.
   void eligibility(std::vector<Eligibility>& z) const override {
     z.clear();
     positive_.eligibility(z, 0);

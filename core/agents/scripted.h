@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An agent that does not learn: the environment's own, hand-made controller acts (kHandMade). What a learner is held
-// against.
+// An agent that does not learn: the environment's own, hand-made controller acts (kHandMade). Learners are compared
+// with it.
 #pragma once
 
 #include "core/agent.h"

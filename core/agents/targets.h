@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a learning rule takes the next state to be worth, given q̂(S′, ·), π(·|S′) and the action A′ that was drawn.
+// Targets: the value of the next state for a learning rule, given q̂(S′, ·), π(·|S′) and the drawn action A′.
 #pragma once
 
 #include <algorithm>

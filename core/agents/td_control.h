@@ -11,7 +11,7 @@
 
 namespace surefoot {
 
-/// What every learning rule has, besides its estimates.
+/// Settings of every learning rule, besides its estimates.
 struct ControlSettings {
   double discount = 0.98;  ///< γ
   TraceSettings traces;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What speeds are measured by: CPU time, which other programs do not lengthen.
+// CPU time, to measure speeds: other programs do not lengthen it.
 #pragma once
 
 #include <time.h>

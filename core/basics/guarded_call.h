@@ -8,7 +8,7 @@
 
 namespace surefoot {
 
-/// Calls f. What it throws, in one sentence; empty: nothing.
+/// Calls f. Returns the exception that it throws, in one sentence; empty: none.
 template <class F>
 std::string troubleOf(F&& f) noexcept {
   try {

@@ -10,11 +10,11 @@
 
 namespace surefoot {
 
-/// What kind of thing went wrong; the program's exit codes are made from it (app/exit_code.h).
+/// The kind of an error; the program's exit codes are made from it (app/exit_code.h).
 enum class ErrorKind { Usage, File, Diverged, Mismatch, Interrupted };
 
 struct Error {
-  std::string message;  ///< one sentence: the thing, the value given, what is allowed
+  std::string message;  ///< one sentence: the thing, the value given, the allowed values
   ErrorKind kind = ErrorKind::Usage;
 };
 

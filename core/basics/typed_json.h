@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What JSON from outside holds, if it has the type that is asked for. These never throw: whatever else is there counts
-// as not being there.
+// Values in JSON from outside, if they have the expected type. These functions never throw: a value of another type
+// counts as missing.
 #pragma once
 
 #include <limits>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The smallest words: what passes between an environment and an agent in one step.
+// The basic types that pass between an environment and an agent in one step.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@ namespace surefoot {
 /// An action by its index, 0 … actions − 1. The environment knows what it means (a torque, a move).
 using Action = int;
 inline constexpr Action kNoAction = -1;
-/// The environment's own, hand-made controller acts in this step, where there is one (Task::handMade).
+/// The environment's own, hand-made controller acts in this step; only for tasks with Task::handMade.
 inline constexpr Action kHandMade = -2;
 
 /// Most actions an environment may have, most state variables and most reward terms. Buffers of these sizes live on
@@ -23,7 +23,7 @@ inline constexpr int kMaxStateVariables = 32;
 inline constexpr int kMaxRewardTerms = 8;
 /// Most measures of an episode (Task::measures).
 inline constexpr std::size_t kMaxMeasures = 4;
-/// What an episode is measured by, besides its reward and its falls; 0 behind those that there are.
+/// The measures of an episode besides its reward and its falls; unused places are 0.
 using EpisodeMeasures = std::array<double, kMaxMeasures>;
 
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -32,7 +32,7 @@ inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// estimated, because the task would have gone on (Sutton & Barto 2018, section 3.3; Pardo et al. 2018).
 enum class Ending : std::uint8_t { None, Terminal, Truncated };
 
-/// What a person would call this step. A fall need not end the episode (the cliff sends the walker back).
+/// What happened in a step, in a person's words. A fall need not end the episode (the cliff sends the walker back).
 enum class Event : std::uint8_t { None, Success, Fall };
 
 /// The answer of an environment to one action. `terms` are the named rewards of Task::rewardTerms in their order;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What worlds of states in a row share: the picture, a disc on a line of cells between two ends.
+// Shared by worlds of states in a row: the picture, a disc on a line of cells between two ends.
 #pragma once
 
 #include "core/environments/grid.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What worlds of cells share: a position, four moves that stop at the walls, and a picture. Column and row count from
+// Shared by worlds of cells: a position, four moves that stop at the walls, and a picture. Column and row count from
 // 0, the row from the bottom.
 #pragma once
 
@@ -27,7 +27,7 @@ struct Grid {
   }
   /// Lines, on an empty scene.
   void drawLines(Scene& scene) const;
-  /// The one who walks; above everything else.
+  /// The walker; above everything else.
   void drawWalker(Scene& scene, std::span<const double> pose) const;
 };
 

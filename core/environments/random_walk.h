@@ -23,7 +23,7 @@ class RandomWalk final : public SmallWorld<1> {
   static double value(double state) { return (state - 10.0) / 10.0; }
 
  private:
-  Random way_{0};  // of this episode
+  Random way_{0};  // generator of this episode
 };
 
 }  // namespace surefoot

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What worlds share that are written as equations or tables: their state is all there is to them, nothing but the step
-// limit can be set, and an episode that reaches it is cut off.
+// Shared by worlds that are equations or tables: the state describes them completely, their only setting is the step
+// limit, and an episode that reaches it is cut off.
 #pragma once
 
 #include <algorithm>

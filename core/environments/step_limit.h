@@ -9,7 +9,7 @@ namespace surefoot {
 
 struct StepLimit {
   int most = 100000;
-  int steps = 0;  ///< of the episode so far
+  int steps = 0;  ///< steps of the episode so far
 
   /// One more step; cuts the episode off if it has reached the limit and not ended by itself.
   void count(Outcome& outcome) {

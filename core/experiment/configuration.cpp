@@ -26,7 +26,7 @@ Status assign(const std::vector<AssignmentEntry>& entries, std::string_view what
     return Error{fmt::format("{}: \"{}\" belongs to the environment {}, not to {}.", what, entry.name,
                              entry.environment, c.names.environment)};
   for (const auto& [key, value] : entry.values) {
-    // What suits a learning rule or representation that was not chosen says nothing.
+    // Values for a learning rule or representation that was not chosen have no effect.
     if (!key.starts_with("environment.") && !c.parameters.find(key)) continue;
     if (const Status set = c.parameters.set(key, value); !set) return set;
   }
@@ -159,7 +159,7 @@ Result<LifeParts> makeParts(const Registry& registry, const Configuration& c, st
     if (!tests) return tests.error();
     parts.tests = std::move(*tests);
   }
-  Configuration then = c;  // as it is after the commands so far
+  Configuration then = c;  // the configuration after the commands so far
   for (const CommandText& text : c.commands) {
     auto command = makeCommand(registry, c, text);
     if (!command) return Error{fmt::format("at step {}: {}", text.step, command.error().message)};

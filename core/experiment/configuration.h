@@ -15,7 +15,7 @@
 
 namespace surefoot {
 
-/// What a person chooses by name.
+/// The parts that a person chooses by name.
 struct Names {
   std::string environment = "pendulum";
   std::string preset{};    ///< empty: the environment's first, if it has any
@@ -30,8 +30,8 @@ struct Assignment {
   std::string key, value;
 };
 
-/// What is to be done to every life when it has taken `step` steps, as a person writes it: a parameter and its value,
-/// "policy" and a name, or "push" and an impulse in N s.
+/// A command for every life after `step` steps, as a person writes it: a parameter and its value, "policy" and a name,
+/// or "push" and an impulse in N s.
 struct CommandText {
   std::int64_t step = 0;
   std::string key, value;
@@ -42,13 +42,13 @@ struct Configuration {
   Parameters parameters;  ///< complete: environment, agent, features, and every policy's
   std::uint64_t seed = 1;
   int lives = 1;
-  std::optional<double> minutes;         ///< simulated, a life
-  std::optional<std::int64_t> episodes;  ///< a life; whichever limit comes first ends it
+  std::optional<double> minutes;         ///< simulated minutes per life
+  std::optional<std::int64_t> episodes;  ///< episodes per life; the limit that is reached first ends it
   std::optional<double> until;           ///< the average reward of the last 80 episodes that ends a life, too
   std::vector<CommandText> commands;     ///< in the order of their steps
-  /// What was learned before: every life begins with it. Shared, because it is large and many lives read it.
+  /// The Q-function that every life begins with; null: none. Shared, because it is large and many lives read it.
   std::shared_ptr<const TensorFile> start;
-  Json beganWith;  ///< which file that was, with its hash and what it says of itself; null: none
+  Json beganWith;  ///< the file of `start`, with its hash and description; null: none
 };
 
 /// Looks the names up and fills in every parameter: defaults, then the preset, then the scenario, then `assignments`.

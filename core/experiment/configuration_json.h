@@ -15,7 +15,7 @@ nlohmann::ordered_json configurationAsJson(const Configuration& configuration);
 nlohmann::ordered_json parametersAsJson(const Parameters& parameters);
 
 /// Reads the names and parameters; whatever the JSON holds, every value is checked as if it were typed. `file` is named
-/// in messages. What the JSON leaves out has its default.
+/// in messages. Parameters missing in the JSON have their defaults.
 Result<Configuration> configurationFromJson(const Registry& registry, const nlohmann::json& json,
                                             const std::string& file);
 

@@ -14,22 +14,22 @@
 
 namespace surefoot {
 
-/// What is left of a life when it is over.
+/// The results of a life, when it is over.
 struct LifeResult {
   int life = 0;  ///< from 0
   LifeTotals totals;
   std::int64_t steps = 0;
   double simulatedSeconds = 0.0;   ///< NaN: no clock
-  double averageReward = 0.0;      ///< of the last 80 episodes
+  double averageReward = 0.0;      ///< mean of the last 80 episodes
   std::int64_t statesOutside = 0;  ///< states outside the range that the features cover
-  double cpuSeconds = 0.0;         ///< of its thread, for learning
-  double testSeconds = 0.0;        ///< and for greedy tests
-  std::vector<MemoryUse> memory;   ///< of its tables
+  double cpuSeconds = 0.0;         ///< CPU time of its thread for learning
+  double testSeconds = 0.0;        ///< CPU time of its thread for greedy tests
+  std::vector<MemoryUse> memory;   ///< memory of its tables
   std::optional<RuleOfThumb> ruleOfThumb;
   std::uint64_t hash = 0;
   std::string divergence;       ///< why it stopped, or empty
-  std::vector<Change> changes;  ///< what was done to it while it went on
-  bool changesLeftOut = false;  ///< and more
+  std::vector<Change> changes;  ///< the changes made while it went on
+  bool changesLeftOut = false;  ///< there were more changes than these
   bool complete = false;        ///< a limit was reached; false: diverged or interrupted
   std::vector<TaskMeasure> taskMeasures;
   std::vector<GreedyTest> greedyTests;
@@ -43,13 +43,13 @@ struct NamedValue {
   std::string name;
   double value = 0.0;
 };
-/// What a task measures, over a whole life: the sums by their keys; of the last ten greedy tests the means greedy_KEY,
-/// greedy_reward, greedy_falls; walks_after, the simulated minutes up to the first test that walked. Where the task has
-/// a clock, falls_per_hour. What a life has not got is left out.
+/// The task's measures over a whole life: the sums by their keys; the means over the last ten greedy tests as
+/// greedy_KEY, greedy_reward, greedy_falls; walks_after, the simulated minutes up to the first test in which the robot
+/// walked; falls_per_hour, where the task has a clock. Measures that a life does not have are left out.
 std::vector<NamedValue> measuresOf(const LifeResult& result);
 
 struct RunOptions {
-  /// Makes life number `index`, if not makeLife.
+  /// Makes life number `index`; if empty, makeLife does.
   std::function<Result<std::unique_ptr<Life>>(int index)> make{};
   /// Called on a life's thread when it is over, whatever ended it, and after every `visitEvery` steps if that is set;
   /// the life's inputs are kept then, so that it can be saved.
@@ -59,7 +59,7 @@ struct RunOptions {
   bool keepRows = false;  ///< the episode log of every life
   /// With keepRows: takes the rows again and again while a life goes on, on its thread; its result has none then.
   std::function<void(int index, std::vector<EpisodeRow> rows)> takeRows{};
-  const std::atomic<bool>* interrupted = nullptr;  ///< set by anyone: lives in hand are cut where they are
+  const std::atomic<bool>* interrupted = nullptr;  ///< set by anyone: running lives stop where they are
   std::function<void(const Progress&)> progress;   ///< about four times a second, on the calling thread
 };
 

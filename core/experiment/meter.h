@@ -13,13 +13,13 @@
 namespace surefoot {
 
 struct Progress {
-  std::int64_t steps = 0;  ///< of all lives
+  std::int64_t steps = 0;  ///< steps of all lives
   std::int64_t falls = 0;
   int livesDone = 0;
-  double share = 0.0;  ///< of the whole work, 0 … 1
+  double share = 0.0;  ///< share of the whole work, 0 … 1
 };
 
-/// Of one life, on a cache line of its own: its thread writes, another reads now and then.
+/// The progress of one life, on a cache line of its own: its thread writes, another reads now and then.
 struct alignas(64) Meter {
   std::atomic<std::int64_t> steps{0}, falls{0};
   std::atomic<double> share{0.0};

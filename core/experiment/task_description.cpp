@@ -24,7 +24,7 @@ Json stateAsJson(const Task& task) {
 Json actionsAsJson(const Task& task) {
   Json json = {
       {"title", task.actionTitle}, {"unit", task.actionUnit}, {"values", task.actions}, {"names", task.actionNames}};
-  for (const ActionVariable& v : task.actionVariables)  // of a combination: the values are numbers of combinations
+  for (const ActionVariable& v : task.actionVariables)  // the values then only number the combinations
     json["variables"].push_back({{"variable", v.key}, {"title", v.title}, {"unit", v.unit}, {"levels", v.levels}});
   return json;
 }

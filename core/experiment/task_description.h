@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a file says of the task that it was learned in.
+// The description of a task in files that were learned in it.
 #pragma once
 
 #include "core/environment.h"
@@ -10,7 +10,7 @@ namespace surefoot {
 Json stateAsJson(const Task& task);
 Json actionsAsJson(const Task& task);
 
-/// Whether what is stored belongs to the task: the first difference, with both values.
+/// Whether a stored description fits the task; the error names the first difference, with both values.
 Status checkTask(const TensorFile& file, const Task& task);
 
 }  // namespace surefoot

@@ -14,7 +14,7 @@
 
 namespace surefoot {
 
-// Looking again and again instead of being told: a signal's handler may end the wait, and cannot tell anybody.
+// We poll the flags instead of waiting for a notification: a signal handler sets one, and cannot notify a thread.
 void WorkPool::waitWhilePaused() const {
   while (paused() && !stopping()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
 }
@@ -58,7 +58,7 @@ Status WorkPool::run(std::int64_t count, const std::function<Status(std::int64_t
     working = jobs;
     try {
       for (int i = 0; i < jobs; ++i) threads.emplace_back(toil);
-    } catch (const std::system_error&) {  // fewer threads do the same work
+    } catch (const std::system_error&) {  // the work is done with fewer threads
       if (threads.empty()) return Error{"The system gives no thread to run on; are too many running already?"};
       const std::lock_guard lock(mutex);
       working -= jobs - static_cast<int>(threads.size());

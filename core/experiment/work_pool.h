@@ -29,7 +29,7 @@ class WorkPool {
     return failed_.load(std::memory_order_relaxed) || (interrupted_ && interrupted_->load(std::memory_order_relaxed));
   }
 
-  /// Work in hand stands still, and no more is begun. Any thread.
+  /// Running work stands still, and no more is begun. Any thread.
   bool paused() const { return paused_ && paused_->load(std::memory_order_relaxed); }
   /// Stands still for as long as it is paused, or until everything stops.
   void waitWhilePaused() const;

@@ -19,7 +19,7 @@ namespace surefoot {
 
 class ActionTiles {
  public:
-  static constexpr std::size_t kMostColumns = 4096;  // of a block
+  static constexpr std::size_t kMostColumns = 4096;  // columns of a block
 
   static Result<ActionTiles> create(const Task& task, const TileSettings& settings);
 
@@ -37,7 +37,7 @@ class ActionTiles {
     const auto a = static_cast<std::size_t>(action);
     return shared() ? columns_[tiling * actions_ + a] : a;
   }
-  /// null where there is nothing to say.
+  /// null if actions do not share weights.
   nlohmann::json layout() const { return layout_; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// x(s): from a state to the features that are on in it, with their values.
+// x(s): from a state to its active features, with their values.
 #pragma once
 
 #include <array>
@@ -61,7 +61,7 @@ concept ActionSharing = FeatureMap<F> && requires(const F& f) {
   f.actionTiles();
 };
 
-/// Weights of a feature.
+/// Number of weights of a feature.
 template <FeatureMap F>
 std::size_t columnsOf(const F& features, int actions) {
   if constexpr (ActionSharing<F>)
@@ -69,7 +69,7 @@ std::size_t columnsOf(const F& features, int actions) {
   return static_cast<std::size_t>(actions);
 }
 
-/// A feature map that learns which features there are: a hashed table.
+/// A feature map whose features are claimed while it is used: a hashed table.
 template <class F>
 concept ClaimingFeatureMap = FeatureMap<F> && requires(F& f, std::span<const double> state, typename F::Active& x) {
   { f.claim(state, x) } -> std::same_as<Cover>;

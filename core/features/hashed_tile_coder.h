@@ -29,7 +29,7 @@ class HashedTileCoder {
   nlohmann::json layout() const;
   std::vector<std::size_t> shape() const { return {features_.size()}; }
 
-  /// [feature] its tile, of those that are claimed.
+  /// [feature] the tile of every claimed feature.
   std::span<const std::uint64_t> tiles() const { return tiles_; }
   /// Claims these tiles, in this order, and forgets all others: at most size(), none of them twice.
   Status setTiles(std::span<const std::uint64_t> tiles);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What several representations declare alike: how fine they are, variable by variable and as a whole.
+// Parameters that several representations share: their resolution, per variable and as a whole.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace surefoot {
 
-/// The most weights that one table may have, of all actions together: 1 GiB of doubles.
+/// The most weights that one table may have, for all actions together: 1 GiB of doubles.
 inline constexpr double kMostWeights = 1u << 27;
 
 /// "pole angle" → "Pole angle".
@@ -19,7 +19,7 @@ std::string shortLabel(const std::string& word, const StateVariable& variable);
 
 /// The resolution of a variable: how many of something per span.
 Parameter resolutionParameter(const StateVariable& variable, std::string help, std::string origin);
-/// A factor on numbers that were chosen one by one.
+/// A factor that multiplies numbers chosen one by one.
 Parameter factorParameter(std::string key, std::string title, std::string help, std::string origin);
 
 }  // namespace surefoot

@@ -5,9 +5,9 @@
 //   floor((x/width·n + i·(2d + 1)) / n)
 //
 // that is, each tiling is displaced by the odd numbers 1, 3, 5 … times width/n. n should be a power of two and at
-// least 4 per dimension; any n ≥ 1 works. Here every tile of every tiling gets a number of its own; what stands under
-// that number is the business of TileCoder (a dense table) and HashedTileCoder. The tilings count fastest, because most
-// of them have a state in a tile of the same place: then what belongs to a state lies together in memory.
+// least 4 per dimension; any n ≥ 1 works. Here every tile of every tiling gets a number of its own; TileCoder (a dense
+// table) and HashedTileCoder turn this number into a feature. The tiling counts fastest, because a state lies in tiles
+// of the same place in most tilings: so the weights of a state lie together in memory.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -40,15 +40,15 @@ class TileGrid {
   struct Dimension {
     std::string key;
     double scale = 1.0;        // steps per unit of the variable
-    double low = 0, high = 0;  // range in steps, clamped to
+    double low = 0, high = 0;  // range in steps; states are clamped to it
     double origin = 0;         // the step that is position 0
-    double tiles = 0;          // of a tiling, displaced ones included
+    double tiles = 0;          // number of tiles of a tiling, displaced ones included
     Number cycle = 1;          // n; for a wrapping variable n times its tiles
     int shift = -1;            // log₂ of cycle, if that is whole: no division then
     Number cycleStride = 1;    // what one cycle adds to the tile's number; 0 for a wrapping variable
     bool wraps = false;
     bool closedBelow = false, closedAbove = false;  // a box: beyond it there is nothing
-    double from = 0, to = 0;                        // of the box
+    double from = 0, to = 0;                        // the ends of the box
     std::vector<Number> carry;                      // [position mod cycle][tiling]
   };
 

@@ -11,7 +11,7 @@ namespace surefoot {
 
 class TileLayout {
  public:
-  /// Nothing if the description is not a tile coder's.
+  /// Empty if the description is not of a tile coder.
   static std::optional<TileLayout> fromJson(const nlohmann::json& layout);
 
   int tilings() const { return tilings_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What can be set of a tile coder, and of one in a hashed table.
+// The settings of a tile coder, with a dense or a hashed table.
 #pragma once
 
 #include <vector>
@@ -12,9 +12,9 @@ struct TileSettings {
   static constexpr int kMostTilings = 128;
 
   int tilings = 16;
-  double scale = 1.0;              ///< multiplies every resolution
-  int memory = 0;                  ///< tiles that a hashed table holds; 0: a dense table, every tile has its place
-  std::vector<double> resolution;  ///< tiles per span, one a state variable
+  double scale = 1.0;                    ///< multiplies every resolution
+  int memory = 0;                        ///< slots of a hashed table; 0: a dense table, where every tile has a place
+  std::vector<double> resolution;        ///< tiles per span, one a state variable
   std::vector<double> actionResolution;  ///< tiles per unit, one an action variable
   std::vector<double> from, to;          ///< the box that is covered; outside it no tile is on
 

@@ -7,8 +7,8 @@
 //     archive.table("weights", weights_, shape);
 //   }
 //
-// Reading checks names, types, sizes, and that every number is finite. After the first error nothing more is read; what
-// was read so far is of no use then.
+// Reading checks names, types, sizes, and that every number is finite. After the first error nothing more is read; the
+// values read before it must not be used.
 #pragma once
 
 #include <cmath>
@@ -26,14 +26,14 @@ class Archive {
   bool reading() const { return in_ != nullptr; }
   bool good() const { return static_cast<bool>(status_); }
   const Status& status() const { return status_; }
-  /// What is read does not make sense.
+  /// Makes the reading fail: a value does not make sense.
   void refuse(const std::string& name, const std::string& why);
 
   /// One number that is not narrower in memory than in the file.
   void value(const std::string& name, double& v) { elements(name, std::span(&v, 1), {1}); }
   void value(const std::string& name, std::int64_t& v) { elements(name, std::span(&v, 1), {1}); }
   void value(const std::string& name, std::uint64_t& v) { elements(name, std::span(&v, 1), {1}); }
-  /// A whole number from `low` to `high`, both within T. In the file it has 64 bits, and those are checked.
+  /// A whole number from `low` to `high`, both within T. In the file it has 64 bits, and its range is checked.
   template <class T>
   void value(const std::string& name, T& v, std::int64_t low, std::int64_t high) {
     auto wide = static_cast<std::int64_t>(v);
@@ -44,7 +44,7 @@ class Archive {
     else
       v = static_cast<T>(wide);
   }
-  /// A table of a size that both sides know.
+  /// A table with a shape that writer and reader know.
   template <class T>
   void table(const std::string& name, std::vector<T>& v, const std::vector<std::size_t>& shape) {
     elements(name, std::span<T>(v), shape);
@@ -64,7 +64,7 @@ class Archive {
     }
     elements(name, std::span<T>(v), {v.size()});
   }
-  /// Everything inside is named with a prefix.
+  /// Names inside `transfer` begin with the prefix.
   void under(const std::string& prefix, const auto& transfer) {
     const std::string outer = prefix_;
     prefix_ += prefix;

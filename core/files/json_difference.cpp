@@ -12,7 +12,7 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// "pole_angle", where that is what an entry of a list is about.
+/// The subject of an entry of a list, for example "pole_angle".
 std::optional<std::string> subjectOf(const Json& entry) {
   if (entry.is_object() && entry.contains("variable") && entry["variable"].is_string())
     return entry["variable"].get<std::string>();
@@ -28,7 +28,7 @@ std::string shortText(const Json& json) {
 std::optional<Difference> firstDifference(const Json& theirs, const Json& ours, const std::string& where) {
   const auto inside = [&](const std::string& name) { return where.empty() ? name : name + " of " + where; };
   if (ours.is_object() && theirs.is_object()) {
-    std::vector<std::string> keys;  // first what a person sets
+    std::vector<std::string> keys;  // settings of a person first
     for (const char* key : {"kind", "tilings", "memory", "tile_width", "spacing", "width"})
       if (ours.contains(key)) keys.emplace_back(key);
     for (const auto& [key, value] : ours.items()) keys.push_back(key);

@@ -13,8 +13,8 @@ struct Difference {
   std::string theirs, ours;  ///< shortened
 };
 
-/// The first place where two descriptions differ, what a person sets before anything else; what only `theirs` has is no
-/// difference. `where` is what the whole is called.
+/// The first place where two descriptions differ; settings of a person come before others. A key that only `theirs` has
+/// is no difference. Messages call the whole description `where`.
 std::optional<Difference> firstDifference(const nlohmann::json& theirs, const nlohmann::json& ours,
                                           const std::string& where);
 

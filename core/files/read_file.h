@@ -10,7 +10,7 @@ namespace surefoot {
 /// The bytes of a regular file, or a sentence that says why there are none.
 Result<std::string> readFile(const std::string& path);
 
-/// The same for a text: what is longer than 64 MB is none of ours.
+/// The same for a text of at most 64 MB.
 Result<std::string> readText(const std::string& path);
 /// No more than the first bytes.
 Result<std::string> readHead(const std::string& path, std::size_t most);

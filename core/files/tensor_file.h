@@ -4,8 +4,8 @@
 // header in JSON, name → {dtype, shape, data_offsets}; then the data, in order and without gaps. Our description is one
 // string of JSON in the header's __metadata__, under "surefoot". Q-functions and checkpoints are such files.
 //
-// Values; used by one thread at a time. What is read is checked completely: whatever the bytes, the result is a file
-// that holds what it says, or a sentence.
+// Values; used by one thread at a time. Files are checked completely when they are read: whatever the bytes, the result
+// is a file that is consistent, or an error.
 #pragma once
 
 #include <cstddef>
@@ -46,7 +46,7 @@ struct Tensor {
   std::string bytes;  ///< little-endian, the last index of the shape fastest
 
   std::size_t count() const { return bytes.size() / sizeOf(type); }
-  /// Of the shape; the same once the data is there.
+  /// Number of elements by the shape; equal to count() once the data is there.
   std::size_t elements() const;
 };
 
@@ -54,12 +54,12 @@ class TensorFile {
  public:
   /// The whole file as bytes.
   std::string write() const;
-  /// What stands before the first tensor's bytes: the rest are those of all tensors, in order.
+  /// The file up to the first tensor's bytes; after it come the bytes of all tensors, in order.
   std::string head() const;
-  /// Reads bytes; `name` is what messages call the file.
+  /// Reads bytes; messages call the file `name`.
   static Result<TensorFile> parse(std::string_view bytes, const std::string& name);
-  /// Reads a regular file. `check` gets the file without its data first, when names, types and shapes are known to fit
-  /// the file: what it refuses takes no memory.
+  /// Reads a regular file. `check` first gets the file without its data, when names, types and shapes are known to fit
+  /// the file: a file that it refuses takes no memory.
   static Result<TensorFile> read(const std::string& path, const std::function<Status(const TensorFile&)>& check = {});
 
   const Tensor* find(std::string_view name) const;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// toml++, with a fault of its version 3.3 mended: of some letters outside quotes (², ε) it says itself that they cannot
-// be there, and what follows is undefined. Only what parses TOML includes this.
+// toml++, with a fault of its version 3.3 repaired: for some letters outside quotes (², ε) its code marks a place as
+// unreachable, but reaches it, which is undefined. Include this only where TOML is parsed.
 #pragma once
 
 #define TOML_EXCEPTIONS 0

@@ -46,9 +46,8 @@ std::string nameIn(const std::string& folder, int nameless) {
   return {};
 }
 
-/// What a program left that was killed between giving a file a name of its own and giving it its place: names whose
-/// process is gone, and that are older than any such moment on another machine or in another container that shares the
-/// folder.
+/// Removes files that a killed program left under a temporary name. Their process must be gone, and they must be so old
+/// that no program on another machine or in another container that shares the folder can still be using them.
 void clearLitter(const std::string& folder) {
   constexpr auto kOld = std::chrono::hours(1);
   std::error_code failed;
@@ -98,7 +97,7 @@ Result<WholeFile> WholeFile::createOrReplace(const std::string& what, const std:
   if (stat(path.c_str(), &info) == 0 && !S_ISREG(info.st_mode))
     return unwritable(what, path, "it is there already, and not a regular file");
   std::error_code failed;
-  const auto target = std::filesystem::canonical(path, failed);  // what a link points to is replaced, not the link
+  const auto target = std::filesystem::canonical(path, failed);  // replaces the target of a link, not the link
   return open(what, failed ? path : target.string(), true);
 }
 

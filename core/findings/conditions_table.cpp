@@ -12,7 +12,7 @@ namespace surefoot {
 
 namespace {
 
-/// "28 of 30": of a measure that is 0 or 1 the mean ± would mislead.
+/// "28 of 30", for a measure that is 0 or 1: mean ± would mislead.
 std::string countText(const std::vector<double>& values) {
   const auto finite = std::count_if(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
   return finite == 0 ? "–" : fmt::format("{} of {}", std::count(values.begin(), values.end(), 1.0), finite);

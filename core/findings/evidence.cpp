@@ -27,7 +27,7 @@ double own(const LifeMeasures& life, std::string_view name) {
   return found == life.own.end() ? std::numeric_limits<double>::quiet_NaN() : found->value;
 }
 
-/// 1: at its end the robot walks, by the last ten greedy tests.
+/// 1 if the robot walks at the end of the life, by the last ten greedy tests.
 double walks(const LifeMeasures& life) {
   const double distance = own(life, "greedy_distance");
   return std::isfinite(distance) ? distance > kWalkDistance && own(life, "greedy_falls") <= 0.5 : distance;
@@ -51,7 +51,7 @@ constexpr NamedMeasure kMeasures[] = {
      [](const LifeMeasures& l) { return l.firstTransitions; }},
     {"walks", "lives that walk", walks}};
 
-/// What a task may measure besides (measuresOf).
+/// Measures that a task may have besides (measuresOf).
 constexpr std::pair<const char*, const char*> kOwnMeasures[] = {
     {"falls_per_hour", "falls an hour"},
     {"distance", "distance of a life [m]"},
@@ -118,7 +118,7 @@ Groups groupsOf(const Evidence& evidence, std::string_view measure) {
 
 namespace {
 
-/// What conditions with the same units have in common; empty: nothing.
+/// Keys that are equal for conditions with the same units; empty: the condition shares no units.
 struct UnitKeys {
   std::string qFunctions, lives;
 };

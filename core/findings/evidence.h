@@ -12,38 +12,38 @@ namespace surefoot {
 struct Evidence {
   ConditionRecord record;
   std::vector<double> averages;    ///< A(k); [k − 1]
-  std::optional<std::size_t> end;  ///< of learning
+  std::optional<std::size_t> end;  ///< end of learning
   std::vector<LifeMeasures> lives;
   std::string pool;              ///< which Q-functions its lives began with; empty: none
   nlohmann::json configuration;  ///< as the store has it
-  /// resampledUntilEnd: where another end would have been found with other lives.
+  /// From resampledUntilEnd; empty if no resample of the lives gives another end.
   std::map<std::string, std::vector<double>, std::less<>> untilOtherEnds{};
 
   const std::string& name() const { return record.condition.name; }
   bool hasPool() const { return !pool.empty(); }
 };
 
-/// Of all conditions of a store, in order.
+/// The evidence of all conditions of a store, in order.
 Result<std::vector<Evidence>> readEvidence(const Store& store);
 
-/// The names of what is measured of a life: falls, minutes, all_falls, end_performance, average_reward, success_during,
+/// The names of the measures of a life: falls, minutes, all_falls, end_performance, average_reward, success_during,
 /// success_after, failure_during, failure_after, first_transitions, walks (0 or 1: more than kWalkDistance on the mean
 /// of the last ten greedy tests, at most half of which fall); and what a task may measure itself (measuresOf).
 std::vector<std::string> measureNames();
-/// What a person calls it: "distance of a life [m]".
+/// The title of a measure for people: "distance of a life [m]".
 std::string measureTitle(std::string_view measure);
-/// One value a life; NaN where a life has none. Empty for a name that is not there.
+/// One value per life; NaN where a life has none. Empty for an unknown name.
 std::vector<double> valuesOf(const Evidence& evidence, std::string_view measure);
 
-/// Values of lives by the Q-functions that these began with, without those that are NaN.
+/// Values of lives, grouped by the Q-functions that the lives began with; values that are not finite are left out.
 Groups groupsOf(const Evidence& evidence, std::string_view measure);
-/// The units of both are the same ones: lives with the same seeds, or the same Q-functions.
+/// Whether both have the same units: lives with the same seeds, or the same Q-functions.
 bool sameUnits(const Evidence& a, const Evidence& b);
 
-/// Finds, of a row of conditions, the first that has the same units (sameUnits), however many there are.
+/// Finds, for each of a row of conditions, the first condition with the same units (sameUnits).
 class FirstWithSameUnits {
  public:
-  /// The number of the first, from 0; of a condition that shares its units with none before it its own.
+  /// The number of that first condition, from 0; a condition's own number if no earlier one has its units.
   std::size_t add(const Evidence& evidence);
 
  private:
@@ -51,7 +51,7 @@ class FirstWithSameUnits {
   std::size_t count_ = 0;
 };
 
-/// Mean of one value a life, with all that makes it uncertain.
+/// Mean of one value per life, with its error.
 MeanEstimate estimateOf(const Evidence& evidence, std::string_view measure);
 /// The same with its 95 % interval.
 Interval meanOf(const Evidence& evidence, std::string_view measure);

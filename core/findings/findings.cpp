@@ -14,7 +14,7 @@ namespace surefoot {
 
 namespace {
 
-/// γ and the rewards of the rule of thumb, as the condition's configuration has them.
+/// γ and the rewards of the rule of thumb, from the condition's configuration.
 std::optional<Interval> thresholdOf(const Evidence& m, const Interval& transitions) {
   const auto& parameters = partOf(m.configuration, "parameters");
   const double discount = numberIn(parameters, "agent.discount");
@@ -102,7 +102,7 @@ Comparison compare(const Evidence& reference, const Evidence& other, std::vector
     c.minutes = differenceOf(estimateOf(reference, "minutes"), estimateOf(other, "minutes"), same);
   const double sd = std::sqrt((varianceOf(a) + varianceOf(b)) / 2);
   if (c.anova && sd > 0) c.livesNeeded = livesNeeded(sd, c.difference.value);
-  constexpr std::size_t kFew = 5;  // of fewer the distances from the median are hardly free
+  constexpr std::size_t kFew = 5;  // with fewer values the distances from the median depend too much on each other
   const auto equal = std::min(a.size(), b.size()) < kFew ? std::nullopt : brownForsytheTest({a, b});
   if (equal && equal->p < 0.01)
     warnings.push_back(fmt::format("variances differ from the reference's (p {:.2g}); trust Welch's test", equal->p));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a store of results shows: the measures of every condition with 95 % intervals, and its comparison with the
+// The findings of a store: the measures of every condition with 95 % intervals, and its comparison with the
 // reference condition.
 #pragma once
 
@@ -21,9 +21,9 @@ struct Comparison {
   std::optional<TestResult> paired;        ///< where life i shares its seeds or its Q-function with life i of the other
   double holm = kNoTest;                   ///< p of the analysis of variance, adjusted for the conditions compared
   std::optional<double> effect;            ///< Hedges' g
-  std::optional<std::int64_t> livesNeeded;  ///< a condition, to see this difference with a power of 80 %
-  std::optional<Interval> minutes;          ///< learning time: difference from the reference's
-  /// Falls of both up to the reference's end of learning, in per cent; the interval takes that end for certain.
+  std::optional<std::int64_t> livesNeeded;  ///< per condition, to show this difference with a power of 80 %
+  std::optional<Interval> minutes;          ///< learning time: difference from the reference
+  /// Change of falls up to the reference's end of learning, in per cent; the interval treats this end as certain.
   std::optional<Interval> changeAtItsEnd;
 
   double p() const { return anova ? anova->p : kNoTest; }
@@ -33,13 +33,13 @@ struct Comparison {
 struct Finding {
   std::string name, reference;
   int lives = 0, diverged = 0;
-  std::optional<std::size_t> end;  ///< of learning, an episode
+  std::optional<std::size_t> end;  ///< the episode in which learning ended
   double largestChangeAfter = 0.0;
   Interval falls, minutes, allFalls, endPerformance, averageReward;
   Interval successDuring, successAfter, failureDuring, failureAfter;  ///< transitions; NaN where there are none
   std::optional<Interval> threshold;                                  ///< the rule of thumb with n* during learning
-  int qFunctions = 0, atCap = 0;                       ///< of the pre-learning; those that did not reach their reward
-  std::optional<VarianceComponent> betweenQFunctions;  ///< of falls
+  int qFunctions = 0, atCap = 0;                       ///< pre-learned Q-functions; how many did not reach their reward
+  std::optional<VarianceComponent> betweenQFunctions;  ///< variance of the falls
   std::optional<Comparison> comparison;
   std::vector<std::string> warnings;
 };
@@ -50,18 +50,18 @@ struct Findings {
   std::vector<Finding> conditions;
 };
 
-/// Of the same store always the same.
+/// The same store always gives the same findings.
 Findings findingsOf(StoredPlan plan, const std::vector<Evidence>& evidence);
-/// Of a whole store.
+/// The findings of a whole store.
 Result<Findings> findingsOf(const Store& store);
 
 /// "−45.0 (−55.1 … −32.0)", as a table says it: per cent, or where the reference has no falls the difference in falls.
 std::string changeText(const Comparison& comparison, int decimals);
 
 nlohmann::ordered_json findingsAsJson(const Findings& findings);
-/// A row a condition, for other programs.
+/// One row per condition, for other programs.
 std::string findingsAsCsv(const Findings& findings);
-/// A table that LaTeX takes as it is, without any package.
+/// A table for LaTeX that needs no package.
 std::string findingsAsLatex(const Findings& findings);
 /// A table for people, with the warnings below it.
 std::string findingsAsTable(const Findings& findings);

@@ -18,7 +18,7 @@ std::string number(double value) {
   return numberCell(value, kDigits);
 }
 
-/// Three cells.
+/// An interval as three cells.
 std::string numbers(const Interval& i) {
   return fmt::format("{},{},{}", number(i.value), number(i.low), number(i.high));
 }

@@ -46,7 +46,7 @@ OrderedJson asJson(const Comparison& c) {
           {"change_per_cent_until_reference_ends", asJson(c.changeAtItsEnd)}};
 }
 
-/// "< 1e-10", "0.0031"; "–" of no test
+/// "< 1e-10", "0.0031"; "–" without a test
 std::string pText(double p) {
   if (std::isnan(p)) return "–";
   if (p < 1e-10) return "< 1e-10";

@@ -14,9 +14,9 @@ namespace surefoot {
 
 namespace {
 
-constexpr std::size_t kFirst = 330, kSpan = 250;  // of the end of learning
+constexpr std::size_t kFirst = 330, kSpan = 250;  // for the end of learning
 constexpr double kMostChange = 3.0;
-constexpr std::size_t kLast = 500;  // episodes of the end performance
+constexpr std::size_t kLast = 500;  // episodes for the end performance
 
 double ratio(double sum, double count) {
   return count > 0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
@@ -50,7 +50,7 @@ double minutesOf(std::span<const StoredEpisode> episodes, double stepTime) {
   return stepTime > 0 ? transitions * stepTime / 60.0 : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Mean and band over lives of what each of them gives at x.
+/// Mean and band over lives of the lives' values at x.
 Curve overLives(const ConditionRecord& record, std::vector<double> x, const std::vector<std::vector<double>>& lives) {
   Curve curve{.x = std::move(x), .y = {}};
   const Units units = unitsOf(record);
@@ -64,7 +64,7 @@ Curve overLives(const ConditionRecord& record, std::vector<double> x, const std:
 
 using ValuesOfLife = std::function<std::vector<double>(const std::vector<StoredEpisode>&)>;
 
-/// What `value` gives after every episode, up to the end of the shortest life.
+/// The results of `value` after every episode, up to the end of the shortest life.
 Curve againstEpisodes(const ConditionRecord& record, const ValuesOfLife& value) {
   std::vector<double> x(record.shortest());
   for (std::size_t k = 0; k < x.size(); ++k) x[k] = static_cast<double>(k + 1);
@@ -73,8 +73,8 @@ Curve againstEpisodes(const ConditionRecord& record, const ValuesOfLife& value) 
   return overLives(record, std::move(x), lives);
 }
 
-/// The same at moments spread evenly in simulated time, from that on at which all lives have finished an episode;
-/// against episodes where the task has no clock.
+/// The same at moments spread evenly in simulated time, from the moment when all lives have finished an episode.
+/// Where the task has no clock: against episodes.
 Curve againstMinutes(const ConditionRecord& record, std::size_t points, const ValuesOfLife& value) {
   if (!(record.condition.stepTime > 0)) return againstEpisodes(record, value);
   double first = 0, length = std::numeric_limits<double>::infinity();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the thesis measures, from the episodes of a store. Episodes count from 1; the average reward is the mean of the
-// last 80 episodes, or of those so far.
+// The thesis's measures, from the episodes of a store. Episodes count from 1; the average reward is the mean of the
+// last 80 episodes, or of all so far if there are fewer.
 #pragma once
 
 #include <optional>
@@ -16,12 +16,12 @@ struct ConditionRecord {
   StoredCondition condition;
   std::vector<StoredLife> lives;
   std::vector<std::vector<StoredEpisode>> episodes;  ///< [life][episode]
-  std::vector<std::vector<StoredMeasure>> measures;  ///< [life]; of greedy tests, too
+  std::vector<std::vector<StoredMeasure>> measures;  ///< [life]; measures of greedy tests are included
   std::vector<StoredPreLearning> preLearned;
   int diverged = 0;     ///< lives left out
   bool paired = false;  ///< life i has the same seeds in every condition
 
-  /// Episodes of the shortest life.
+  /// Number of episodes of the shortest life.
   std::size_t shortest() const;
 };
 
@@ -39,7 +39,7 @@ std::optional<std::size_t> endOfLearning(const std::vector<double>& a, double go
 /// The largest |A(k) − A(k − 250)| behind episode `end`; 0 if there is nothing behind it.
 double largestChangeAfter(const std::vector<double>& a, std::size_t end);
 
-/// Mean transitions of episodes; NaN where there are none.
+/// Mean transitions of successful and of failed episodes; NaN where there are none.
 struct Lengths {
   double success = 0.0, failure = 0.0;
 };
@@ -47,12 +47,12 @@ struct Lengths {
 /// One life, measured up to the end of its condition's learning.
 struct LifeMeasures {
   double falls = 0.0;                ///< during learning
-  double minutes = 0.0;              ///< simulated, of learning; NaN without a clock
-  double allFalls = 0.0;             ///< of the whole life
+  double minutes = 0.0;              ///< simulated minutes of learning; NaN without a clock
+  double allFalls = 0.0;             ///< falls of the whole life
   double endPerformance = 0.0;       ///< falls per episode over the last 500
   double averageReward = 0.0;        ///< at the end of the life
-  double firstTransitions = 0.0;     ///< per episode, over the first 80
-  std::vector<StoredMeasure> own{};  ///< what its task measures (measuresOf)
+  double firstTransitions = 0.0;     ///< transitions per episode, over the first 80
+  std::vector<StoredMeasure> own{};  ///< measures of its task (measuresOf)
   Lengths during, after;
 };
 
@@ -62,18 +62,18 @@ std::vector<LifeMeasures> measure(const ConditionRecord& record, std::optional<s
 /// Falls of every life up to an episode.
 std::vector<double> fallsUntil(const ConditionRecord& record, std::size_t episode);
 
-/// What is independent of each other: lives; or, where lives share several Q-functions, these, in order.
+/// The independent units: lives; or, where lives share several Q-functions, the Q-functions, in order.
 Units unitsOf(const ConditionRecord& record);
-/// The values of lives, those with one Q-function together, in the order of these; one group if there was none.
+/// The values of lives, one group per Q-function, in the order of the Q-functions; one group if there was none.
 Groups byQFunction(const ConditionRecord& record, Sample values);
 
-/// A curve over lives with its 95 % band; of one life without.
+/// A curve over lives with its 95 % band; for one life without a band.
 struct Curve {
   std::vector<double> x;
   std::vector<Interval> y;
 };
-/// Average reward against simulated minutes, at so many moments up to the end of the shortest life, without those at
-/// which some life has not finished an episode yet; against episodes where the task has no clock.
+/// Average reward against simulated minutes, at `points` moments up to the end of the shortest life. Moments before all
+/// lives have finished an episode are left out. Where the task has no clock: against episodes.
 Curve learningCurve(const ConditionRecord& record, std::size_t points);
 /// Average reward after the f-th fall; a life with fewer falls keeps its last value.
 Curve rewardAgainstFalls(const ConditionRecord& record);

@@ -10,15 +10,15 @@ namespace surefoot {
 namespace {
 
 constexpr int kResamples = 200;
-constexpr std::uint64_t kSeed = 1;  // of all conditions, so that those with the same units have the same resamples
+constexpr std::uint64_t kSeed = 1;  // for all conditions: those with the same units get the same resamples
 
 enum Sum { Falls, Transitions, Successes, SuccessSteps, Failures, FailureSteps };
 using Sums = std::array<double, 6>;
 
-/// Of a life: the average reward after every episode, and sums over the episodes up to every one.
+/// The course of a life: the average reward after every episode, and sums over all episodes up to each one.
 struct Course {
   std::vector<double> averages;
-  std::vector<Sums> upTo;  ///< [k]: of the first k episodes
+  std::vector<Sums> upTo;  ///< [k]: sums over the first k episodes
 };
 
 Course courseOf(const std::vector<StoredEpisode>& episodes) {
@@ -34,7 +34,7 @@ Course courseOf(const std::vector<StoredEpisode>& episodes) {
   return course;
 }
 
-/// A(k) of lives of which each counts so many times.
+/// A(k) over the lives, where life i counts times[i] times.
 std::vector<double> meanAverages(const std::vector<Course>& lives, const std::vector<int>& times) {
   std::size_t shortest = lives[0].averages.size();
   double all = 0;

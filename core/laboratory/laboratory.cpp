@@ -21,9 +21,9 @@ namespace {
 
 /// One piece of work: a lesson to learn, or a life to live.
 struct Task {
-  Lesson* lesson = nullptr;  // of a life: what it begins with
+  Lesson* lesson = nullptr;  // the Q-function that a life begins with
   int condition = -1, life = 0;
-  std::string name{};  // what it is kept under
+  std::string name{};  // the name under which it is kept
 };
 
 class Laboratory {
@@ -45,7 +45,7 @@ class Laboratory {
       p.work.livesDone = livesDone_;
       if (options_.progress) options_.progress(p);
       const std::lock_guard lock(mutex_);
-      static_cast<void>(static_cast<bool>(store_.settle()));  // a full disk is told by the next life
+      static_cast<void>(static_cast<bool>(store_.settle()));  // if the disk is full, the next life reports it
       if (options_.look) options_.look(store_);
     };
     const Status s = pool_.run(
@@ -62,7 +62,7 @@ class Laboratory {
     return plan_.conditions[static_cast<std::size_t>(task.condition)];
   }
 
-  /// Life by life over all conditions: these can be compared early, and a Q-function is soon done with.
+  /// First life 0 of all conditions, then life 1, …: conditions can be compared early, and a Q-function is freed soon.
   Status planTasks() {
     const auto there = store_.lives();
     if (!there) return there.error();
@@ -86,8 +86,8 @@ class Laboratory {
     return Done{};
   }
 
-  /// Lessons stand some lives before the first that needs them, so that few wait, and those for work in hand. Lives
-  /// that were kept need none.
+  /// Adds each lesson some lives before the first life that needs it, so that few lives wait, and only for lessons that
+  /// are being learned. Kept lives need no lesson.
   void addLessons(std::vector<Task> lives) {
     const std::size_t ahead = 2 * static_cast<std::size_t>(options_.jobs);
     std::set<const Lesson*> added;
@@ -156,13 +156,13 @@ class Laboratory {
     return Done{};
   }
 
-  /// What was learned and is still needed need not be learned again.
+  /// Keeps learned Q-functions that are still needed, so that the next run need not learn them again.
   void keepLessons() {
     if (!pool_.stopping()) return;
     for (const auto& [key, lesson] : lessons_) {
       const auto q = lesson->inHand();
       const std::string name = KeptLives::nameOf(lesson->what, lesson->number);
-      if (!q || q->about.contains("pre_learned")) continue;  // it came from there
+      if (!q || q->about.contains("pre_learned")) continue;  // it was kept before
       TensorFile file = *q;
       file.about["pre_learned"] = asJson(lesson->facts());
       note(kept_.keep(name, std::move(file)));
@@ -175,7 +175,7 @@ class Laboratory {
     if (!life) {
       Configuration c = conditionOf(task).configuration;
       if (task.lesson) {
-        if (const Status s = learn(*task.lesson, meter); !s) return s;  // unless another does
+        if (const Status s = learn(*task.lesson, meter); !s) return s;  // unless another life learns it
         c.start = task.lesson->wait(pool_);
         if (!c.start) return Done{};
         before = task.lesson->facts();
@@ -206,7 +206,7 @@ class Laboratory {
     return kept_.has(task.name) ? kept_.read(task.name) : nullptr;
   }
 
-  /// A kept life, with what its pre-learning came to; nullptr: there is none.
+  /// A kept life, with the results of its pre-learning; nullptr: there is none.
   std::unique_ptr<Life> takeUpLearned(const Task& task, std::optional<StoredPreLearning>& before) {
     const auto file = readKept(task);
     if (file) before = preLearningFrom(file->about.value("pre_learned", Json()));
@@ -217,13 +217,13 @@ class Laboratory {
     liveWhole(life, meter, pool_, std::chrono::duration<double>(options_.keepEvery), keep);
   }
 
-  /// The first reason why a life in hand could not be kept.
+  /// Notes the first reason why an unfinished life could not be kept.
   void note(const Status& kept) {
     const std::lock_guard lock(mutex_);
     if (!kept && result_.keeping) result_.keeping = kept;
   }
 
-  /// Of all lives, without the lessons.
+  /// Falls of all lives, without the lessons.
   std::int64_t falls() const {
     std::int64_t all = fallsThere_;
     for (std::size_t i = 0; i < tasks_.size(); ++i)

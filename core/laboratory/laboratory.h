@@ -10,16 +10,16 @@
 namespace surefoot {
 
 struct LabProgress {
-  Progress work{};         ///< of this run: lives that were missing, and the pre-learning that they need
-  int livesThere = 0;      ///< that the store held before
-  int livesPlanned = 0;    ///< in all, of this shard
-  std::int64_t falls = 0;  ///< of all lives, those in the store and those in hand; without pre-learning
+  Progress work{};         ///< work of this run: missing lives and the pre-learning that they need
+  int livesThere = 0;      ///< lives that the store held before
+  int livesPlanned = 0;    ///< all lives of this shard
+  std::int64_t falls = 0;  ///< falls of all lives, stored and running; without pre-learning
 };
 
 struct LabOptions {
   int jobs = 1;
   int shard = 1, shards = 1;  ///< life number k (of all, in order) belongs to shard k mod shards + 1
-  /// Everything ends; lives in hand are kept beside the store, and the next run takes them up.
+  /// Everything ends; running lives are kept beside the store, and the next run continues them.
   const std::atomic<bool>* interrupted = nullptr;
   /// While it is set, lives stand still between two steps. After some seconds they are kept beside the store, too.
   const std::atomic<bool>* paused = nullptr;
@@ -29,14 +29,14 @@ struct LabOptions {
 };
 
 struct LabResult {
-  int livesPlanned = 0, livesThere = 0;  ///< of this shard; those that the store holds now
+  int livesPlanned = 0, livesThere = 0;  ///< all lives of this shard; lives that the store holds now
   int preLearningsAtCap = 0;             ///< Q-functions of this run that did not reach their reward
-  int livesKept = 0;                     ///< in hand, and what was learned before them; they wait beside the store
-  Status keeping = Done{};               ///< why a life in hand could not be kept
+  int livesKept = 0;                     ///< unfinished lives and pre-learnings, kept beside the store
+  Status keeping = Done{};               ///< why an unfinished life could not be kept
   bool complete() const { return livesThere == livesPlanned; }
 };
 
-/// Runs what is missing. An error keeps what was written; an interruption is no error.
+/// Runs the missing lives. After an error the written lives are kept; an interruption is no error.
 Result<LabResult> runPlan(const Registry& registry, const Plan& plan, Store& store, const LabOptions& options);
 
 }  // namespace surefoot

@@ -10,7 +10,7 @@ namespace surefoot {
 namespace {
 using Clock = std::chrono::steady_clock;
 constexpr auto kFirstLook = std::chrono::seconds(1);
-constexpr int kShareOfLooks = 10;  // measuring takes one part of the time in so many
+constexpr int kShareOfLooks = 10;  // measuring takes at most this part of the time: 1/kShareOfLooks
 }  // namespace
 
 Result<LabView> viewOf(const Store& store) {
@@ -84,7 +84,7 @@ void LaboratoryThread::run(Store store, LabOptions options) {
   const auto result = runPlan(registry_, plan_, store, options);
   if (result) {
     complete_ = result->complete();
-    if (!interrupted_) look(store);  // else nobody waits for it
+    if (!interrupted_) look(store);  // when interrupted, the results are not needed
   }
   {
     const std::lock_guard lock(mutex_);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An experiment on threads of its own, for a window: what is missing of a plan is lived into a store, and now and then
-// the results so far are measured. It pauses and goes on; stopped, it keeps the lives in hand beside the store.
+// An experiment on threads of its own, for a window: it runs the missing lives of a plan into a store, and now and then
+// measures the results so far. It can pause and go on; when stopped, it keeps unfinished lives beside the store.
 #pragma once
 
 #include <atomic>
@@ -27,7 +27,7 @@ class LaboratoryThread {
  public:
   /// Begins at once. The store belongs to the plan, and to this object from now on.
   LaboratoryThread(const Registry& registry, Plan plan, Store store, const LabOptions& options);
-  /// Waits until everything stands still and what is in hand is kept.
+  /// Waits until everything stands still and unfinished lives are kept.
   ~LaboratoryThread();
   LaboratoryThread(const LaboratoryThread&) = delete;
 
@@ -36,7 +36,7 @@ class LaboratoryThread {
   std::shared_ptr<const LabView> view() const;
   /// Lives stand still between two steps, and go on.
   void setPaused(bool paused) { paused_ = paused; }
-  /// Ends it soon: lives in hand are kept beside the store, for whoever goes on.
+  /// Ends it soon: unfinished lives are kept beside the store, so that a later run can continue them.
   void stop() { interrupted_ = true; }
   /// Nothing runs any more: all lives are lived, or it was stopped, or failed.
   bool over() const { return over_; }
@@ -51,7 +51,7 @@ class LaboratoryThread {
   const Registry& registry_;
   const Plan plan_;
   std::atomic<bool> interrupted_{false}, paused_{false}, over_{false}, complete_{false};
-  mutable std::mutex mutex_;  // guards what follows
+  mutable std::mutex mutex_;  // guards the members below
   LabProgress progress_;
   std::shared_ptr<const LabView> view_;
   std::string trouble_;

@@ -23,16 +23,16 @@ class Lesson {
 
   /// One more life needs it.
   void wanted() { ++uses_; }
-  /// Whether it is the caller's to learn; true once.
+  /// Whether the caller must learn it; true only for the first caller.
   bool take() { return !taken_.exchange(true); }
   void finish(std::shared_ptr<const TensorFile> q, const StoredPreLearning& facts);
   /// nullptr: the pool stopped before it was learned.
   std::shared_ptr<const TensorFile> wait(const WorkPool& pool);
-  /// Once it is learned.
+  /// Valid once it is learned.
   const StoredPreLearning& facts() const { return facts_; }
-  /// A life that needed it is stored; true: that was the last.
+  /// A life that needed it is stored; returns true for the last such life.
   bool used();
-  /// What is learned and still needed; nullptr: nothing.
+  /// The Q-function, while it is learned and still needed; else nullptr.
   std::shared_ptr<const TensorFile> inHand() const;
 
  private:

@@ -9,9 +9,9 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::int64_t kStretch = 1 << 16;           // [steps] between two looks at the clock
-constexpr auto kPatience = std::chrono::seconds(2);  // a pause that is over before leaves the disk alone
+constexpr auto kPatience = std::chrono::seconds(2);  // a shorter pause writes nothing to the disk
 constexpr auto kLook = std::chrono::milliseconds(20);
-constexpr int kShareOfKeeping = 50;  // keeping takes one part of the time in so many
+constexpr int kShareOfKeeping = 50;  // keeping takes at most this part of the time: 1/kShareOfKeeping
 
 class Keeper {
  public:
@@ -39,7 +39,7 @@ class Keeper {
   Clock::duration wanted_, every_;
   const std::function<void()>& keep_;
   Clock::time_point last_ = Clock::now();
-  std::int64_t keptAt_;  // where it was taken up, or last kept
+  std::int64_t keptAt_;  // step at which it was continued, or last kept
 };
 
 }  // namespace

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A life of a plan from where it is to its end, on a thread of a pool, kept on the way so that it can be taken up.
+// Lives a life of a plan from its present state to its end, on a thread of a pool. It is kept on the way, so that it
+// can be continued later.
 #pragma once
 
 #include <chrono>
@@ -10,9 +11,9 @@
 
 namespace surefoot {
 
-/// Returns when the life is finished or the pool stops; while the pool is paused it stands still. `keep` is called,
-/// between two steps, when it stops before its end, some seconds into a pause, and about as often as `every` says (less
-/// often where keeping takes long).
+/// Returns when the life is finished or the pool stops; while the pool is paused the life stands still. `keep` is
+/// called between two steps: when the life stops before its end, some seconds into a pause, and about once in every
+/// `every` (less often where keeping takes long).
 void liveWhole(Life& life, Meter& meter, const WorkPool& pool, std::chrono::duration<double> every,
                const std::function<void()>& keep);
 

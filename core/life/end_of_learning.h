@@ -11,12 +11,12 @@
 
 namespace surefoot {
 
-/// More than any life has: what a file says beyond it is damage.
+/// More than any life has: a larger number in a file is damage.
 inline constexpr std::int64_t kMostLifeSteps = 1'000'000'000'000'000;
 
 class EndOfLearning {
  public:
-  /// The average reward after episode number `episode` (from 1), which ended after so many steps of the life.
+  /// Adds the average reward after episode number `episode` (from 1), which ended after `lifeSteps` steps of the life.
   void add(std::int64_t episode, double averageReward, std::int64_t lifeSteps, double bestReturn) {
     double& before = averages_[static_cast<std::size_t>(episode % kSpan)];
     const double change = averageReward - before;

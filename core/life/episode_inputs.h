@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything that an environment was given in one episode. An environment that gets the same again goes through the
+// All inputs of an environment in one episode. An environment that gets the same inputs again goes through the
 // same states, whatever its physics engine holds inside: so an episode is a few hundred bytes.
 #pragma once
 
@@ -13,12 +13,12 @@ namespace surefoot {
 
 struct EpisodeInputs {
   std::array<std::uint64_t, 4> random{};  ///< the world's generator before reset()
-  std::vector<double> start;              ///< the state it was placed in; empty: where it began by itself
+  std::vector<double> start;              ///< the state it was placed in; empty: the state after reset()
   std::vector<std::uint16_t> actions;
   std::vector<std::uint64_t> pushSteps;  ///< steps of the episode before each push
   std::vector<double> pushImpulses;      ///< [N s]
 
-  /// Those below 0 (kHandMade) lie at the upper end of the numbers.
+  /// Negative actions (kHandMade) are stored at the upper end of the numbers.
   Action actionAt(std::size_t step) const { return static_cast<std::int16_t>(actions[step]); }
   void clear() {
     start.clear();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What happened in a life, an episode at a time.
+// The log of a life, episode by episode.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace surefoot {
 
-/// Below every reward; a number that files can hold.
+/// Lower than every reward, but finite, so that files can hold it.
 inline constexpr double kNoReward = -1e300;
 
 /// One finished episode.
@@ -29,7 +29,7 @@ struct EpisodeRow {
   Ending ending = Ending::None;
   double averageReward = 0.0;  ///< over the last 80 episodes, this one included
   EpisodeMeasures measures{};  ///< Task::measures
-  double highest = kNoReward;  ///< reward of one transition
+  double highest = kNoReward;  ///< highest reward of one transition
 };
 
 /// 64 bits over a sequence of words, in order.
@@ -49,9 +49,9 @@ class Hash64 {
 struct LifeTotals {
   std::int64_t episodes = 0, falls = 0, successes = 0, failures = 0;
   std::int64_t successSteps = 0, failureSteps = 0;         ///< transitions of the successful and of the failed episodes
-  std::int64_t successesAfter = 0, successStepsAfter = 0;  ///< of the successes, those after the end of learning
+  std::int64_t successesAfter = 0, successStepsAfter = 0;  ///< successes after learning ended; their transitions
   EpisodeMeasures measures{};
-  double highestReward = kNoReward;  ///< of one transition
+  double highestReward = kNoReward;  ///< highest reward of one transition
 };
 
 class EpisodeLog {
@@ -78,12 +78,12 @@ class EpisodeLog {
   /// Mean total reward of the last 80 episodes, or of those so far; 0 before the first.
   double averageReward() const { return last_.averageReward; }
   const EpisodeRow& last() const { return last_; }
-  /// Forgets the episode in hand; its steps remain the life's.
+  /// Forgets the current episode; its steps still count as steps of the life.
   void giveUp() { current_ = {}; }
   const EpisodeRow& current() const { return current_; }
   const EndOfLearning& endOfLearning() const { return end_; }
   const std::vector<EpisodeRow>& rows() const { return rows_; }
-  /// The rows kept so far, which are not kept any longer.
+  /// Takes the rows kept so far out of the log.
   std::vector<EpisodeRow> takeRows() { return std::exchange(rows_, {}); }
   const Hash64& hash() const { return hash_; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One fall of a life, so that it can be looked at again.
+// One fall of a life, recorded so that it can be shown again.
 #pragma once
 
 #include <memory>
@@ -13,23 +13,23 @@ namespace surefoot {
 
 struct Fall {
   std::uint64_t life = 0;      ///< counts the lives that were put into the window
-  std::int64_t number = 0;     ///< of the life, from 1
+  std::int64_t number = 0;     ///< number of the fall in its life, from 1
   std::int64_t episode = 0;    ///< from 1
-  std::int64_t lifeSteps = 0;  ///< of the life up to it
+  std::int64_t lifeSteps = 0;  ///< steps of the life up to the fall
   std::string policy;
   EpisodeInputs inputs;
-  /// The environment's parameters as they held.
+  /// The environment's parameters in that episode.
   std::shared_ptr<const std::vector<std::pair<std::string, double>>> parameters;
 
-  /// In its episode the body was placed or pushed by a person: it says little of the policy.
+  /// A person placed or pushed the body in this episode: the fall says little about the policy.
   bool byHand() const { return !inputs.start.empty() || !inputs.pushSteps.empty(); }
 };
 
-/// As many as a window keeps: the newest, and of those before them a choice that is spread over the life.
+/// A window keeps at most this many falls: the newest, and a selection of older ones spread over the life.
 inline constexpr std::size_t kMostFalls = 4000, kNewestFalls = 1000;
 
-/// Makes room where there are more than kMostFalls, in the order of the life: of the older ones those go that stand
-/// nearest to the one before, so that wherever a curve of the life shows a fall there is one to look at again.
+/// Removes falls if there are more than kMostFalls (in the order of the life). Older falls that are nearest to the fall
+/// before them go first: so wherever a curve of the life shows a fall, there is one to show again.
 template <class Falls>
 void thinOut(Falls& falls) {
   if (falls.size() <= kMostFalls) return;

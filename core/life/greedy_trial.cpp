@@ -24,7 +24,7 @@ void GreedyTester::follow(Environment& environment) {
 }
 
 void GreedyTester::test(const ActionValueFunction& values, std::int64_t episode, std::int64_t lifeSteps) {
-  constexpr std::int64_t kLongest = 10'000;  // whoever waits for the life to stop waits for the test, too
+  constexpr std::int64_t kLongest = 10'000;  // steps: a life that is to stop must first finish its test
   const double begin = threadCpuSeconds();
   Random random(mix64(seed_ ^ static_cast<std::uint64_t>(episode)));
   environment_->reset(random);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the greedy policy can do by now: an episode in an environment of its own, from which nothing is learned and
-// which no total counts (Task::testEvery).
+// Tests of the greedy policy while a life goes on (Task::testEvery): a test is an episode in a separate environment.
+// The agent learns nothing from it, and no total counts it.
 #pragma once
 
 #include <memory>
@@ -15,7 +15,7 @@ namespace surefoot {
 
 /// One greedy test episode.
 struct GreedyTest {
-  std::int64_t episode = 0;    ///< of the life, after which it was made
+  std::int64_t episode = 0;    ///< the episode of the life after which the test was made
   std::int64_t lifeSteps = 0;  ///< transitions of the life up to then
   std::int64_t steps = 0;      ///< transitions of the test
   double reward = 0.0;
@@ -26,19 +26,19 @@ struct GreedyTest {
 /// Makes the tests of one life, and keeps them. Used by one thread.
 class GreedyTester {
  public:
-  /// `seed`: of the starts; none of them depends on those before.
+  /// `seed`: for the starts of the tests; no start depends on earlier ones.
   GreedyTester(std::unique_ptr<Environment> environment, std::uint64_t seed);
 
   bool due(std::int64_t episodes) const {
     const int every = environment_ ? environment_->task().testEvery : 0;
     return every > 0 && episodes % every == 0;
   }
-  /// Gives its environment the parameters of the life's.
+  /// Gives the test environment the parameters of the life's environment.
   void follow(Environment& environment);
   void test(const ActionValueFunction& values, std::int64_t episode, std::int64_t lifeSteps);
 
   const std::vector<GreedyTest>& tests() const { return tests_; }
-  /// CPU time that they took here [s].
+  /// CPU time of the tests made by this process [s].
   double cpuSeconds() const { return cpuSeconds_; }
   void transfer(Archive& archive);
 
@@ -50,7 +50,7 @@ class GreedyTester {
   double cpuSeconds_ = 0.0;
 };
 
-/// [m]: what nothing but walking reaches in a test.
+/// [m]: only walking reaches this distance in a test.
 inline constexpr double kWalkDistance = 2.0;
 
 /// The first test in which a robot walked: more than kWalkDistance without a fall. nullptr: none did, or the task has

@@ -36,7 +36,7 @@ void LearningCurve::add(const CurvePoint& point) {
   if (points_.size() + 4 > kMostPoints) merge();
 }
 
-/// What was kept is merged as the episodes were, in place, since no group grows by it.
+/// The kept points are merged like episodes; this works in place, because merging never makes a group larger.
 void LearningCurve::merge() {
   resolution_ /= 2;
   const Group newest = std::exchange(open_, {});

@@ -12,16 +12,17 @@ namespace surefoot {
 struct CurvePoint {
   std::int64_t episode = 0;
   std::int64_t lifeSteps = 0;
-  std::int64_t falls = 0;      ///< of the life so far
+  std::int64_t falls = 0;      ///< falls of the life so far
   double averageReward = 0.0;  ///< over the last 80 episodes
 };
 
-/// Keeps the state after each of the first episodes, where most is learned. Behind them neighbours are merged into
-/// groups whose width, in episodes and in steps, is less than 1/resolution() of the life up to them; of each group the
-/// first, the lowest, the highest and the last state stay. So any span of the life, drawn so that a pixel is no less
-/// than 1/resolution() of the life up to it, has the minima, the maxima and the falls of the whole log, within a pixel:
-/// all of it on any screen, and parts of it magnified. When kMostPoints are reached, the resolution is halved: it is
-/// kFinest up to that many episodes and some 2,000 after 10^8. Used by one thread at a time; add() does not allocate.
+/// Keeps the state after each of the first episodes, where most is learned. Later states are merged into groups of
+/// neighbours. The width of a group, in episodes and in steps, is less than 1/resolution() of the life up to it; its
+/// first, lowest, highest and last states are kept. So a drawing of any span of the life has the minima, the maxima and
+/// the falls of the whole log, within a pixel, if a pixel is at least 1/resolution() of the life up to it: this holds
+/// for the whole life on any screen, and for magnified parts. When kMostPoints are reached, the resolution is halved:
+/// it is kFinest up to that many episodes and some 2,000 after 10^8. Used by one thread at a time; add() does not
+/// allocate.
 class LearningCurve {
  public:
   static constexpr std::size_t kMostPoints = 100'000;
@@ -41,12 +42,12 @@ class LearningCurve {
   /// Neighbouring states that are drawn as one.
   struct Group {
     CurvePoint first, least, greatest, last;
-    /// Gives those that differ to `put`, in their order: never more than went in.
+    /// Gives its different states to `put`, in their order: never more than went in.
     template <class Put>
     void each(const Put& put) const;
   };
   bool belongs(const CurvePoint& point) const;
-  /// The point joins the open group, or begins the next; then `put` gets the points of the one that closes.
+  /// Adds the point to the open group, or begins a new group; then `put` gets the points of the old one.
   template <class Put>
   void take(const CurvePoint& point, const Put& put);
   void merge();

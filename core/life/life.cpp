@@ -89,7 +89,7 @@ Status Life::set(std::string_view key, double value) {
   if (const Status s = parameters_.set(key, value); !s) return s;
   if (value == before) return Done{};
 
-  // What an environment says of its task may depend on any of its parameters; it says so anew at the next episode.
+  // The task may depend on any parameter of the environment; the environment makes it anew at the next episode.
   if (key.starts_with("environment.")) environmentChanged_ = true;
   if (entry->parameter.when == When::Now) {
     const auto applyTo = [&](Configurable& part, const char* prefix) {
@@ -119,7 +119,7 @@ void Life::obey(TimedCommand& command) {
 }
 
 bool Life::push(double impulse) {
-  if (!inEpisode_) return true;  // nothing stands there between two episodes
+  if (!inEpisode_) return true;  // between two episodes there is no body to push
   if (!environment_->push(impulse)) return false;
   if (keepInputs_) {
     inputs_.pushSteps.push_back(static_cast<std::uint64_t>(log_.current().steps));

@@ -19,13 +19,13 @@
 
 namespace surefoot {
 
-/// A life remembers so many changes: a slider dragged for an hour must not fill the memory.
+/// A life remembers at most this many changes: a slider dragged for an hour must not fill the memory.
 inline constexpr std::size_t kMostChanges = 10'000;
 
 /// Something was done to a life while it went on.
 struct Change {
   std::int64_t step = 0;      ///< steps of the life before it
-  std::string key;            ///< of a parameter, or "policy", "push", "place"
+  std::string key;            ///< a parameter's key, or "policy", "push", "place"
   std::string before, after;  ///< as a person writes them
 };
 
@@ -48,24 +48,24 @@ struct LifeParts {
   std::string policyName;
   std::vector<TimedCommand> commands;    ///< in the order of their steps
   bool preLearned = false;               ///< it begins with something learned before
-  std::vector<Change> changes{};         ///< what happened so far, to a life that goes on
+  std::vector<Change> changes{};         ///< the changes so far, of a life that goes on
   std::unique_ptr<Environment> tests{};  ///< another environment, for tests of the greedy policy; null: none
   std::uint64_t testSeed = 0;
 };
 
-/// Whichever comes first.
+/// The limit that is reached first ends the life.
 struct LifeLimits {
   std::int64_t episodes = std::numeric_limits<std::int64_t>::max();
   std::int64_t steps = std::numeric_limits<std::int64_t>::max();
-  double averageReward = kInfinity;  ///< of 80 episodes, reached
+  double averageReward = kInfinity;  ///< the mean of 80 episodes that ends the life
 };
 
 /// Used by one thread at a time.
 class Life {
  public:
   Life(LifeParts parts, Random world, Random policy, LifeLimits limits, bool keepRows);
-  /// A life that was saved goes on: the parts are made from what the file says of itself (checkpoint.h), the rest is
-  /// read from the archive, whose status tells whether it could be.
+  /// A saved life goes on: the parts are made from the file's description (checkpoint.h), the rest is read from the
+  /// archive. The archive's status says whether that succeeded.
   Life(LifeParts parts, LifeLimits limits, bool keepRows, Archive& archive);
 
   /// One decision: the environment answers the action, the agent learns and chooses the next. Hot.
@@ -84,16 +84,15 @@ class Life {
   void setPolicy(const std::string& name, std::unique_ptr<Policy> policy);
   /// Pushes the body by an impulse [N s]; false: there is none to push.
   bool push(double impulse);
-  /// Gives the episode in hand up, which is not counted, and begins one in this state.
+  /// Gives up the current episode, which is then not counted, and begins one in this state.
   Status place(const std::vector<double>& state);
 
-  /// From now on remember what the environment was given in the episode in hand, so that the life can be saved in the
-  /// middle of one. Call it before the first step.
+  /// From now on remembers the environment's inputs in the current episode, so that the life can be saved in the middle
+  /// of an episode. Call it before the first step.
   void keepInputs() { keepInputs_ = true; }
-  /// The whole state of the life, to a file; the inputs must have been kept. (The other direction is the
-  /// constructor's.)
+  /// Writes the whole state of the life to a file; the inputs must have been kept. (The constructor reads it.)
   void save(Archive& archive) const;
-  /// The environment's parameters as they hold in this episode; parameters() may be ahead of them.
+  /// The environment's parameters in force in this episode; parameters() may hold newer values.
   std::vector<std::pair<std::string, double>> environmentInForce() const;
 
   const Environment& environment() const { return *environment_; }
@@ -102,11 +101,11 @@ class Life {
   const std::string& policyName() const { return policyName_; }
   const Parameters& parameters() const { return parameters_; }
   const EpisodeLog& log() const { return log_; }
-  /// The rows kept so far; a checkpoint after this has only those that follow.
+  /// Takes the rows kept so far out of the log; a later checkpoint has only later rows.
   std::vector<EpisodeRow> takeRows() { return log_.takeRows(); }
   const std::vector<Change>& changes() const { return changes_; }
   const std::vector<GreedyTest>& greedyTests() const { return tester_.tests(); }
-  /// CPU time that they took [s], of those made by this process.
+  /// CPU time of the greedy tests that this process made [s].
   double testSeconds() const { return tester_.cpuSeconds(); }
   /// More was changed than changes() holds.
   bool changesLeftOut() const { return changesLeftOut_; }
@@ -119,22 +118,22 @@ class Life {
   /// The action that the next step will carry out.
   Action nextAction() const { return action_; }
   bool inEpisode() const { return inEpisode_; }
-  /// Of the episode in hand, or of the last one when it is over; complete only if they are kept.
+  /// Inputs of the current episode, or of the last one when it is over; complete only if they are kept.
   const EpisodeInputs& inputs() const { return inputs_; }
   /// Every row of the log and every weight, in 64 bits.
   std::uint64_t hash() const;
 
  private:
-  /// In a state, or where the environment begins if that is empty.
+  /// Begins in this state; if it is empty, the environment draws one.
   void beginEpisode(const std::vector<double>& state = {});
-  /// Policy and agent may follow a schedule. `inTheMiddle`: nothing but a step since the last time.
+  /// Tells policy and agent the time: they may follow a schedule. `inTheMiddle`: one step since the last call, no more.
   void tellTime(bool inTheMiddle = false);
   void note(const std::string& key, const std::string& before, const std::string& after);
   bool reachedAverage() const {
     return log_.averageReward() >= limits_.averageReward && log_.totals().episodes >= EpisodeLog::kAverageOver;
   }
   void obey(TimedCommand& command);
-  /// What save() and resuming share.
+  /// The part that save() and resuming share.
   void transfer(Archive& archive);
   /// Takes the environment to where it was, by giving it the same inputs again.
   void repeatEpisode(Archive& archive);
@@ -157,13 +156,13 @@ class Life {
   bool inEpisode_ = false;
   bool environmentChanged_ = false;
   GreedyTester tester_;
-  std::optional<double> rule_;  // of thumb, as of the last episode
+  std::optional<double> rule_;  // threshold by the rule of thumb, after the last episode
   bool everyStep_ = false;      // a schedule changes with every step
 
-  // What the environment was given since the beginning of the episode: everything that a resumed life needs to bring it
-  // to the same state, whatever it is inside.
+  // The environment's inputs since the beginning of the episode. With them a resumed life brings any environment to the
+  // same state.
   bool keepInputs_ = false;
-  EpisodeInputs inputs_;  // of the episode in hand, or the last one
+  EpisodeInputs inputs_;  // inputs of the current episode, or of the last one
 };
 
 }  // namespace surefoot

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of Life that saves it and lets it go on. The environment is not saved but brought to the same state again: a
-// reset from the same random numbers, then the same actions and pushes.
+// The part of Life that saves and resumes it. The environment is not saved but brought to the same state again: a reset
+// with the same random numbers, then the same actions and pushes.
 #include <algorithm>
 
 #include "core/life/life.h"
@@ -38,7 +38,7 @@ Life::Life(LifeParts parts, LifeLimits limits, bool keepRows, Archive& archive)
 
 namespace {
 
-/// Whether the environment can do it.
+/// Whether the environment has this action.
 bool isAction(const Task& task, Action a) {
   return (a >= 0 && a < static_cast<Action>(task.actions.size())) || (task.handMade && a == kHandMade);
 }

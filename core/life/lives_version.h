@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which lives this program lives. The same configuration and seed give the same bits in every program of one number;
-// lives of two numbers do not belong into one result, nor does a life that one began and the other goes on with.
+// The version of this program's lives. The same configuration and seed give the same bits in all programs with the same
+// number. Lives with different numbers do not belong into one result, nor does a life that one version began and
+// another continued.
 #pragma once
 
 #include <string>
@@ -13,10 +14,10 @@ namespace surefoot {
 /// determinism_test.cpp change then, and name the number that they belong to.
 inline constexpr int kLivesVersion = 1;
 
-/// Of a file that does not say: written before the number was noted.
+/// The number for a file without one: it was written before the number was noted.
 inline constexpr int kLivesVersionUnknown = 0;
 
-/// Why a file cannot be gone on with that was lived by another version; `program` is what it says of itself.
+/// Why a life of another version cannot be continued; `program` is the program's version in its file.
 Error otherLives(const std::string& file, int version, const std::string& program);
 
 }  // namespace surefoot

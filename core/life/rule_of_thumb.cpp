@@ -67,7 +67,7 @@ double rounded(double value, int decimals) {
   return std::round(value * unit) / unit;
 }
 
-/// As short as it can be with that many decimals: "200", "0.5", "−1".
+/// As short as possible with at most that many decimals: "200", "0.5", "−1".
 std::string shortText(double value, int decimals) {
   std::string text = fixedText(value, decimals);
   if (text.find('.') == std::string::npos) return text;

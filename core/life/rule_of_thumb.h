@@ -20,27 +20,27 @@ inline double ruleOfThumb(double discount, double transitions, double goalReward
   return power * goalReward + steps * timeReward;
 }
 
-/// The rule with the episodes that a life has seen (thesis, section 4.3): n* are the transitions of its successful
-/// episodes, all of them while learning goes on. Without pre-learning the episodes during learning give the lower limit
-/// of the threshold, those after it the upper one; after pre-learning they are no limits.
+/// The rule with the episodes of a life so far (thesis, section 4.3): n* is the mean of the transitions of its
+/// successful episodes, of all of them while learning goes on. Without pre-learning the episodes during learning give
+/// the lower limit of the threshold, and the episodes after it the upper limit; after pre-learning there are no limits.
 struct RuleOfThumb {
   double threshold = 0.0, transitions = 0.0;
-  double discount = 1.0, reward = 0.0, timeReward = 0.0;  ///< γ, R_goal and R_time that gave it
+  double discount = 1.0, reward = 0.0, timeReward = 0.0;  ///< γ, R_goal and R_time in the formula
   bool goal = true;  ///< false: R_goal stands for the highest reward of a transition, n* for those of a net footstep
-  std::optional<double> lower{}, upper{};  ///< as far as there are such episodes, and no pre-learning
+  std::optional<double> lower{}, upper{};  ///< none without successes in that part, or after pre-learning
   bool preLearned = false;
 };
 
-/// A task without a goal goes by the highest intermediate reward instead (thesis, section 4.5; expected there, not
-/// tested): for one that is walked through, R_goal is the highest reward of a transition so far and n* the transitions
-/// of a net footstep. None without either, without a discount, or before the first success.
+/// A task without a goal uses the highest intermediate reward instead (thesis, section 4.5; expected there, not
+/// tested): for a walking task, R_goal is the highest reward of a transition so far and n* the transitions of a net
+/// footstep. None if the task has neither, without a discount, or before the first success.
 std::optional<RuleOfThumb> ruleOfThumbOf(const Life& life);
 
 /// Why there is no rule, or none yet, as a sentence.
 std::string whyNoRule(const Task& task, const Parameters& parameters);
 
-/// The rule as a person reads it. What the formula says is the threshold beside it: n* and the rewards have as many
-/// decimals as that takes.
+/// The rule as a person reads it. n* and the rewards have as many decimals as the formula needs to give the threshold
+/// beside it.
 struct RuleText {
   std::string threshold;    ///< "66.8"
   std::string transitions;  ///< "54.3"

@@ -19,7 +19,7 @@ double stepTimeOf(const Life& life) {
   return life.environment().task().stepTime.value_or(kNoClockStep);
 }
 
-/// What is known of a life that may have been lived elsewhere before: every episode, or where it stands.
+/// The curve of a life that may have begun elsewhere: all its episodes if it has the rows, else only the last one.
 LearningCurve curveOf(const Life& life) {
   LearningCurve curve;
   std::int64_t falls = 0;
@@ -159,9 +159,9 @@ void LearnerThread::obey() {
   }
   for (Command& command : commands) {
     const std::string trouble = troubleOf([&] { carryOut(command); });
-    if (!trouble.empty()) trouble_ = trouble;  // the others are carried out all the same
+    if (!trouble.empty()) trouble_ = trouble;  // the other commands are carried out nevertheless
   }
-  snapshotWanted_ = true;  // what was asked for shows at once, paused or not
+  snapshotWanted_ = true;  // the effect of a command shows at once, paused or not
 }
 
 void LearnerThread::carryOut(Command& command) {

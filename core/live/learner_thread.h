@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A life on a thread of its own. Commands go in through a mailbox and are carried out between two steps; snapshots come
-// out through triple buffers, filled only when asked for. Looking changes nothing: the life takes the same course, bit
-// for bit, whoever asks and however often.
+// out through triple buffers, filled only when asked for. Snapshots change nothing: the life takes the same course, bit
+// for bit, however often they are asked for.
 #pragma once
 
 #include <atomic>
@@ -40,7 +40,7 @@ struct SetTurbo {
 };
 struct SetHand {
   std::optional<double> target;
-};  ///< where the body's tip is held [m]; nothing lets go
+};  ///< where the body's tip is held [m]; empty: the hand lets go
 struct Place {
   std::vector<double> state;
 };  ///< a new episode there
@@ -48,8 +48,8 @@ struct Visit {
   std::function<void(const Life&)> look;
 };                     ///< called on the learner's thread, between two steps
 struct SingleStep {};  ///< one step of a paused life
-/// A life that was taken out of the thread, with what the thread knows of it: it can go on there later, bit for bit.
-/// Filled and emptied on the learner's thread; others may only hold it and let it go.
+/// A life that was taken out of the thread, with the thread's data about it: it can go on there later, bit for bit.
+/// Filled and emptied on the learner's thread; other threads may only keep or drop the pointer.
 struct LifeAside {
   std::unique_ptr<Life> life;  ///< null before the thread has come to it, and when the life runs again
   LearningCurve curve;
@@ -66,7 +66,7 @@ struct ReplaceLife {
 using Command = std::variant<SetParameter, SetPolicy, SetRunning, SetPace, SetTurbo, SetHand, Place, Visit, SingleStep,
                              ReplaceLife>;
 
-/// send(), wantSnapshot(), takeSnapshot() … belong to one thread, the window's; the life to the thread in here.
+/// send(), wantSnapshot(), takeSnapshot() … are for one thread, the window's; the life belongs to the thread in here.
 class LearnerThread {
  public:
   explicit LearnerThread(std::unique_ptr<Life> life);
@@ -86,7 +86,7 @@ class LearnerThread {
   /// The falls since the last call, the newest last; at most kMostFalls, thinned out as thinOut() says.
   std::vector<Fall> takeFalls();
 
-  /// Ends the thread and hands the life over, as it is; nullptr where that was done before.
+  /// Ends the thread and returns its life; nullptr if this was done before.
   std::unique_ptr<Life> stop();
 
  private:
@@ -121,10 +121,9 @@ class LearnerThread {
   Action actionBefore_ = kNoAction;
   std::size_t changesSeen_ = 0;
   int looksLeft_ = 0;
-  std::shared_ptr<const std::vector<std::pair<std::string, double>>>
-      environment_;  // parameters, as the last fall had them
+  std::shared_ptr<const std::vector<std::pair<std::string, double>>> environment_;  // parameters at the last fall
   bool running_ = false, turbo_ = false;
-  std::string trouble_;  // why it stands still: something was thrown
+  std::string trouble_;  // why the life stands still: an exception was thrown
   double pace_ = 1.0;
   double stepTime_;  // [s]; tasks without a clock take 20 steps a second
   Clock::time_point nextStep_{};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a window needs to know of a life, as plain values.
+// Everything that a window shows of a life, as plain values.
 #pragma once
 
 #include <memory>
@@ -21,38 +21,38 @@ struct Snapshot {
   LifeTotals totals;
   double averageReward = 0;
   std::vector<double> state, pose;
-  std::vector<double> fallenPose;            ///< of the last fall, unless turbo was on
+  std::vector<double> fallenPose;            ///< pose of the last fall, unless turbo was on
   std::vector<double> q;                     ///< q̂(s, ·) in that state
   std::vector<double> qPositive, qNegative;  ///< its two parts, where the agent keeps them apart; else empty
-  std::vector<NamedStep> learned;            ///< what the last step taught
-  std::vector<double> stateBefore;           ///< in which that step was made; empty in turbo
-  Action actionBefore = kNoAction;           ///< by which
-  Action action = kNoAction;                 ///< that will be carried out in it; kNoAction between two episodes
+  std::vector<NamedStep> learned;            ///< what the estimates learned in the last step
+  std::vector<double> stateBefore;           ///< the state in which that step was made; empty in turbo
+  Action actionBefore = kNoAction;           ///< the action of that step
+  Action action = kNoAction;                 ///< the action of the next step; kNoAction between two episodes
   bool running = false, turbo = false;
-  double pace = 1.0;      ///< as it is obeyed now
+  double pace = 1.0;      ///< the pace in force now
   bool finished = false;  ///< the limit that was asked for is reached
   std::string trouble;    ///< why it had to stop before, or empty
 };
 
-/// What was learned so far: large, sent a few times a second and only while somebody looks.
+/// Everything learned so far: large, sent a few times a second and only while a panel needs it.
 struct ValueSnapshot {
   std::uint64_t life = 0;
   std::int64_t steps = 0;
   double simulatedSeconds = 0;   ///< NaN: no clock
-  LifeTotals totals;             ///< of the same moment as the curve
-  std::int64_t fallsByHand = 0;  ///< of them, those of episodes in which a person placed or pushed the body
+  LifeTotals totals;             ///< totals at the moment of the curve
+  std::int64_t fallsByHand = 0;  ///< falls in episodes in which a person placed or pushed the body
   std::unique_ptr<ActionValueFunction> values;
   Json layouts;  ///< Agent::layouts(): where its features lie
   std::vector<Eligibility> eligibility;
   std::vector<CurvePoint> curve;
-  std::string policy;  ///< that was in force in the last episode of the curve
+  std::string policy;  ///< the policy in force in the last episode of the curve
   std::vector<Change> changes;
   std::int64_t endOfLearning = 0;       ///< episode, 0: not yet
-  std::int64_t endOfLearningSteps = 0;  ///< of the life
+  std::int64_t endOfLearningSteps = 0;  ///< steps of the life until then
   std::optional<RuleOfThumb> rule;      ///< TRL's threshold by eq. 4.3
-  std::vector<GreedyTest> tests;        ///< of the greedy policy, thinned out where there are many
-  std::optional<double> walksSince;     ///< [min]: the first of them that walked
-  std::vector<MemoryUse> memory;        ///< of each table
+  std::vector<GreedyTest> tests;        ///< tests of the greedy policy, thinned out if there are many
+  std::optional<double> walksSince;     ///< [min]: time of the first test in which the robot walked
+  std::vector<MemoryUse> memory;        ///< memory of each table
 };
 
 }  // namespace surefoot

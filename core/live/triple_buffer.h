@@ -14,10 +14,10 @@ class TripleBuffer {
  public:
   /// Writer: the copy to fill in. It may hold an old value.
   T& back() { return copies_[back_]; }
-  /// Writer: what back() holds is the newest now.
+  /// Writer: makes the copy in back() the newest value.
   void publish() { back_ = middle_.exchange(back_ | kFresh, std::memory_order_acq_rel) & kIndex; }
 
-  /// Reader: fetches the newest value if there is one that was not taken yet.
+  /// Reader: fetches the newest value if it was not taken yet.
   bool take() {
     if (!(middle_.load(std::memory_order_relaxed) & kFresh)) return false;
     front_ = middle_.exchange(front_, std::memory_order_acq_rel) & kIndex;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kMostLives = 1'000'000;
 
-/// Everything of a plan that stands above its conditions.
+/// The settings of a plan above its conditions.
 Status readHead(const PlanFile& file, const std::string& path, Plan& plan, PlanHead& head) {
   for (const PlanSetting& s : file.head) {
     const std::string& value = s.values.front();
@@ -42,7 +42,7 @@ Status readHead(const PlanFile& file, const std::string& path, Plan& plan, PlanH
   return Done{};
 }
 
-/// No two conditions are the same, and every reference is one of them.
+/// Checks that no two conditions are the same, and that every reference is one of them.
 Status checkConditions(const std::vector<Condition>& conditions) {
   std::set<std::string> names;
   std::map<std::string, std::string> texts;

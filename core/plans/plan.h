@@ -21,7 +21,7 @@ namespace surefoot {
 struct PreLearning {
   Configuration configuration;  ///< until and episodes (the cap) are set; Q-function j is its life number j
   int pool = 5;                 ///< how many; 0: one for every life
-  std::string text;             ///< what it is; conditions of the same text share their Q-functions
+  std::string text;             ///< describes the pre-learning; conditions with the same text share Q-functions
 
   /// The Q-function that life number `life` begins with.
   int numberFor(int life) const { return pool == 0 ? life : life % pool; }
@@ -33,7 +33,7 @@ struct Condition {
   std::string reference;  ///< name of the condition that it is compared with; empty: none
   Configuration configuration;
   std::optional<PreLearning> preLearning;
-  std::vector<Assignment> varied;  ///< what a list in the plan varied: key as in the plan, value
+  std::vector<Assignment> varied;  ///< values that lists in the plan varied: key as in the plan, value
 };
 
 struct Plan {
@@ -44,16 +44,16 @@ struct Plan {
   std::vector<Condition> conditions;
 };
 
-/// What the command line puts in place of what the plan says.
+/// Settings of the command line, which replace those of the plan.
 struct PlanChanges {
   std::optional<int> lives;
   std::optional<std::uint64_t> seed;
   std::vector<Assignment> assignments;             ///< for every condition
-  std::optional<std::string> preset{};             ///< of every condition and its pre-learning
+  std::optional<std::string> preset{};             ///< for every condition and its pre-learning
   const std::atomic<bool>* interrupted = nullptr;  ///< set by anyone: reading ends with an error
 };
 
-/// Reads a plan; an error names file, line and what is allowed. Files that it names are looked for beside it.
+/// Reads a plan; an error names file, line and allowed values. Files named in the plan are looked for in its folder.
 Result<Plan> readPlan(const Registry& registry, const std::string& path, const PlanChanges& changes);
 /// The same from a text; `path` is named in messages.
 Result<Plan> parsePlan(const Registry& registry, const std::string& text, const std::string& path,

@@ -22,8 +22,7 @@ std::uint64_t hashText(std::string_view text, std::uint64_t seed) {
   return hash.value();
 }
 
-/// "TRL {policy.threshold}" with the values in place of the keys; what a list varies and the name does not tell is
-/// added.
+/// "TRL {policy.threshold}" with the values in place of the keys. Values from lists that are not in the name are added.
 std::string nameOf(const Combination& c, std::string name, bool whole) {
   for (const Assignment& a : c.all) {
     const std::string key = a.key.starts_with("set.") ? a.key.substr(4) : a.key, mark = "{" + key + "}";
@@ -88,7 +87,7 @@ class ConditionMaker {
   }
 
  private:
-  /// What a condition, or its pre-learning, is to be configured with.
+  /// The settings with which a condition, or its pre-learning, is configured.
   struct Draft {
     Names names;
     std::vector<Assignment> assignments;
@@ -207,7 +206,7 @@ class ConditionMaker {
     return Done{};
   }
 
-  /// All that a life is made from, without the numbers of its policy, which are in their ranges.
+  /// Everything a life is made from, except the parameters of its policy, which are in their ranges.
   static std::string partsOf(const Condition& condition) {
     const auto add = [](std::string& text, const Configuration& c) {
       const Names& n = c.names;
@@ -223,7 +222,8 @@ class ConditionMaker {
     return text;
   }
 
-  /// What no single check can see: a life of it, with what is learned before. One for all that are made alike.
+  /// Makes a life on trial, with its pre-learning: this finds errors that no single check can see. Once for equal
+  /// parts.
   Status tryOut(const Condition& condition) const {
     if (!head_.tried->insert(partsOf(condition)).second) return Done{};
     Configuration now = condition.configuration;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From a block of a plan file to its conditions: every combination of its lists is one.
+// From a block of a plan file to its conditions: one for every combination of the values in its lists.
 #pragma once
 
 #include <map>
@@ -13,7 +13,7 @@ namespace surefoot {
 
 inline constexpr std::size_t kMostConditions = 10'000;
 
-/// One combination of all values of a block: what it is set to, where that stands, and which keys a list varied.
+/// One combination of the values of a block: all settings, their places in the file, and the keys that lists varied.
 struct Combination {
   std::map<std::string, const PlanSetting*> where;
   std::vector<Assignment> all, varied;
@@ -25,18 +25,18 @@ struct Combination {
   }
 };
 
-/// All combinations of a block, the list that stands last varying fastest; no more than kMostConditions + 1.
+/// All combinations of a block; the last list varies fastest. At most kMostConditions + 1.
 std::vector<Combination> combine(const PlanBlock& block);
 
-/// What all conditions of a plan share.
+/// The settings that all conditions of a plan share.
 struct PlanHead {
-  std::string reference;  ///< of conditions that name none
+  std::string reference;  ///< for conditions that name no reference
   std::uint64_t seed = 1;
   int lives = 40;
   bool paired = false;
-  std::vector<Assignment> assignments;  ///< from the command line; the last word
+  std::vector<Assignment> assignments;  ///< from the command line; they override the plan
   std::optional<std::string> preset;    ///< likewise
-  /// What a life was made of already, to see whether it can be.
+  /// The parts from which a life was already made on trial, to see whether this is possible.
   std::shared_ptr<std::set<std::string>> tried = std::make_shared<std::set<std::string>>();
 };
 

@@ -38,7 +38,7 @@ std::optional<std::string> valueAsText(const toml::node& node) {
   return std::nullopt;
 }
 
-/// What a recipe has besides its plan.
+/// Whether a key belongs to the recipe and not to its plan.
 bool isOfRecipes(const std::string& key) {
   for (const char* other :
        {"figure", "claim", "shows", "table", "answers", "minutes_on_two_cores", "minutes_for_lives"})
@@ -137,8 +137,8 @@ class Reader {
     std::stable_sort(settings.begin(), settings.end(), [](const auto& a, const auto& b) { return a.line < b.line; });
   }
 
-  /// What is shared comes first, unless the condition has its own; "pre-learning = false" drops all of that, and
-  /// "base = false" everything.
+  /// Shared settings come first, unless the condition has its own. "pre-learning = false" drops the shared settings of
+  /// pre-learning, and "base = false" all shared settings.
   static void addShared(const std::vector<PlanSetting>& shared, std::vector<PlanSetting>& own) {
     const auto base = std::find_if(own.begin(), own.end(), [](const PlanSetting& s) { return s.key == "base"; });
     if (base != own.end() && base->values == std::vector<std::string>{"false"}) {

@@ -12,14 +12,14 @@
 
 namespace surefoot {
 
-/// "set.policy.threshold": all values that it is to take, as text, and where it stands.
+/// A setting, for example "set.policy.threshold": all its values, as text, and its line in the file.
 struct PlanSetting {
   std::string key;
   std::vector<std::string> values;
   int line = 0;
 };
 
-/// The settings of one [[condition]], with those of [base] and [pre-learning] that it does not replace.
+/// The settings of one [[condition]], with the settings of [base] and [pre-learning] that it does not replace.
 struct PlanBlock {
   std::vector<PlanSetting> settings;  ///< in the order of the file
   int line = 0;
@@ -28,15 +28,15 @@ struct PlanBlock {
 struct PlanFile {
   std::vector<PlanSetting> head;  ///< title, seed, …
   std::vector<PlanBlock> blocks;
-  // Of recipes.
+  // Only in recipes.
   std::vector<std::string> shows;  ///< figures and tables of the thesis
   std::string answers;             ///< the question, in a sentence
   double minutesOnTwoCores = 0;    ///< measured; 0: nobody did
-  double minutesForLives = 0;      ///< with so many lives a condition; 0: it holds for any number
+  double minutesForLives = 0;      ///< measured with this many lives per condition; 0: it holds for any number
 };
 
 Result<PlanFile> parsePlanFile(const std::string& text, const std::string& path);
-/// What a recipe has besides its plan: {shows: […], figure: [{…}, …], claim: [{…}, …]}.
+/// The parts of a recipe besides its plan: {shows: […], figure: [{…}, …], claim: [{…}, …]}.
 Result<nlohmann::json> parseRecipeBlocks(const std::string& text, const std::string& path);
 
 /// "figure.toml, line 12: …"

@@ -12,7 +12,7 @@ namespace surefoot {
 
 namespace {
 
-/// Learning steps a second of one core, and steps of an episode where lives are counted in these.
+/// Learning steps per second on one core, and steps per episode, for lives whose length is given in episodes.
 struct Speed {
   double steps, episode;
 };
@@ -35,7 +35,7 @@ double stepTimeOf(const Registry& registry, const std::string& environment) {
   return entry ? (*entry)->make()->task().stepTime.value_or(0.0) : 0.0;
 }
 
-/// CPU seconds of one block: every combination of its lists lives `lives` times, and learns before.
+/// CPU seconds of one block: `lives` lives for every combination of its lists, and the pre-learning.
 double secondsOf(const Registry& registry, const PlanBlock& block, double lives) {
   double conditions = 1, minutes = 0, episodes = 0, until = 0, before = 0, pool = 5;
   std::string environment = "pendulum";
@@ -54,7 +54,7 @@ double secondsOf(const Registry& registry, const PlanBlock& block, double lives)
   const double stepTime = stepTimeOf(registry, environment);
   const auto steps = [&](double m) { return stepTime > 0 ? m * 60 / stepTime : 0; };
   const double life = minutes > 0 ? steps(minutes) : episodes * speed.episode;
-  constexpr double kUntilReached = 9;  // simulated minutes that a reward takes to be reached, or thereabouts
+  constexpr double kUntilReached = 9;  // simulated minutes until a reward is reached, about
   const double lesson = !preLearned ? 0 : steps(before > 0 ? before : until != 0 ? kUntilReached : 0);
   return conditions * (lives * life + pool * lesson) / speed.steps;
 }

@@ -31,7 +31,7 @@ Error notToBeWritten(const std::string& began) {
                   began)};
 }
 
-/// A line for every value that is not the usual one.
+/// One line for every value that differs from `usual`.
 std::string settingsOf(const Parameters& parameters, const Parameters& usual,
                        const std::vector<std::string>& policyKeys, const std::string& prefix) {
   std::string lines;
@@ -39,7 +39,7 @@ std::string settingsOf(const Parameters& parameters, const Parameters& usual,
     const std::string& key = entry.parameter.key;
     const Parameters::Entry* before = usual.find(key);
     if (before && before->value == entry.value) continue;
-    // What another policy would read has no effect.
+    // Parameters that only other policies read have no effect.
     if (key.starts_with("policy.") && std::find(policyKeys.begin(), policyKeys.end(), key) == policyKeys.end())
       continue;
     const std::string value = formatValue(entry.parameter, entry.value);
@@ -48,7 +48,7 @@ std::string settingsOf(const Parameters& parameters, const Parameters& usual,
   return lines;
 }
 
-/// The file again, if it is still what it was.
+/// The setting for the file, if the file still has the same values.
 Result<std::string> fileToml(const TensorFile& start) {
   const std::string name = std::filesystem::path(start.name).filename().string();
   const auto now = readQFile(start.name);
@@ -58,8 +58,8 @@ Result<std::string> fileToml(const TensorFile& start) {
   return "pre-learning.file = " + tomlText(std::filesystem::absolute(start.name).string()) + "\n";
 }
 
-/// A pool that is learned as this Q-function was: what a plan takes over from the condition (all but policy and step
-/// sizes) and what it must be told.
+/// The settings of a pool that is learned in the same way as this Q-function. A plan takes most settings over from the
+/// condition (all but policy and step sizes); only the others are written.
 Result<std::string> preLearningToml(const Registry& registry, const Configuration& c, const TensorFile& start) {
   constexpr std::int64_t kUsualCap = 20'000;
   const auto before = configurationOf(registry, start);
@@ -93,7 +93,7 @@ Result<std::string> preLearningToml(const Registry& registry, const Configuratio
   return toml + settingsOf(before->parameters, taken->parameters, policyKeys(**policy), "pre-learning.");
 }
 
-/// How the lives begin; nothing of an empty table.
+/// The settings for how the lives begin; none if they begin with an empty table.
 Result<std::string> startToml(const Registry& registry, const Configuration& c) {
   if (!c.start && c.beganWith.is_null()) return std::string();
   const std::string file = textIn(c.beganWith, "file");

@@ -150,7 +150,7 @@ bool Judge::leavesZeroIn(const Evidence& reference, const Evidence& e) {
   return true;
 }
 
-// A condition that a group holds twice is drawn once.
+// A condition that is twice in a group is drawn once.
 std::vector<double> Judge::drawn(const Group& group, const std::function<double(const std::vector<double>&)>& f) {
   std::vector<MeanEstimate> means;
   std::vector<std::size_t> together, places;
@@ -219,7 +219,7 @@ nlohmann::ordered_json judgementAsJson(const Judgement& j) {
           {"note", j.note}};
 }
 
-// What stands between two * is looked for from the left: behind the first place whatever comes later has the most room.
+// A part between two * is searched from the left: its first place leaves the most room for later parts.
 bool fits(std::string_view name, std::string_view pattern) {
   auto star = pattern.find('*');
   if (star == std::string_view::npos) return name == pattern;

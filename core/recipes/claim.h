@@ -31,10 +31,11 @@
 //                 where they are wider than half of what the curve reaches
 //   dips          the average reward falls below that of the `first` episodes (10)
 //
-// Lives that cannot carry a judgement leave it undecided: one life always; a reduction or significance with p ≥ .01
-// whose interval leaves it open (beyond `widest`, or on the thesis's side up to its number or `at_least`, or 10 %); and
-// one with p < .01 whose interval leaves 0 in: the analysis of variance takes lives of one Q-function for independent,
-// the interval does not. Lives that are 0 throughout are judged by the difference, whose interval is known.
+// A claim is undecided where the lives cannot decide it: one life never can. A reduction or significance with p ≥ .01
+// is undecided if its interval leaves it open (beyond `widest`, or on the thesis's side up to its number or `at_least`,
+// or 10 %); with p < .01, if its interval contains 0: the analysis of variance treats lives of one Q-function as
+// independent, the interval does not. Lives that are 0 throughout are judged by the difference, whose interval is
+// known.
 //
 // Exact, from the configurations of conditions and not from their lives; `rows`, all of which must hold:
 //
@@ -55,7 +56,7 @@
 
 namespace surefoot {
 
-/// As a recipe states it.
+/// A claim as a recipe states it.
 struct Claim {
   std::string id, kind, says;
   nlohmann::json arguments;  ///< thesis, conditions, measure, …
@@ -68,7 +69,7 @@ const char* nameOf(Verdict verdict);
 struct Judgement {
   std::string id, says, note;
   nlohmann::json thesis;                     ///< a number, a text or null
-  std::optional<double> ours, low, high, p;  ///< the worst p of several
+  std::optional<double> ours, low, high, p;  ///< p: the worst of several
   Verdict verdict = Verdict::Undecided;
 };
 
@@ -78,7 +79,7 @@ Result<Judgement> judge(const Registry& registry, const Claim& claim, const std:
 
 nlohmann::ordered_json judgementAsJson(const Judgement& judgement);
 
-/// Whether there is such a kind of claims.
+/// Whether the claim's kind exists.
 Status checkKind(const Claim& claim);
 
 /// Whether a name fits a pattern, in which * stands for anything.

@@ -20,7 +20,7 @@ namespace surefoot {
 
 namespace {
 
-constexpr std::size_t kCurvePoints = 361;  // of a curve against time
+constexpr std::size_t kCurvePoints = 361;  // points of a curve against time
 
 std::string policyOf(const Evidence& e) {
   return textIn(e.configuration, "policy");
@@ -91,7 +91,7 @@ void addBars(Figure& figure, const FigureSpec& spec, const Chosen& chosen, const
   }
 }
 
-/// "Q⁻ step size α": what a person calls a parameter.
+/// The name of a parameter for people: "Q⁻ step size α".
 std::string titleOf(const Registry& registry, const Evidence& e, const std::string& key) {
   const auto c = configurationFromJson(registry, e.configuration, e.name());
   const Parameters::Entry* entry = c ? c->parameters.find(key) : nullptr;
@@ -117,7 +117,7 @@ Status addAgainst(const Registry& registry, Figure& figure, const FigureSpec& sp
   return Done{};
 }
 
-/// By which rule, against what and from how many lives: what a series does not say by its values.
+/// Fills in the learning rule, the reference and the number of lives of every series.
 void describeSeries(Figure& figure, const Chosen& chosen) {
   for (FigureSeries& series : figure.series)
     for (const Evidence* e : chosen) {

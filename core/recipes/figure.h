@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a figure shows, as numbers: for its CSV and for whoever draws it.
+// The content of a figure as numbers: for its CSV file and for drawing it.
 #pragma once
 
 #include <span>
@@ -12,21 +12,21 @@ namespace surefoot {
 
 /// A kind of figure: figure_kinds.cpp lists them.
 struct FigureKind {
-  enum class Needs { Nothing, Lives, Measure };  ///< Nothing: it is of policies and representations themselves
+  enum class Needs { Nothing, Lives, Measure };  ///< Nothing: it shows policies and representations themselves
   std::string_view name;
   Needs needs;             ///< Measure: lives, and which measure of them
   std::string_view shows;  ///< for a list of all kinds
 };
 std::span<const FigureKind> figureKinds();
 
-/// As a recipe states it.
+/// A figure as a recipe states it.
 struct FigureSpec {
   std::string name;  ///< "4.5a"
   std::string title, kind;
   std::vector<std::string> conditions;  ///< names or patterns; empty: all
-  std::string measure = "falls";        ///< of bars and against
-  std::string along;                    ///< of against: the key of the parameter
-  std::vector<double> q, state;         ///< of probabilities; of generalisation, values and tilings
+  std::string measure = "falls";        ///< for the kinds bars and against: the measure that is drawn
+  std::string along;                    ///< for the kind against: the key of the parameter
+  std::vector<double> q, state;         ///< q: for probabilities; state: for generalisation, values, tilings
 };
 
 struct FigureSeries {
@@ -37,7 +37,7 @@ struct FigureSeries {
   std::optional<double> thesis{};  ///< bars: where the thesis's number would put it
   std::string agent{};             ///< the learning rule
   std::string reference{};         ///< the condition that it is compared with; empty: none
-  int lives = 0, planned = 0;      ///< of the condition; 0, 0: it needs none
+  int lives = 0, planned = 0;      ///< lives of the condition; 0, 0: it needs none
 
   bool complete() const { return lives >= planned; }
 };
@@ -45,7 +45,7 @@ struct FigureSeries {
 struct Figure {
   std::string name, title, xTitle, yTitle;
   bool bars = false;
-  std::vector<std::string> labels;  ///< of bars, one each
+  std::vector<std::string> labels;  ///< for bars: one label per bar
   std::vector<FigureSeries> series;
   std::optional<Scene> scene{};  ///< in place of series: a picture
 };
@@ -53,16 +53,16 @@ struct Figure {
 /// An error names the figure and what is wrong with it.
 Result<Figure> makeFigure(const Registry& registry, const FigureSpec& spec, const std::vector<Evidence>& evidence);
 
-/// Of the kinds that need no lives.
+/// Makes a figure of a kind that needs no lives.
 Result<Figure> makeLiveFigure(const Registry& registry, const FigureSpec& spec,
                               const std::vector<const Evidence*>& chosen);
 
 bool needsLives(const std::string& kind);
 
-/// Whether there is such a kind, and such a measure; an error names what there is.
+/// Whether kind and measure exist; the error names the ones that do.
 Status checkFigure(const FigureSpec& spec);
 
-/// A row a point: series, x, value, low, high, and of bars thesis; of a picture shape, x, y.
+/// One row per point: series, x, value, low, high, and for bars thesis; for a picture shape, x, y.
 std::string figureAsCsv(const Figure& figure);
 
 }  // namespace surefoot

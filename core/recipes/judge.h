@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Judges one claim; a function a kind (see claim.h).
+// Judges one claim; there is one function per kind (see claim.h).
 #pragma once
 
 #include <functional>
@@ -30,7 +30,7 @@ inline bool overlaps(const Interval& i, double low, double high) {
   return i.low <= high && i.high >= low;
 }
 
-/// Of the share of drawn means in which something holds; NaN: no means could be drawn.
+/// The verdict from the share of drawn means in which the claim holds; NaN: no means could be drawn.
 inline Verdict ofShare(double share) {
   return share >= 0.95 ? Verdict::Agrees : share < 0.05 ? Verdict::Differs : Verdict::Undecided;
 }
@@ -53,22 +53,22 @@ class Judge {
  private:
   using Group = std::vector<const Evidence*>;
 
-  // What the recipe says. A misfit is noted, and reported by judge().
+  // Reading the recipe. An error in it is noted, and reported by judge().
 
   void complain(const std::string& key, const std::string& what);
   std::string text(const char* key, const char* otherwise);
   double number(const char* key, std::optional<double> otherwise = {});
   Group fitting(const std::string& pattern) const;
-  /// All conditions that fit the patterns of a list, in the order of these.
+  /// All conditions that fit the patterns of a list, in the order of the patterns.
   Group find(const char* key);
   /// The one condition that a row names.
   const Evidence* conditionOf(const nlohmann::json& row, const char* key);
-  /// What a condition is compared with: the claim's reference, or its own.
+  /// The condition that `e` is compared with: the claim's reference, or its own.
   const Evidence* referenceOf(const Evidence& e);
   double parameterOf(const Evidence& e, const std::string& key);
   Verdict eachRow(const std::function<Verdict(const nlohmann::json& row)>& judgeRow);
 
-  // What the lives say.
+  // Reading the lives.
 
   std::vector<double> values(const Evidence& e) const;
   double mean(const Evidence& e) const { return surefoot::meanOf(values(e)); }
@@ -76,26 +76,26 @@ class Judge {
   /// NaN: one of the two has a single life.
   double p(const Evidence& a, const Evidence& b);
   Interval change(const Evidence& reference, const Evidence& e);
-  /// A change that verdicts can be made of: where the second is 0 in every life, and its share has no interval, that of
-  /// the difference, in per cent of the reference.
+  /// The change for verdicts. If `e` is 0 in every life, the change has no interval: then the interval of the
+  /// difference is taken, in per cent of the reference.
   Interval judged(const Interval& change, const Evidence& reference, const Evidence& e);
-  /// Whether p < .01 though the interval leaves both signs open, or there is none: p takes the lives for independent,
-  /// their variances for equal and the end of learning for certain; the interval does not. Notes it.
+  /// Whether the interval contains 0 or is missing, although p < .01: p treats the lives as independent, their
+  /// variances as equal and the end of learning as certain; the interval does not. Adds a note then.
   bool leavesZeroIn(const Evidence& reference, const Evidence& e);
-  /// `f` of the means of a group, drawn as far from ours as the lives leave them uncertain. Empty if they are too few.
+  /// `f` of drawn means of a group (see drawMeans). Empty if there are too few lives.
   std::vector<double> drawn(const Group& group, const std::function<double(const std::vector<double>&)>& f);
-  /// In what share of them something holds; NaN if the lives are too few.
+  /// The share of drawn means in which `holds` is true; NaN if there are too few lives.
   double share(const Group& group, const std::function<bool(const std::vector<double>&)>& holds);
   void report(const Interval& i);
   void note(const std::string& words) { j_.note += (j_.note.empty() ? "" : "; ") + words; }
-  /// Notes why there is no verdict: too few lives, a change of a reference that is 0, or one to 0.
+  /// Notes why there is no verdict: too few lives, a change from a reference of 0, or a change to 0.
   Verdict tooFew(const std::string& condition = "");
-  /// Whether a change may be larger than `widest` (25 %) for all that the lives tell: down, up, or either.
+  /// Whether the interval of a change reaches beyond `widest` (25 %) or is unknown: downwards, upwards, or either.
   bool mayExceed(const Interval& change, bool down, bool up);
-  /// Whether a claim of a change may be right though it is not significant: to that side the interval reaches beyond
-  /// `widest`, or ours goes there and the interval reaches `size` per cent.
+  /// Whether a claimed change may be true although ours is not significant: on the side of `sign` the interval reaches
+  /// beyond `widest`, or our change has this sign and the interval reaches `size` per cent.
   bool leavesOpen(const Interval& change, double sign, double size);
-  /// Of a number that shall lie between `low` and `high`.
+  /// The verdict on a number that shall lie between the arguments `low` and `high`.
   Verdict ofRange(const Interval& i);
 
   // The kinds.
@@ -134,7 +134,7 @@ class Judge {
   const std::vector<Evidence>& evidence_;
   Random random_;
   std::string measure_ = "falls", problem_;
-  bool ofNothing_ = false, toNothing_ = false;  ///< the last change() was of a reference of 0; was to 0
+  bool ofNothing_ = false, toNothing_ = false;  ///< the last change() was from a reference of 0; was to 0
   Group conditions_;
   Judgement j_;
 };

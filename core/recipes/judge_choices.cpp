@@ -22,7 +22,7 @@ std::size_t lowestOf(const std::vector<double>& means, std::size_t first, std::s
   return static_cast<std::size_t>(std::min_element(begin, begin + static_cast<std::ptrdiff_t>(count)) - begin);
 }
 
-/// Bands that are wider, on average, than half of the curve's largest value overlap whatever is the case.
+/// Bands with a mean width above half of the curve's largest value overlap in any case and show nothing.
 bool narrow(const Curve& curve) {
   double largest = 0, width = 0;
   for (const Interval& i : curve.y) {
@@ -41,10 +41,10 @@ double Judge::parameterOf(const Evidence& e, const std::string& key) {
   return std::nan("");
 }
 
-// In every resample each group has a best value of the parameter; these are held against each other.
+// In every draw of the means each group has a best value of the parameter; these values are compared.
 Verdict Judge::best() {
   const std::string along = text("along", ""), relation = text("relation", "same");
-  std::vector<std::vector<double>> values;  // of the parameter: [group][condition]
+  std::vector<std::vector<double>> values;  // values of the parameter: [group][condition]
   std::vector<std::size_t> firsts;
   Group everything;
   for (const Json& list : partOf(arguments_, "groups")) {

@@ -81,7 +81,7 @@ Verdict Judge::parameters() {
   });
 }
 
-// What a figure of policies or representations shows, at single points.
+// Single points of a figure of policies or representations.
 Verdict Judge::drawn() {
   const FigureSpec spec{.name = claim_.id,
                         .title = claim_.says,

@@ -177,7 +177,7 @@ Verdict Judge::trend() {
   const double degrees = static_cast<double>(x.size()) - 2;
   const double t = std::abs(*r) * std::sqrt(degrees / std::max(1e-12, 1 - *r * *r));
   j_.ours = *r;
-  if (x.size() < 10) return tooFew();  // of fewer the distribution of the rank correlation is not Student's
+  if (x.size() < 10) return tooFew();  // for fewer lives the rank correlation does not follow Student's t
   j_.p = 2 * boost::math::cdf(boost::math::complement(boost::math::students_t(degrees), t));
   noteMeans();
   if (*j_.p >= kSignificant) return Verdict::Undecided;

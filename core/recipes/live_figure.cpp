@@ -84,7 +84,7 @@ class Section {
   std::vector<double> state_, x_;
 };
 
-/// The values themselves, or how they change when that of spec.state alone is moved by 1.
+/// Kind "values": the values. Kind "generalisation": how they change when the value at spec.state is raised by 1.
 Result<FigureSeries> section(const Registry& registry, const FigureSpec& spec, const Evidence& e, Figure& figure) {
   const auto c = configurationOf(registry, e);
   if (!c) return c.error();

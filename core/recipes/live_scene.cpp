@@ -92,7 +92,7 @@ Result<Figure> drawTilings(const Registry& registry, const FigureSpec& spec, con
     tile.width = 2.5;
     scene.shapes.push_back(tile);
   }
-  constexpr double kArm = 0.12;  // of the cross [tiles]
+  constexpr double kArm = 0.12;  // arm of the cross [tiles]
   const Point at = inTiles(*tiles, spec.state[0], spec.state[1]);
   for (const double sign : {-1.0, 1.0})
     scene.shapes.push_back(Polyline{.points = {{at.x - kArm, at.y - sign * kArm}, {at.x + kArm, at.y + sign * kArm}},

@@ -10,10 +10,10 @@ namespace surefoot {
 /// The environment after one step with its strongest action.
 Result<Figure> drawWorld(const Registry& registry, const FigureSpec& spec, const Configuration& c);
 
-/// The tilings of a tile coder over two state variables, in units of tiles; those that hold spec.state are filled.
+/// The tilings of a tile coder over two state variables, in units of tiles; tiles with spec.state in them are filled.
 Result<Figure> drawTilings(const Registry& registry, const FigureSpec& spec, const Configuration& c);
 
-/// A row a corner: shape, x, y.
+/// One row per corner: shape, x, y.
 std::string sceneAsCsv(const Scene& scene);
 
 }  // namespace surefoot

@@ -19,7 +19,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// What an argument of a figure or a claim may be.
+/// The type of an argument of a figure or a claim.
 enum class Takes { Text, Number, Flag, Texts, Numbers, ListsOfTexts, Tables, TextOrNumber };
 
 const char* wordsFor(Takes takes) {
@@ -56,8 +56,7 @@ bool isOne(const Json& value, Takes takes) {
 
 using Keys = std::map<std::string, Takes>;
 
-/// Every key is known and has a value of its type: what is wrong is told here, and later the values are taken as they
-/// are.
+/// Checks that every key is known and has a value of its type. Later code takes the values without checks.
 Status checkKeys(const Json& block, const Keys& keys) {
   for (const auto& [key, value] : block.items()) {
     const auto known = keys.find(key);
@@ -77,14 +76,14 @@ Error wrong(const char* what, const std::string& name, const std::string& senten
   return Error{fmt::format("{} {}: {}", what, shortened(name), sentence)};
 }
 
-/// With `key` taken away.
+/// Returns the text of `key` and removes it from the block.
 std::string take(Json& block, const char* key) {
   std::string text = textIn(block, key);
   block.erase(key);
   return text;
 }
 
-/// All patterns that a claim names its conditions with.
+/// All patterns by which a claim names its conditions.
 std::vector<std::string> patternsOf(const Claim& claim) {
   std::vector<std::string> patterns;
   const auto add = [&](const auto& self, const Json& value) -> void {
@@ -100,7 +99,7 @@ std::vector<std::string> patternsOf(const Claim& claim) {
   return patterns;
 }
 
-/// What a figure or a claim names must be there before lives are lived for it.
+/// The conditions that a figure or a claim names must exist: checked before any life is lived for it.
 Status checkNamed(const Recipe& recipe, const std::vector<std::string>& patterns) {
   for (const std::string& pattern : patterns)
     if (std::none_of(recipe.plan.conditions.begin(), recipe.plan.conditions.end(),

@@ -8,7 +8,7 @@ namespace surefoot {
 
 namespace {
 
-/// Chooses what it is told.
+/// A policy that chooses the action it was given.
 class Dictated final : public Policy {
  public:
   void declare(Fields&) override {}

@@ -10,7 +10,7 @@ namespace surefoot {
 
 namespace {
 
-/// What a claim's reduction is a share of: the mean of the claim's reference, or of the condition's own.
+/// The mean to which a claim's reduction is relative: of the claim's reference, or of the condition's own.
 std::optional<double> referenceMean(const Claim& claim, const std::string& condition, const std::string& measure,
                                     const std::vector<Evidence>& evidence) {
   std::string reference = textIn(claim.arguments, "reference");

@@ -8,8 +8,8 @@
 namespace surefoot {
 
 /// Sets FigureSeries::thesis for every bar that a claim of kind `value` or `reduction` gives a number for. A reduction
-/// is a percentage of the reference: its mark is that share of our reference's mean, since the thesis's falls are those
-/// of another robot. Curves are left alone.
+/// is a percentage of the reference: it is marked relative to the mean of our reference, because the thesis's falls are
+/// from another robot. Curves are left alone.
 void markThesis(Figure& figure, const std::string& measure, const std::vector<Claim>& claims,
                 const std::vector<Evidence>& evidence);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the thesis says of the falls of single conditions, and whether ours bear it out: for the columns of a table.
+// The thesis's claims about the falls of single conditions, and whether our lives agree: for the columns of a table.
 #pragma once
 
 #include <map>
@@ -14,9 +14,9 @@ struct ThesisVerdict {
   std::vector<std::string> claims;  ///< their ids
 };
 
-/// By the names of conditions; those of which the thesis says nothing are not there. Of the claims about falls during
-/// learning, those of the kinds value, reduction, significant and no-difference bear on single conditions; each is
-/// judged for the one condition.
+/// The verdicts by the names of conditions; conditions without a claim are left out. Used are the claims about falls
+/// during learning of the kinds value, reduction, significant and no-difference, which are about single conditions;
+/// each is judged for one condition at a time.
 std::map<std::string, ThesisVerdict> thesisVerdicts(const Registry& registry, const std::vector<Claim>& claims,
                                                     const std::vector<Evidence>& evidence, std::uint64_t seed);
 

@@ -69,7 +69,7 @@ std::optional<std::vector<CommandText>> commandsFrom(const Json& json) {
 
 bool isBeginning(const Json& json) {
   if (!json.is_object() || !json.contains("file") || !json["file"].is_string()) return false;
-  const char* which = json.contains("content") ? "content" : "hash";  // of the values; of the whole file, formerly
+  const char* which = json.contains("content") ? "content" : "hash";  // hash of the values; formerly of the file
   return json.contains(which) && json[which].is_string();
 }
 
@@ -89,7 +89,7 @@ Status checkVersion(const TensorFile& file, Versions versions, std::vector<Chang
   return Done{};
 }
 
-/// Everything that resume() reads from the description. Objects of it may be missing: then null.
+/// Everything that resume() reads from the description. Objects that are missing there are null.
 struct Description {
   Json parameters, inForce, policy, changes, commands, keepRows;
   explicit Description(const Json& about) {
@@ -153,7 +153,7 @@ Result<Resumed> resume(const Registry& registry, std::shared_ptr<const TensorFil
   else
     return fileError(file->name, "its list of commands is damaged.");
 
-  // What holds now, and for the environment what holds in this episode.
+  // The parameters set now, and the environment's parameters in force in this episode.
   Configuration now = *configuration;
   now.names.policy = d.policy.get<std::string>();
   now.start = file;

@@ -8,31 +8,31 @@
 
 namespace surefoot {
 
-/// `configuration` is the one that the life began with. Life::keepInputs() must have been called before its first step.
+/// The life began with `configuration`. Life::keepInputs() must have been called before its first step.
 TensorFile checkpointOf(const Life& life, const Configuration& configuration, bool keepRows);
 
 struct Resumed {
-  Configuration configuration;  ///< the one that the life began with
+  Configuration configuration;  ///< the configuration at the life's beginning
   std::unique_ptr<Life> life;
   bool keepRows = false;
 };
 
-/// Longer limits than those of the file let the life go on for longer.
+/// With longer limits than in its file a life goes on for longer.
 struct NewLimits {
   std::optional<double> minutes;
   std::optional<std::int64_t> episodes;
 };
 
-/// Whose lives may be gone on with (lives_version.h).
+/// Which program versions' lives may be continued (lives_version.h).
 enum class Versions {
-  Same,  ///< only those of this program; others are refused
-  Any    ///< others, too; the life notes at which step, as a change of "lives_version"
+  Same,  ///< only lives of this program's version; others are refused
+  Any    ///< others, too; the life notes the step, as a change of "lives_version"
 };
 
 Result<Resumed> resume(const Registry& registry, std::shared_ptr<const TensorFile> file, const NewLimits& limits,
                        Versions versions = Versions::Same);
 
-/// Whether a checkpoint's life was lived by a version of the same lives.
+/// Whether a checkpoint's life has the same version as the lives of this program.
 Status checkLivesVersion(const TensorFile& file);
 
 /// The key of that change.

@@ -42,16 +42,16 @@ bool isText(const Json& json, const char* key) {
   return json.contains(key) && json[key].is_string();
 }
 
-/// Where a file lies that a journal names: journals of earlier days have its whole path, later ones its name.
+/// The path of a file named in a journal: old journals have its whole path, newer ones only its name.
 std::string placeOf(const std::string& file, const std::string& journal) {
   std::error_code ignored;
   const auto beside = std::filesystem::path(journal).parent_path() / std::filesystem::path(file).filename();
   return std::filesystem::exists(file, ignored) ? file : beside.string();
 }
 
-/// Begins with the file that the life began with, if it still holds the same.
+/// Loads the Q-function that the life began with, if the file still has the same content.
 Status load(const Json& json, const std::string& name, Configuration& c) {
-  const char* kind = isText(json, "content") ? "content" : "hash";  // of the values; of the whole file, formerly
+  const char* kind = isText(json, "content") ? "content" : "hash";  // hash of the values; formerly of the file
   if (!json.is_object() || !isText(json, "file") || !isText(json, kind))
     return fileError(name, "its first line names what was loaded, but not how.");
   const std::string place = placeOf(json["file"].get<std::string>(), name);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What was done to a life, so that it can be lived again: JSON lines. The first holds the configuration that it began
-// with and its seed, then follows a line for every parameter change, change of policy and push, with its step; the last
-// tells where the life was left, with its hash.
+// A record of everything done to a life, so that it can be lived again: JSON lines. The first line has the
+// configuration at the beginning and the seed. Then comes one line for every change of a parameter or of the policy and
+// every push, with its step. The last line says at which step the life was left, with its hash.
 #pragma once
 
 #include <string>
@@ -11,16 +11,16 @@
 
 namespace surefoot {
 
-/// `configuration` is the one that the life began with.
+/// The life began with `configuration`.
 std::string journalOf(const Configuration& configuration, const LifeResult& life);
 
 struct Journal {
-  Configuration configuration;  ///< with the commands, and what was loaded
+  Configuration configuration;  ///< with the commands and the loaded Q-function
   int life = 0;
-  std::int64_t steps = 0;                ///< of the life when it was left
-  std::uint64_t hash = 0;                ///< then
-  std::int64_t episodes = 0, falls = 0;  ///< then
-  int livesVersion = 0;                  ///< of the program that lived it (lives_version.h); 0: not noted
+  std::int64_t steps = 0;                ///< steps of the life when it was left
+  std::uint64_t hash = 0;                ///< hash when it was left
+  std::int64_t episodes = 0, falls = 0;  ///< until it was left
+  int livesVersion = 0;                  ///< lives_version.h of its program; 0: not noted
 
   /// Whether a life that was lived again came out the same.
   bool sameAs(const LifeResult& lived) const {
@@ -28,8 +28,8 @@ struct Journal {
   }
 };
 
-/// Reads a journal from text; `name` is the file's. A Q-function that the life began with is read, too, from beside the
-/// journal or the current folder, and must hold the values that it held.
+/// Reads a journal from text; `name` is the journal's file. A Q-function that the life began with is read, too, from
+/// the journal's folder or the current folder; it must still have the same values.
 Result<Journal> parseJournal(const Registry& registry, const std::string& text, const std::string& name);
 Result<Journal> readJournal(const Registry& registry, const std::string& path);
 

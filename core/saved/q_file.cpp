@@ -32,7 +32,7 @@ void add(Hash64& hash, std::string_view bytes) {
 /// 64 bits over the tensors.
 std::string checksumOf(const TensorFile& file) {
   Hash64 hash;
-  std::vector<const Tensor*> tensors;  // by name: where empty ones lie is of no consequence
+  std::vector<const Tensor*> tensors;  // by name: the order of empty tensors does not matter
   for (const Tensor& tensor : file.tensors) tensors.push_back(&tensor);
   std::sort(tensors.begin(), tensors.end(), [](const Tensor* a, const Tensor* b) { return a->name < b->name; });
   for (const Tensor* tensor : tensors) {
@@ -44,7 +44,7 @@ std::string checksumOf(const TensorFile& file) {
 
 }  // namespace
 
-// A checkpoint holds more than values; what belongs to an estimate has its name.
+// A checkpoint holds more than values; tensors of an estimate begin with its name.
 std::string contentOf(const TensorFile& file) {
   const Json estimates = file.about.value("estimates", Json::object());
   const auto isValue = [&](const Tensor& t) {
@@ -117,7 +117,7 @@ Result<std::shared_ptr<const TensorFile>> readQFile(const std::string& path) {
 
 namespace {
 
-/// What a file began with, and what that began with …: the last few of a long line of descent.
+/// The file that a file began with, the file that this one began with, and so on: the last few of a long chain.
 Json ancestors(const Json& began, int generations) {
   Json kept = began;
   if (!kept.is_object() || !kept.contains("began_with")) return kept;

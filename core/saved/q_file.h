@@ -10,33 +10,33 @@
 
 namespace surefoot {
 
-/// What `life` has learned. `configuration` is the one that it runs under now.
+/// The Q-function that `life` has learned. `configuration` is its current one.
 TensorFile qFileOf(const Life& life, const Configuration& configuration);
 
-/// The same for any agent, with `origin` in place of what a life tells.
+/// The same for any agent; `origin` replaces the facts about a life.
 TensorFile qFileOf(Agent& agent, const Task& task, const Configuration& configuration, const Json& origin);
 
 /// Reads a Q-function, or a checkpoint as one. Its configuration is checked, its tables are read when an agent is made.
 Result<std::shared_ptr<const TensorFile>> readQFile(const std::string& path);
-/// Notes a checksum of the tensors in the description; whoever changes them by hand takes it out.
+/// Adds a checksum of the tensors to the description; to change tensors by hand, remove it.
 void seal(TensorFile& file);
-/// What the reader checks of a file that was parsed already.
+/// The reader's checks, for a file that was parsed already.
 Status checkKind(const TensorFile& file, const std::vector<std::string>& kinds);
 
-/// 64 bits over the values in it, in hexadecimal: the same however the file is called, wherever it lies and however it
-/// came about.
+/// A hash of its values, 64 bits in hexadecimal. It does not depend on the file's name, place or history.
 std::string contentOf(const TensorFile& file);
 
-/// The same over the whole file, as journals of earlier days note it.
+/// A hash of the whole file, as old journals have it.
 std::string wholeHashOf(const TensorFile& file);
 
-/// Every life will begin with what the file holds. What is noted of it are its name without folders, and its content.
+/// Makes every life begin with the Q-function in the file. The configuration notes the file's name, without folders,
+/// and content.
 void beginWith(Configuration& configuration, std::shared_ptr<const TensorFile> file);
 
-/// What a file says it began with, without the folders that older files name.
+/// A file's entry about the file it began with, without the folders that older files have there.
 Json withoutFolders(Json began);
 
-/// The configuration that a file was learned under.
+/// The configuration under which a file was learned.
 Result<Configuration> configurationOf(const Registry& registry, const TensorFile& file);
 
 }  // namespace surefoot

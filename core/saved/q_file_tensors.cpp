@@ -18,7 +18,7 @@ double numberAt(const Json& json, const char* key) {
   return json.is_object() && json.contains(key) && json[key].is_number() ? json[key].get<double>() : -1.0;
 }
 
-/// Features of an estimate by its layout (FeatureMap::layout): at most these, and exactly these unless it is hashed.
+/// Number of features of an estimate by its layout (FeatureMap::layout); for a hashed table the largest number.
 double featuresOf(const Json& layout) {
   if (const double memory = numberAt(layout, "memory"); memory >= 0) return memory;
   if (!layout.is_object() || !layout.contains("variables") || !layout["variables"].is_array()) return -1.0;
@@ -77,7 +77,7 @@ class Checker {
     const auto fits = [&](double n) { return hashed ? n <= features : n == features; };
     if (part == "weights") {
       weights_ += elements;
-      constexpr double kMostTiles = 16;  // of an action, where actions share what they learn
+      constexpr double kMostTiles = 16;  // tiles of an action, where actions share weights
       const double columns = t.shape.empty() ? 0.0 : static_cast<double>(t.shape.back());
       if (columns > std::max(1.0, kMostTiles * actions_)) return refuse(t, "has more columns than actions");
       return fits(columns > 0 ? elements / columns : 0.0) ? Status(Done{}) : refuse(t, "does not fit its layout");
@@ -88,7 +88,7 @@ class Checker {
     return refuse(t, "is none that an estimate has");
   }
 
-  /// What a checkpoint has besides.
+  /// The additional tensors of a checkpoint.
   Status checkLife(const Tensor& t) const {
     const auto elements = static_cast<double>(t.elements());
     constexpr double kFew = 1000, kMarks = 1e6, kColumns = 32;

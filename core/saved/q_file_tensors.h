@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which tensors a Q-function or a checkpoint has, and how large they are by its own description: checked before their
-// data is read, so that a file cannot take memory for what nobody asked for.
+// Which tensors a Q-function or a checkpoint may have, and their sizes by its own description. This is checked before
+// their data is read, so that a file cannot take memory for useless tensors.
 #pragma once
 
 #include "core/files/tensor_file.h"

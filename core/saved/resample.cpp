@@ -10,7 +10,7 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kShares[] = {1.0, 1.0, 0.7, 0.5, 0.3, 0.2, 0.1, 0.05};  // of the error that a pass closes
+constexpr double kShares[] = {1.0, 1.0, 0.7, 0.5, 0.3, 0.2, 0.1, 0.05};  // share of the error that each pass closes
 constexpr double kStatesPerFeature = 8.0;
 constexpr double kFewest = 1e4, kMost = 2e6;  // states of a pass
 constexpr int kCheck = 20'000;                // states that the error is taken over

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Carries a learned function over into another representation, as well as that can hold it.
+// Carries a learned function over into another representation, as accurately as this one can.
 #pragma once
 
 #include <atomic>
@@ -9,8 +9,8 @@
 
 namespace surefoot {
 
-/// How far the new function is from the old one, over states drawn anew, uniform over the range of the state, and over
-/// those of them that were visited.
+/// How far the new function is from the old one: over new states, drawn uniformly from the range of the state, and over
+/// the visited states among them.
 struct ResampleError {
   double rms = 0.0, largest = 0.0, rmsVisited = 0.0;
   std::int64_t visited = 0, states = 0;

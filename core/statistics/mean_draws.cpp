@@ -65,7 +65,7 @@ bool tellDifferences(const std::vector<MeanEstimate>& means, const Cluster& clus
 }  // namespace
 
 // mean + T·Σ z_i·d_i with normal z_i and T = √(degrees/χ²): Student's t times the standard error, in several dimensions
-// with the covariances that the deviations have. Alone, one z does.
+// with the covariances of the deviations. For a mean alone one z is enough.
 std::vector<double> drawMeans(const std::vector<MeanEstimate>& means, const std::vector<std::size_t>& together,
                               const std::function<double(const std::vector<double>&)>& f, Random& random, int count) {
   std::vector<double> results, drawn(means.size()), z;

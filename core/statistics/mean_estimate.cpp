@@ -14,7 +14,7 @@ Interval around(double value, double half) {
   return {value, value - half, value + half};
 }
 
-/// The squared standard error of weightB·b − weightA·a, of pairs.
+/// The squared standard error of weightB·b − weightA·a, for pairs.
 double squaredErrorOfPairs(const MeanEstimate& a, double weightA, const MeanEstimate& b, double weightB) {
   double squares = 0;
   for (std::size_t i = 0; i < a.deviations.size(); ++i) {
@@ -24,13 +24,13 @@ double squaredErrorOfPairs(const MeanEstimate& a, double weightA, const MeanEsti
   return squares;
 }
 
-/// Two or three pairs whose differences happen to be equal (but for rounding) do not say how these scatter.
+/// Whether the scatter of the differences is known: two or three that are equal (but for rounding) do not show it.
 bool differencesScatter(double squares, double ofA, double ofB, double degrees) {
   constexpr double kRounding = 1e-24;
   return degrees + 1 >= kEnoughAlike || squares > kRounding * (ofA + ofB);
 }
 
-/// The standard error of weightB·b − weightA·a times t(.975), which is what an interval goes to either side.
+/// Half the width of the interval: the standard error of weightB·b − weightA·a times t(.975).
 double halfWidth(const MeanEstimate& a, double weightA, const MeanEstimate& b, double weightB, bool sameUnits) {
   if (!a.known() || !b.known()) return kNothing;
   const double ofA = weightA * weightA * a.squaredError(), ofB = weightB * weightB * b.squaredError();
@@ -83,14 +83,14 @@ MeanEstimate estimateOf(Sample values, const Units& units) {
   if (there < 2) return estimate;
   const double factor = std::sqrt(there / (there - 1)) / count;
   for (std::size_t g = 0; g < units.count; ++g)
-    estimate.deviations.push_back(factor * (sums[g] - counts[g] * estimate.value));  // 0 of a unit without a value
+    estimate.deviations.push_back(factor * (sums[g] - counts[g] * estimate.value));  // 0 for a unit without a value
   if (there >= kEnoughAlike || estimate.squaredError() > 0) estimate.degrees = there - 1;
   return estimate;
 }
 
-// The bootstrap's standard error is √((G − 1)/G) of what it should be for so few units. Deviations are those from our
-// value, not from the mean of the resamples: in these the end comes earlier, as it does of fewer lives, and by how much
-// is a part of what is uncertain.
+// With G units the bootstrap's standard error is too small by the factor √((G − 1)/G). Deviations are taken from our
+// value, not from the mean of the resamples: resamples end learning earlier, as fewer lives do, and this shift is part
+// of the uncertainty.
 MeanEstimate estimateOf(double value, Sample resampled, std::size_t units) {
   MeanEstimate estimate{.value = value, .deviations = {}, .resampled = true};
   if (units < 2 || resampled.size() < 2) return estimate;
@@ -116,7 +116,7 @@ Interval ratioOf(const MeanEstimate& before, const MeanEstimate& after, bool sam
   const double ratio = after.value / before.value;
   if (!before.neverNegative || !after.neverNegative)
     return around(ratio, std::abs(halfWidth(before, ratio, after, 1, sameUnits) / before.value));
-  if (after.value == 0) return {ratio, kNothing, kNothing};  // without a fall there is no knowing how rare they are
+  if (after.value == 0) return {ratio, kNothing, kNothing};  // without any fall their rate is unknown
   const double half = halfWidth(before, 1 / before.value, after, 1 / after.value, sameUnits);
   return {ratio, ratio * std::exp(-half), ratio * std::exp(half)};
 }

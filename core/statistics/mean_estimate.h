@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A mean over lives and how far it can be trusted. What is independent of each other is a *unit*: a life; or, where
-// lives share the Q-functions of a pool, all lives of one Q-function together. Intervals are Student's t with as many
-// degrees of freedom as there are units but one; of two means that share nothing, Welch & Satterthwaite's (1947). From
-// three units on they hold their 95 % within three points (coverage_test); up to an end of learning that the units tell
-// themselves, within about five (end_coverage_test). Of one unit there is none. Any thread.
+// A mean over lives and how far it can be trusted. Independent samples are called *units*: a unit is a life; or, where
+// lives share the Q-functions of a pool, all lives of one Q-function together. Intervals are Student's t; n units have
+// n − 1 degrees of freedom, and two means without common units those of Welch & Satterthwaite (1947). From three units
+// on the intervals cover 95 % within three points (coverage_test); for measures up to an end of learning that is found
+// from the same units, within about five (end_coverage_test). One unit has no interval. Any thread.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@ namespace surefoot {
 
 /// Which values belong to one unit.
 struct Units {
-  std::vector<std::size_t> of;  ///< of every value: the number of its unit, from 0
+  std::vector<std::size_t> of;  ///< for every value the number of its unit, from 0
   std::size_t count = 0;
   bool areQFunctions = false;
 
@@ -26,41 +26,41 @@ struct Units {
 
 struct MeanEstimate {
   double value = std::numeric_limits<double>::quiet_NaN();
-  /// Their squares add up to the squared standard error. Of conditions whose units are the same ones they stand in the
-  /// same order, so that the error of a difference is that of their differences.
+  /// Their squares add up to the squared standard error. Conditions with the same units have them in the same order:
+  /// then the squared error of a difference is the sum of the squared differences of the deviations.
   std::vector<double> deviations;
-  double degrees = 0.0;       ///< of freedom; 0: no error can be told, of one unit or of two or three that are equal
-  bool neverNegative = true;  ///< as counts are
-  bool resampled = false;     ///< the deviations are those of resamples, not of units
+  double degrees = 0.0;       ///< degrees of freedom; 0: the error is unknown (one unit, or two or three equal ones)
+  bool neverNegative = true;  ///< no value is below 0, as with counts
+  bool resampled = false;     ///< there is a deviation for each resample, not for each unit
 
   bool known() const { return degrees > 0; }
   double squaredError() const;
 };
 
-/// The mean of all values that are numbers. A unit weighs as many as it holds.
+/// The mean of all finite values. The weight of a unit is the number of its values.
 MeanEstimate estimateOf(Sample values, const Units& units);
-/// Of means that were found in resamples of so many units.
+/// An estimate whose error comes from resamples: `resampled` are their means, `units` the number of units.
 MeanEstimate estimateOf(double value, Sample resampled, std::size_t units);
 
-/// Both have their deviations in one order: those of units, or of resamples. Of two conditions with the same units of
-/// which only one ends elsewhere in other resamples, they are not, and the interval is that of two apart: it is wider.
+/// Whether the deviations of both are in the same order, of units or of resamples. If only one of two conditions with
+/// the same units is resampled, they are no pairs: then the wider interval of two independent means is used.
 bool arePairs(const MeanEstimate& a, const MeanEstimate& b);
-/// Two or three pairs that differ by the same do not tell how differences scatter.
+/// Whether the scatter of the differences is known. Two or three pairs with the same difference do not show it.
 bool tellsDifference(const MeanEstimate& a, const MeanEstimate& b);
 
 Interval intervalOf(const MeanEstimate& mean);
-/// after − before. `sameUnits`: the units of both are the same ones.
+/// after − before. `sameUnits`: both have the same units.
 Interval differenceOf(const MeanEstimate& before, const MeanEstimate& after, bool sameUnits);
-/// after/before. Of what is never negative by the logarithm, so that it is above 0. NaN where `before` is 0; no
-/// interval where `after` is.
+/// after/before. For values that are never negative the interval is computed for the logarithm, so that it lies above
+/// 0. NaN where `before` is 0; no interval where `after` is 0.
 Interval ratioOf(const MeanEstimate& before, const MeanEstimate& after, bool sameUnits);
 /// 100·(after − before)/|before|, with the interval of the ratio; NaN where `before` is 0.
 Interval changeOf(const MeanEstimate& before, const MeanEstimate& after, bool sameUnits);
 
-/// `f` of means drawn as far from ours as the lives leave them uncertain (Student's t), so many times, in order: what
-/// is true in how many of them. Conditions with one number in `together` have the same units and are drawn with the
-/// same random numbers. Empty if one of the means has no error that is known, or two
-/// of the same units have differences of which none is.
+/// Draws all means `count` times, each around our value with its error (Student's t), and returns `f` of every draw:
+/// to count how often something is true. Conditions with the same number in `together` have the same units and are
+/// drawn with the same random numbers. Empty if the error of a mean is unknown, or the error of a difference between
+/// two means with the same units.
 std::vector<double> drawMeans(const std::vector<MeanEstimate>& means, const std::vector<std::size_t>& together,
                               const std::function<double(const std::vector<double>&)>& f, Random& random,
                               int count = 10'000);

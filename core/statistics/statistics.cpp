@@ -53,7 +53,7 @@ std::vector<double> ranksOf(Sample x) {
   return ranks;
 }
 
-/// Whether a sample tells how such values scatter.
+/// Whether a sample shows how its values scatter.
 bool scatters(Sample x) {
   return x.size() >= kEnoughAlike || (x.size() >= 2 && varianceOf(x) > 0);
 }

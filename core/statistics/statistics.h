@@ -15,13 +15,13 @@ namespace surefoot {
 
 using Sample = std::span<const double>;
 
-/// So many values that are all the same say that such values do not scatter; two or three falls that happen to be equal
-/// do not.
+/// From this number on, equal values show that the values do not scatter; two or three lives with equal falls may be
+/// chance.
 inline constexpr std::size_t kEnoughAlike = 4;
 
 struct Interval {
   double value = 0.0;            ///< the estimate itself; NaN: there is none
-  double low = 0.0, high = 0.0;  ///< of 95 %; NaN: there is no interval, as of one life
+  double low = 0.0, high = 0.0;  ///< ends of the 95 % interval; NaN: there is none, as for one life
 
   bool known() const { return std::isfinite(low) && std::isfinite(high); }
 };
@@ -37,7 +37,7 @@ double tQuantile(double degrees);
 
 struct TestResult {
   double statistic = 0.0;
-  double degrees1 = 0.0, degrees2 = 0.0;  ///< of freedom; t tests have one
+  double degrees1 = 0.0, degrees2 = 0.0;  ///< degrees of freedom; a t test has only the first
   double p = 1.0;                         ///< two-sided
 };
 
@@ -45,12 +45,12 @@ struct TestResult {
 /// group, or one value a group. Without any variance it is empty where a group has fewer than kEnoughAlike values, else
 /// p is 1 for equal means, and 0 for others.
 std::optional<TestResult> oneWayAnova(const std::vector<Sample>& groups);
-/// The same of two conditions, as the thesis compares them. Empty, too, if one of them has a single value.
+/// The same for two conditions, as the thesis compares them. Empty, too, if one of them has a single value.
 std::optional<TestResult> anovaOfTwo(Sample a, Sample b);
-/// Welch's t test (1947): the same for two groups whose variances may differ. Empty if nobody knows how one of them
-/// scatters: of a single value, or of two or three that are equal. Without any variance p is 1 or 0 as above.
+/// Welch's t test (1947): the same for two groups whose variances may differ. Empty if the scatter of a group is
+/// unknown: it has a single value, or two or three equal ones. Without any variance p is 1 or 0 as above.
 std::optional<TestResult> welchTest(Sample a, Sample b);
-/// Interval of mean(b) − mean(a), after Welch; empty where that is.
+/// Interval of mean(b) − mean(a), after Welch; empty where the test is empty.
 std::optional<Interval> differenceInterval(Sample a, Sample b);
 /// Student's t test of the differences of pairs; empty for fewer than two, and for two or three that are equal.
 std::optional<TestResult> pairedTest(Sample a, Sample b);
@@ -64,18 +64,18 @@ std::vector<double> holm(std::span<const double> p);
 
 /// Hedges' g: (mean(b) − mean(a))/s with s pooled, corrected for small samples (Hedges 1981).
 std::optional<double> effectSize(Sample a, Sample b);
-/// Spearman's rank correlation, ties shared; empty if one of them is constant.
+/// Spearman's rank correlation, ties shared; empty if one of the samples is constant.
 std::optional<double> rankCorrelation(Sample a, Sample b);
 
-/// How many lives per condition tell a difference of two means, with the power given, two-sided at 5 %, for values of
-/// that standard deviation; at most 10⁶. (Normal approximation, with Guenther's (1981) correction of z²/4.)
+/// How many lives per condition show a difference of two means with the given power, two-sided at 5 %, for values with
+/// this standard deviation; at most 10⁶. (Normal approximation, with Guenther's (1981) correction of z²/4.)
 std::int64_t livesNeeded(double standardDeviation, double difference, double power = 0.8);
 
 /// How much of the variance lies between groups of equal size: the random-effects model of one-way analysis of
 /// variance.
 struct VarianceComponent {
-  TestResult test;     ///< is there any?
-  double share = 0.0;  ///< of the whole, 0 … 1
+  TestResult test;     ///< test for variance between the groups
+  double share = 0.0;  ///< share of the whole variance, 0 … 1
 };
 std::optional<VarianceComponent> varianceComponent(const std::vector<Sample>& groups);
 
@@ -83,8 +83,7 @@ std::optional<VarianceComponent> varianceComponent(const std::vector<Sample>& gr
 /// group of all.
 using Groups = std::vector<std::vector<double>>;
 
-/// 100·(after − before)/|before|: −45 means 45 % fewer. Of nothing there are no per cent: NaN where `before` is 0, but
-/// 0 where both are.
+/// 100·(after − before)/|before|: −45 means 45 % fewer. NaN where only `before` is 0; 0 where both are 0.
 double changeInPerCent(double before, double after);
 
 /// The q-quantile (0 … 1) of sorted values, linearly between neighbours (Hyndman & Fan 1996, type 7).

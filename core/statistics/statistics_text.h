@@ -13,13 +13,13 @@ namespace surefoot {
 int decimalsOf(double value);
 /// "93.4 ± 4.1"; without an interval the value alone; "–" where there is no value.
 std::string plusMinusText(const Interval& interval, int decimals);
-/// "+4.1", "-45.0", "0.0": what rounds to 0 has no sign.
+/// "+4.1", "-45.0", "0.0": a value that rounds to 0 has no sign.
 std::string signedText(double value, int decimals);
-/// A cell of a table for other programs, with so many digits; empty of what is no number.
+/// A cell of a table for other programs, with `digits` digits; empty if the value is not finite.
 std::string numberCell(double value, int digits);
-/// null of what is no number.
+/// The value; null if it is not finite.
 nlohmann::ordered_json numberAsJson(double value);
-/// "0.0031", "< 1e-10"; "–" of NaN: no test
+/// "0.0031", "< 1e-10"; "–" for NaN: no test
 std::string shortPText(double p);
 
 }  // namespace surefoot

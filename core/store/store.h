@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The results of an experiment in one SQLite file. A life is written whole or not at all, so that whatever ends the
-// program, everything before is kept and `resume` does the rest. Nothing in it tells of wall-clock time, host, number
-// of jobs, or where files lie. Used by one thread at a time. One process writes at a time (store_lock.h); any number
-// read meanwhile.
+// The results of an experiment in one SQLite file. A life is written whole or not at all: however the program ends, the
+// lives written before are kept, and `resume` does the rest. The file says nothing about wall-clock time, host, number
+// of jobs or places of files. Used by one thread at a time. One process writes at a time (store_lock.h); any number of
+// processes may read meanwhile.
 //
 //   experiment   key, value                  program version, title, seed, paired, shard; writing: 1 while it is open
 //   conditions   condition, name, reference (its name), text, configuration (JSON), lives, goal_reward,
@@ -16,9 +16,9 @@
 //   q_functions  content, file               that lives of the plan begin with, by the hash of their values
 //   endings      ending, name                0 end, 1 success, 2 fall, 3 truncated
 //
-// What is read is checked: types, ranges, and the checksums (store_checks.h), of the plan and of the list of lives
-// under plan_checksum and lives_checksum in experiment. Stores of format 1 have neither checksums nor q_functions nor
-// who lived a life; going on with one notes checksums of what is there.
+// Everything that is read is checked: types, ranges and checksums (store_checks.h). The checksums of the plan and of
+// the list of lives are in experiment, under plan_checksum and lives_checksum. Stores of format 1 have no checksums and
+// no q_functions, and do not say which program lived a life; when one is continued, checksums of its content are added.
 #pragma once
 
 #include <atomic>
@@ -58,23 +58,23 @@ struct StoredPlan {
   bool paired = false;
   int shard = 1, shards = 1;  ///< this store holds part `shard` of `shards`
   std::vector<StoredCondition> conditions;
-  /// That lives begin with, by their content (q_file.h). For a store that is made; Store::plan() leaves them there.
+  /// Q-functions that lives begin with, by their content (q_file.h). Used to make a store; Store::plan() omits them.
   std::map<std::string, std::shared_ptr<const TensorFile>> qFunctions{};
 };
 
-/// Of a life, or of the greedy test behind an episode of it.
+/// A measure of a life, or of the greedy test behind one of its episodes.
 struct StoredMeasure {
-  std::int64_t episode = 0;  ///< 0: of the life
+  std::int64_t episode = 0;  ///< 0: a measure of the whole life
   std::string name;
   double value = 0.0;
 };
-/// What a store keeps of a life besides its episodes.
+/// The measures of a life that a store keeps besides its episodes.
 std::vector<StoredMeasure> measuresToStore(const LifeResult& result);
 
 /// A life without its episodes.
 struct StoredLife {
   int condition = 0, life = 0;
-  int qFunction = -1;  ///< of its pool; -1: none
+  int qFunction = -1;  ///< its number in the pool; -1: none
   std::int64_t episodes = 0, steps = 0, falls = 0, statesOutside = 0;
   std::string diverged;
   std::uint64_t hash = 0;
@@ -94,7 +94,7 @@ struct StoredPreLearning {
   int condition = 0, qFunction = 0;
   std::int64_t episodes = 0, falls = 0, steps = 0;
   double averageReward = 0.0;
-  bool reached = false;  ///< the reward that was asked for; else it ended at the cap
+  bool reached = false;  ///< it reached the reward that was asked for; else it ended at the cap
   std::uint64_t hash = 0;
 };
 
@@ -104,10 +104,10 @@ class Store {
   static Result<Store> create(const std::string& path, const StoredPlan& plan);
   /// To go on writing.
   static Result<Store> openToWrite(const std::string& path, const std::atomic<bool>* interrupted = nullptr);
-  /// To read, whoever writes meanwhile, and where nothing can be written. Its tables must be ours and no others.
+  /// To read, also while a process writes and where nothing can be written. It must have our tables and no others.
   /// Opening and reading end soon after `interrupted` is set.
   static Result<Store> open(const std::string& path, const std::atomic<bool>* interrupted = nullptr);
-  /// Nothing is there, or nothing was begun.
+  /// There is no file, or an empty one.
   static bool missing(const std::string& path);
 
   Store(Store&&) noexcept;
@@ -121,7 +121,7 @@ class Store {
   Status add(const Store& part);
   /// More lives than were planned at first.
   Status setLives(int lives);
-  /// Puts what was saved since the last time into the file itself, so that it is found without the log beside it.
+  /// Moves the lives saved since the last call from the log into the file itself, which is then complete without it.
   Status settle();
 
   Result<StoredPlan> plan() const;
@@ -131,11 +131,11 @@ class Store {
   Result<std::vector<StoredEpisode>> episodes(int condition, int life) const;
   /// Ordered by episode and name.
   Result<std::vector<StoredMeasure>> measures(int condition, int life) const;
-  /// That lives begin with; nullptr: it holds none of this content.
+  /// The Q-function with this content, with which lives begin; nullptr: the store has none.
   Result<std::shared_ptr<const TensorFile>> qFunction(const std::string& content) const;
-  /// A sentence that whoever looks at the results should read: lives may be missing. Usually empty.
+  /// A warning for the reader of the results: lives may be missing. Usually empty.
   std::string note() const;
-  /// Over everything but the shard and the versions of program and lives, ordered by condition, life and episode.
+  /// A hash of everything but the shard and the versions of program and lives, ordered by condition, life and episode.
   Result<std::uint64_t> contentHash() const;
 
   const std::string& path() const { return path_; }
@@ -148,21 +148,21 @@ class Store {
   std::unique_ptr<Database> database_;
 };
 
-/// What the store keeps of a plan.
+/// A plan in the form in which a store keeps it.
 Result<StoredPlan> planToStore(const Registry& registry, const Plan& plan);
 
-/// The plan whose lives a store holds, from what the store keeps of it: to go on without the plan's file.
+/// The plan of a store's lives, made from the store alone: to go on without the plan's file.
 Result<Plan> planFromStore(const Registry& registry, const Store& store);
-/// Lives that a store of this plan is to hold: of all, or of its shard.
+/// How many lives a store of this plan is to hold: all lives, or those of its shard.
 int livesPlanned(const StoredPlan& plan);
 
-/// Whether lives of this program may stand beside those of a store: why not, if these were lived by a program whose
-/// lives are others (lives_version.h).
+/// Whether lives of this program may be added to the lives of a store. The error says why not: another program lived
+/// them, which makes other lives (lives_version.h).
 Status checkLivesVersion(const std::vector<StoredLife>& lives, const std::string& path);
 
-/// Whether a store belongs to a plan: the first difference, with both values. The number of lives may be another.
+/// Whether store and plan agree, but for the number of lives. The error names the first difference, with both values.
 Status checkSamePlan(const StoredPlan& stored, const StoredPlan& plan, const std::string& path);
-/// Whether it holds the same part of it.
+/// Whether the store holds the same shard of the plan.
 Status checkSameShard(const StoredPlan& stored, const StoredPlan& plan, const std::string& path);
 
 }  // namespace surefoot

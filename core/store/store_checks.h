@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is read from a store makes sense, and is what was written: every number has a type and a range, and every life a
-// checksum of its row, its episodes and its measures.
+// Checks of everything that is read from a store: every number must have its type and range, and every life the
+// checksums of its row, its episodes and its measures.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -13,22 +13,22 @@
 
 namespace surefoot {
 
-/// Thrown inside of the store only (guarded() makes an error of it): half a sentence that says what is wrong.
+/// Thrown only inside the store (guarded() makes an error of it): half a sentence that says what is damaged.
 struct Damaged : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// One row of a table, read with suspicion. `table` is its name for messages.
+/// One row of a table; every value is checked. Messages call the table `table`.
 class CheckedRow {
  public:
   CheckedRow(SQLite::Statement& row, const char* table) : row_(row), table_(table) {}
   std::int64_t whole(int column, std::int64_t low, std::int64_t high) const;
   int number(int column, int low, int high) const { return static_cast<int>(whole(column, low, high)); }
-  /// Finite.
+  /// A finite number.
   double real(int column) const;
-  /// UTF-8.
+  /// A text in UTF-8.
   std::string text(int column, std::size_t most = 1u << 20) const;
-  /// Sixteen digits.
+  /// A hash of sixteen digits.
   std::uint64_t hash(int column) const;
   bool isNull(int column) const { return row_.isColumnNull(column); }
 
@@ -38,7 +38,7 @@ class CheckedRow {
   const char* table_;
 };
 
-/// Whether the episodes are those that the life counts.
+/// Checks that the episodes agree with the life's totals.
 void checkEpisodes(const StoredLife& life, const std::vector<StoredEpisode>& episodes);
 
 std::uint64_t checksumOf(const StoredLife& life);
@@ -50,7 +50,7 @@ std::uint64_t checksumOf(const StoredPlan& plan);
 /// The three checksums of a life as a store notes them: 48 digits.
 std::string checksumText(std::uint64_t life, std::uint64_t episodes, std::uint64_t measures);
 enum class ChecksumPart { Life, Episodes, Measures };
-/// Throws Damaged unless this part of the text is this sum.
+/// Throws Damaged if this part of the text differs from `sum`.
 void compareChecksum(const std::string& text, ChecksumPart part, std::uint64_t sum, const std::string& what);
 
 std::string hexText(std::uint64_t value);

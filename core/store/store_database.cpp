@@ -14,13 +14,13 @@ namespace surefoot {
 
 namespace {
 
-constexpr int kPatience = 5'000, kLongPatience = 60'000;  // [ms] for others to let go
+constexpr int kPatience = 5'000, kLongPatience = 60'000;  // [ms] to wait for locks of others
 
 void mark(SQLite::Database& db, bool writing) {
   db.exec(fmt::format("INSERT OR REPLACE INTO experiment VALUES ('writing', '{}')", writing ? 1 : 0));
 }
 
-/// The log that lets others read; without it where the file system has no memory to share.
+/// Turns on the log, so that others can read; they cannot where the file system has no shared memory.
 void useLog(SQLite::Database& db) {
   if (db.execAndGet("PRAGMA journal_mode = WAL").getString() != "wal") {
     db.exec("PRAGMA locking_mode = EXCLUSIVE; PRAGMA journal_mode = WAL");
@@ -29,7 +29,7 @@ void useLog(SQLite::Database& db) {
   db.exec("PRAGMA synchronous = NORMAL");
 }
 
-/// The tables of Q-functions that lives begin with: what SQLite can hold of them.
+/// Stores the Q-functions that lives begin with, except those too large for SQLite.
 void addQFunctions(SQLite::Database& db, const StoredPlan& plan) {
   constexpr std::size_t kLargest = 900'000'000;
   SQLite::Statement row(db, "INSERT INTO q_functions VALUES (?, ?)");
@@ -124,7 +124,7 @@ void Store::Database::beginWriting() {
   SQLite::Transaction whole(db);
   if (format() < kFormat) {
     addTables(db);
-    db.exec("PRAGMA user_version = 1");  // nothing is checked yet that is not there
+    db.exec("PRAGMA user_version = 1");  // so checksums that are still missing are not checked
     noteChecksums();
     db.exec(fmt::format("PRAGMA user_version = {}", kFormat));
   }
@@ -133,7 +133,7 @@ void Store::Database::beginWriting() {
   mark(db, true);
   whole.commit();
   writing = unsettled = true;
-  db.setBusyTimeout(kLongPatience);  // a reader of another kind may hold it for a while
+  db.setBusyTimeout(kLongPatience);  // other kinds of readers may lock it for a while
 }
 
 Store::Database::~Database() {
@@ -143,10 +143,10 @@ Store::Database::~Database() {
     db.setBusyTimeout(kPatience);
     mark(db, false);
   } catch (const std::exception&) {
-    return;  // the log stays beside it, and whoever opens it reads both
+    return;  // the log stays beside the file, and readers read both
   }
   static_cast<void>(db.tryExec("PRAGMA wal_checkpoint(TRUNCATE)"));
-  // Back to a file without a log, which can be read where nothing can be written. A reader is waited for, but not long:
+  // Back to a file without a log, which can be read where nothing can be written. We wait for readers, but not long:
   // everything is in the file by now.
   constexpr int kTries = 20;
   for (int i = 0; i < kTries && db.tryExec("PRAGMA journal_mode = DELETE") == SQLITE_BUSY; ++i)

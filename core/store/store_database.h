@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the files of the store share: the database behind it, and errors in words.
+// Shared by the source files of the store: the database behind it, and errors in words.
 //
-// While it is written a store keeps a log of what is new (SQLite's WAL, "results.sqlite-wal"), so that others read it
-// meanwhile; the log's content goes into the file itself within a quarter of a second. A mark in the file says that
-// somebody writes: one that has it and no log beside it was copied alone, and may lack what was written last.
+// While a store is written, it has a log of the new content (SQLite's WAL, "results.sqlite-wal"), so that others can
+// read meanwhile; the log's content goes into the file itself within a quarter of a second. A mark in the file says
+// that a process writes. A file with the mark but without a log was copied alone, and may lack the lives written last.
 #pragma once
 
 #include <SQLiteCpp/SQLiteCpp.h>
@@ -19,7 +19,7 @@
 
 namespace surefoot {
 
-/// What SQLite says, in words that help.
+/// SQLite's error in plain words.
 Error plainError(const std::string& path, const SQLite::Exception& e);
 
 /// Calls f, and turns whatever is thrown into an error that names the file.
@@ -38,7 +38,7 @@ Result<T> guarded(const std::string& path, F f) {
   }
 }
 
-/// A folder for a copy that goes with it; none if its name is empty.
+/// A folder for a copy, removed with this object; an empty path: no folder.
 class TemporaryFolder {
  public:
   TemporaryFolder() = default;
@@ -55,19 +55,19 @@ class TemporaryFolder {
 };
 
 struct Store::Database {
-  /// To read; `folder` holds it if it is a copy.
+  /// To read; if it is a copy, it lies in `folder`.
   Database(const std::string& uri, TemporaryFolder folder);
   /// To write.
   Database(const std::string& path, StoreLock lock);
   ~Database();
 
-  /// Tables, columns and checksums that stores of earlier days have not got, and the mark.
+  /// Adds tables, columns and checksums that older stores do not have, and sets the mark.
   void beginWriting();
   int format() { return db.execAndGet("PRAGMA user_version").getInt(); }
   std::string valueOf(const char* key);
   void setValue(const char* key, const std::string& value);
 
-  // What is there, checked; each within a transaction of the caller's.
+  // Reads and checks the content, within a transaction of the caller.
   StoredPlan readPlan();
   std::vector<StoredLife> readLives();
   std::vector<StoredPreLearning> readPreLearned();
@@ -77,17 +77,17 @@ struct Store::Database {
   std::optional<std::pair<StoredLife, std::string>> readLife(int condition, int life);
   void noteChecksums();
 
-  std::optional<StoreLock> lock;  // given back when everything else is closed
+  std::optional<StoreLock> lock;  // released when everything else is closed
   TemporaryFolder copy;
   SQLite::Database db;
   bool writing = false, unsettled = false;
-  std::uint64_t livesSum = 0;  ///< of the checksums of all lives, while it is written
+  std::uint64_t livesSum = 0;  ///< combined checksums of all lives, while the store is written
   std::string note;
   // Prepared once, because a life has a thousand episodes.
   std::unique_ptr<SQLite::Statement> addLife, addEpisode, addMeasure;
 };
 
-/// The tables of an empty store, with what is known of the plan.
+/// Makes the tables of an empty store and writes the plan into them.
 void fillStore(SQLite::Database& db, const StoredPlan& plan);
 
 /// Which keys of the table `experiment` hold checksums.

@@ -19,7 +19,7 @@ namespace surefoot {
 
 namespace {
 
-constexpr int kTries = 10;  // whoever asks whether it is held has it for a moment
+constexpr int kTries = 10;  // isHeld() in another process holds the lock for a moment
 
 std::string lockOf(const std::string& storePath) {
   return storePath + "-lock";
@@ -46,7 +46,7 @@ Result<StoreLock> StoreLock::take(const std::string& storePath) {
     if (descriptor < 0)
       return fileError(storePath, fmt::format("it cannot be written there: {}; look at the folder and its permissions.",
                                               std::strerror(errno)));
-    // A file system without locks has none of SQLite's either: then nobody can be kept out.
+    // A file system without locks has no locks for SQLite either: then no process can be kept out.
     bool held = true;
     for (int i = 0; held && i < kTries; ++i) {
       if (i > 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -57,7 +57,7 @@ Result<StoreLock> StoreLock::take(const std::string& storePath) {
       return inUse(storePath);
     }
     if (isNamed(file, descriptor)) return StoreLock(file, descriptor);
-    close(descriptor);  // whoever held it before has just removed it
+    close(descriptor);  // the process that held the lock has just removed the file
   }
 }
 

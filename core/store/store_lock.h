@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who writes into a store: one process at a time. A lock on a file beside it ("results.sqlite-lock"), which the system
-// takes back with the process, however that ends. Readers need none.
+// Only one process at a time writes into a store. It holds a lock on a file beside it ("results.sqlite-lock"); the
+// system releases the lock when the process ends, in whatever way. Readers need no lock.
 #pragma once
 
 #include <string>
@@ -11,14 +11,14 @@ namespace surefoot {
 
 class StoreLock {
  public:
-  /// Refused while another holds it.
+  /// Refused while another process holds it.
   static Result<StoreLock> take(const std::string& storePath);
-  /// Whether somebody writes now.
+  /// Whether a process writes now.
   static bool isHeld(const std::string& storePath);
 
   StoreLock(StoreLock&& other) noexcept;
   StoreLock& operator=(StoreLock&&) = delete;
-  /// Gives it back, and removes the file.
+  /// Releases the lock, and removes its file.
   ~StoreLock();
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a store is made and opened: to write by one process, to read by any number, wherever it lies.
+// How a store is made and opened: by one process to write, by any number to read, wherever the file lies.
 #include <fmt/format.h>
 #include <sqlite3.h>
 #include <unistd.h>
@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// As SQLite's URIs write a path.
+/// A path as a URI for SQLite.
 std::string uriOf(const std::string& path, const char* query) {
   std::error_code failed;
   std::string uri = "file://";
@@ -43,7 +43,7 @@ bool wantsLog(const std::string& path) {
   return head && head->size() > kReadVersion && (*head)[kReadVersion] == 2;
 }
 
-/// Store and log, or the journal of a change that was cut off, in a folder where SQLite can put them together.
+/// A copy of store and log, or of the journal of an unfinished change, in a folder where SQLite can combine them.
 Result<std::pair<TemporaryFolder, std::string>> copyOf(const std::string& path) {
   std::error_code failed;
   std::string folder = (fs::temp_directory_path(failed) / "surefoot-XXXXXX").string();
@@ -56,7 +56,7 @@ Result<std::pair<TemporaryFolder, std::string>> copyOf(const std::string& path) 
     if (!fs::copy_file(path + part, copy + part, failed)) return fileError(path, "it cannot be copied to be read.");
     fs::permissions(copy + part, fs::perms::owner_all, failed);
   }
-  if (isThere(copy + "-journal"))  // undone by whoever opens it to write
+  if (isThere(copy + "-journal"))  // SQLite undoes the change when the copy is opened to write
     static_cast<void>(guarded<Done>(path, [&]() -> Status {
       SQLite::Database(copy, SQLite::OPEN_READWRITE).execAndGet("SELECT count(*) FROM sqlite_master");
       return Done{};
@@ -64,12 +64,12 @@ Result<std::pair<TemporaryFolder, std::string>> copyOf(const std::string& path) 
   return std::pair(std::move(temporary), copy);
 }
 
-/// What to tell of a store that was copied without its log.
+/// The message about a store that was copied without its log.
 constexpr const char* kAlone =
     "it was copied while it was written, or after the program was killed, and without its log ({}-wal): the lives that "
     "were written last may be missing.";
 
-/// And of one that cannot tell whether it is whole.
+/// The message about a store without checksums.
 constexpr const char* kUnchecked =
     "an earlier version wrote it, without checksums: whether its numbers are those that were written cannot be seen. "
     "Going on with --resume notes them.";
@@ -85,11 +85,11 @@ bool Store::missing(const std::string& path) {
 
 namespace {
 
-/// Gives a finished file its name, which nobody has; 0 or why not.
+/// Gives a finished file a name that is still free; returns 0 or the error number.
 int giveName(const std::string& from, const std::string& to) {
   if (link(from.c_str(), to.c_str()) == 0) return 0;
   if (errno == EEXIST) return errno;
-  // A file system without second names; the lock keeps others away.
+  // The file system has no hard links; the lock keeps others away.
   return Store::missing(to) && rename(from.c_str(), to.c_str()) == 0 ? 0 : errno;
 }
 
@@ -97,7 +97,7 @@ int giveName(const std::string& from, const std::string& to) {
 
 namespace {
 
-/// What a start left that was killed while it made a store; whoever holds the lock may take it away.
+/// Removes files of processes that were killed while they made a store. The caller must hold the lock.
 void clearLitter(const std::string& path) {
   std::error_code failed;
   const fs::path folder = fs::path(path).parent_path();
@@ -110,7 +110,7 @@ void clearLitter(const std::string& path) {
 
 }  // namespace
 
-// Made under another name and then given its own, so that whoever finds it finds all of it.
+// The store is made under another name and renamed when it is complete, so that an incomplete one is never found.
 Result<Store> Store::create(const std::string& path, const StoredPlan& plan) {
   const auto exists = fileError(path, "it exists already; name another file, or go on with --resume.");
   if (!missing(path)) return exists;
@@ -129,7 +129,7 @@ Result<Store> Store::create(const std::string& path, const StoredPlan& plan) {
     return made.error();
   }
   unlink(path.c_str());  // an empty file, if any
-  // What a store left that was killed and then removed would be replayed into this one.
+  // Left by an earlier store that was removed; SQLite would replay them into the new one.
   for (const char* rest : {"-wal", "-shm", "-journal"}) unlink((path + rest).c_str());
   const int why = giveName(meanwhile, path);
   unlink(meanwhile.c_str());
@@ -140,7 +140,7 @@ Result<Store> Store::create(const std::string& path, const StoredPlan& plan) {
 
 namespace {
 
-/// It is there, and is a file.
+/// Checks that the store exists and is a regular file.
 Status checkFile(const std::string& path) {
   std::error_code failed;
   if (Store::missing(path)) return fileError(path, "there is no such store.");
@@ -148,7 +148,7 @@ Status checkFile(const std::string& path) {
   return Done{};
 }
 
-/// A store that somebody was writing when it was copied without its log.
+/// Finds a store that was copied while it was written, without its log: a note, or an error if it is damaged.
 Status checkAlone(SQLite::Database& db, const std::string& path, std::string& note) {
   const bool writing =
       db.execAndGet("SELECT ifnull((SELECT value FROM experiment WHERE key = 'writing'), '0')").getString() == "1";
@@ -197,8 +197,7 @@ Result<Store> Store::open(const std::string& path, const std::atomic<bool>* inte
       return Store(path, std::move(data));
     });
   };
-  // With a log that is not there SQLite would make one, which is no reader's business and fails where nothing can be
-  // written.
+  // If the log is missing, SQLite would make one: a reader must not do that, and it fails where nothing can be written.
   if (!log && !journal && wantsLog(path) && !StoreLock::isHeld(path)) return read(uriOf(path, "?immutable=1"), {});
   auto store = read(uriOf(path, ""), {});
   if (store || (!log && !journal) || StoreLock::isHeld(path)) return store;

@@ -14,7 +14,7 @@ namespace surefoot {
 
 namespace {
 
-constexpr int kMostNumber = 1'000'000;           // of conditions, lives, Q-functions
+constexpr int kMostNumber = 1'000'000;           // largest number of a condition, a life or a Q-function
 constexpr std::size_t kLongestName = 10'000;     // [bytes]
 constexpr std::size_t kLongestText = 16u << 20;  // [bytes]
 
@@ -26,7 +26,7 @@ std::uint64_t numberOf(const std::string& text, std::uint64_t low, std::uint64_t
   return number;
 }
 
-/// What findings and window ask a configuration for.
+/// Checks the keys of a configuration that findings and window read.
 void checkConfiguration(const std::string& text) {
   const auto json = parseJson(text);
   if (!json.is_object()) throw Damaged("a condition has no configuration");
@@ -58,7 +58,7 @@ std::string nameOf(const StoredLife& life) {
   return fmt::format("life {} of condition {}", life.life, life.condition + 1);
 }
 
-/// Calls f on the database within one transaction, so that what it reads is of one moment.
+/// Calls f on the database within one transaction, so that everything it reads is from one moment.
 template <class T, class F>
 Result<T> reading(const std::string& path, SQLite::Database& db, F f) {
   return guarded<T>(path, [&]() -> Result<T> {

@@ -13,7 +13,7 @@ namespace surefoot {
 
 namespace {
 
-/// Not in stores of the first days.
+/// The oldest stores do not have this table.
 constexpr const char* kMeasures = R"(
 CREATE TABLE IF NOT EXISTS measures (condition INTEGER NOT NULL, life INTEGER NOT NULL, episode INTEGER NOT NULL,
   name TEXT NOT NULL, value REAL NOT NULL, PRIMARY KEY (condition, life, episode, name)) WITHOUT ROWID;
@@ -63,7 +63,7 @@ std::string tidy(const std::string& sql) {
   return text;
 }
 
-/// What the database is made of, a line a table, index, view or trigger. The lines are no longer than ours.
+/// The parts of the database: one line per table, index, view or trigger. Very long lines are cut.
 std::set<std::string> partsOf(SQLite::Database& db) {
   std::set<std::string> parts;
   SQLite::Statement row(db,
@@ -110,7 +110,7 @@ void distrust(SQLite::Database& db) {
 }
 
 void obey(SQLite::Database& db, const std::atomic<bool>* interrupted) {
-  constexpr int kSteps = 10'000;  // of SQLite's machine: less than a millisecond
+  constexpr int kSteps = 10'000;  // steps of SQLite's virtual machine: less than a millisecond
   const auto look = [](void* flag) -> int { return *static_cast<const std::atomic<bool>*>(flag) ? 1 : 0; };
   sqlite3_progress_handler(db.getHandle(), interrupted ? kSteps : 0, look, const_cast<std::atomic<bool>*>(interrupted));
 }

@@ -22,7 +22,7 @@ Result<StoredPlan> planToStore(const Registry& registry, const Plan& plan) {
     const Task& task = (*environment)->task();
     auto json = configurationAsJson(c.configuration);
     json["seed"] = c.configuration.seed;
-    json.erase("lives");  // it may grow
+    json.erase("lives");  // the number of lives may grow
     if (const auto& start = c.configuration.start) {
       const auto content = c.configuration.beganWith["content"].get<std::string>();
       json["began_with"] = {{"content", content}};
@@ -42,7 +42,7 @@ Result<StoredPlan> planToStore(const Registry& registry, const Plan& plan) {
 
 namespace {
 
-/// What planToStore wrote of a configuration.
+/// Reads a configuration that planToStore wrote.
 Result<Configuration> storedConfiguration(const Registry& registry, const Json& json, const std::string& file) {
   auto c = configurationFromJson(registry, json, file);
   if (!c) return c.error();
@@ -109,7 +109,7 @@ Result<Plan> planFromStore(const Registry& registry, const Store& store) {
     if (!condition) return condition.error();
     plan.conditions.push_back(std::move(*condition));
   }
-  // What it would be written as now: a parameter with another value would make other lives.
+  // The plan must be written again in the same way: a parameter with another value would make other lives.
   const auto again = planToStore(registry, plan);
   if (!again) return again.error();
   if (const Status s = checkSamePlan(*stored, *again, store.path()); !s) return s.error();
@@ -130,8 +130,8 @@ Status checkLivesVersion(const std::vector<StoredLife>& lives, const std::string
 
 namespace {
 
-/// Takes parameters of policies out that the other one does not know: such a policy came to the program later, and no
-/// condition there has it.
+/// Removes parameters of policies that are missing in `other`: the policy was added to the program later, and no
+/// condition of `other` uses it.
 void leaveOutNewer(Json& json, const Json& other) {
   for (auto& [key, value] : json.items()) {
     if (!value.is_object() || !other.contains(key)) continue;

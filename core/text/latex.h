@@ -7,9 +7,9 @@
 
 namespace surefoot {
 
-/// A text of any kind as plain LaTeX that shows it and does nothing else: letters that are commands are escaped, and
-/// what is not ASCII is spelled with what LaTeX has without a package, ε as $\varepsilon$ and Ä as \"{A}. A character
-/// that it has not stands as its number, U+1F600.
+/// Any text as plain LaTeX that shows the text and does nothing else. Characters that are commands are escaped. Letters
+/// that are not ASCII are written with commands that need no package, ε as $\varepsilon$ and Ä as \"{A}; characters
+/// without a command as their number, U+1F600.
 std::string latexText(std::string_view text);
 
 }  // namespace surefoot

@@ -11,7 +11,7 @@ namespace surefoot {
 
 namespace {
 
-/// Whether the comma at `at` may be one of thousands: one to three digits before it, three and no more behind it.
+/// Whether the comma at `at` may separate thousands: one to three digits before it, exactly three behind it.
 bool mayGroup(std::string_view text, std::size_t at) {
   std::size_t begin = at, end = at + 1;
   while (begin > 0 && isDigit(text[begin - 1])) --begin;

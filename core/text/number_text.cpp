@@ -33,7 +33,7 @@ void trim(std::string& text) {
   text.erase(text.find_last_not_of(' ') + 1);
 }
 
-/// Takes "⁻⁶" from the end of a text: "-6"; "" if there is no such thing.
+/// Takes an exponent like "⁻⁶" from the end of a text and returns "-6"; "" if there is none.
 std::string takeRaised(std::string& text) {
   std::string exponent;
   for (bool found = true; found;) {

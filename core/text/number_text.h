@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers that a person types: one rule for the command line, forms, dialogs, plans and lists, independent of the
-// locale. What the program prints it reads: "−1.5", "1,000", "1e-06", "4.5e−04", "2 · 10⁻⁶", "9 min" where the unit is
-// known.
+// locale. The program reads all numbers that it prints: "−1.5", "1,000", "1e-06", "4.5e−04", "2 · 10⁻⁶", "9 min" where
+// the unit is known.
 //
 // - The decimal point is a point; a comma separates thousands, and then stands before every three digits: 1,234.5.
-// - What a person may have meant otherwise is refused, and both readings are named: "1,5" (1.5 or 15), "1.000,5".
-// - Values of a list are separated by ; or blanks. Commas do as well where none of them can be one of thousands:
+// - A number with two possible meanings is refused, and both readings are named: "1,5" (1.5 or 15), "1.000,5".
+// - Values of a list are separated by ; or blanks. Commas are allowed, too, where none of them can separate thousands:
 //   "0.1,0,0" is a list, "1,000" is refused (1000, or 1 and 0).
 #pragma once
 
@@ -22,14 +22,14 @@ namespace surefoot {
 struct NumberText {
   bool good = false;
   double value = 0.0;
-  std::string plain;                  ///< of a good one: sign, digits, point, exponent and nothing else
-  std::vector<std::string> readings;  ///< of an ambiguous one, as they would have to be written
+  std::string plain;                  ///< a good number: sign, digits, point, exponent and nothing else
+  std::vector<std::string> readings;  ///< an ambiguous number: its readings, each written unambiguously
 };
 
 /// Reads one number, finite, with nothing before it, not even a blank, and nothing behind it but its unit.
 NumberText readNumberText(std::string_view text, std::string_view unit = {});
 
-/// The same; the error is a sentence that names what it is for, the text, and the readings if there are several.
+/// The same; the error is a sentence with the name, the text, and the readings if there are several.
 Result<double> parseNumber(std::string_view name, std::string_view text);
 
 /// A whole number in a range, exact up to 2⁶⁴ − 1: digits, and commas of thousands.

@@ -7,8 +7,8 @@
 
 namespace surefoot {
 
-/// The text as one word of a POSIX shell: as it is, or in single quotes where it holds anything that a shell reads
-/// otherwise (a blank, a quote, $, *, an umlaut is none of them).
+/// The text as one word of a POSIX shell: unchanged, or in single quotes if it contains characters that are special in
+/// a shell (a blank, a quote, $, *; an umlaut is not special).
 std::string shellQuoted(std::string_view text);
 
 }  // namespace surefoot

@@ -18,8 +18,8 @@ std::string fixedText(double value, int decimals);
 /// 1234567.0 → "1,234,567".
 std::string countText(double value);
 
-/// A text as a cell of a CSV table, in quotes where it needs them (RFC 4180). What a spreadsheet would take for a
-/// formula, because it begins with = + - @, a tab or a line end, gets an apostrophe in front. Not for numbers.
+/// A text as a cell of a CSV table, in quotes where it needs them (RFC 4180). A text that a spreadsheet would take for
+/// a formula, because it begins with = + - @, a tab or a line end, gets an apostrophe in front. Not for numbers.
 std::string csvCell(std::string_view text);
 
 /// The beginning of something that a person typed, for a message: at most 60 bytes, never half a character.

@@ -7,7 +7,7 @@
 namespace surefoot {
 
 void DeferredTrace::decay(WeightTable& table, double factor, double cutoff) {
-  constexpr double kLeast = 1e-200;                            // below it a trace is nothing, even without a cut-off
+  constexpr double kLeast = 1e-200;                            // a trace below it counts as 0, even without a cut-off
   if (factor < std::max(cutoff, kLeast)) return clear(table);  // no z is above 1
   setProduct(product_ * factor);
   const double least = std::max(cutoff, kLeast) * inverse_;
@@ -38,7 +38,7 @@ void DeferredTrace::clear(WeightTable& table) {
   setProduct(1.0);
 }
 
-// Everything is paid, and what goes on does so in the units of a new P.
+// Everything is paid; the remaining traces go on with a new P.
 void DeferredTrace::beginAgain(WeightTable& table) {
   std::size_t kept = begin_;
   for (std::size_t i = begin_; i != end_; ++i) {

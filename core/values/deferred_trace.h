@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Replacing eligibility traces whose cost does not grow with their length (after Wiering & Schmidhuber 1998, Fast
-// Online Q(λ), Machine Learning 33): an update of all weights with a trace is put off, until somebody reads or marks
-// one.
+// Online Q(λ), Machine Learning 33): the updates of a weight with a trace are put off until it is read or marked.
 //
-// Every trace decays by the same factor, so with P the product of all factors so far a weight that was marked when the
-// product was P₀ has z = P/P₀. What it is owed is Σ α δ_k P_k/P₀ over the steps since then: with the sums D = Σ α δ_k
-// P_k and e = 1/P₀
+// Every trace decays by the same factor. Let P be the product of all factors so far: a weight that was marked when the
+// product was P₀ has z = P/P₀. Its updates since then add up to Σ α δ_k P_k/P₀. With the sum D = Σ α δ_k P_k and
+// e = 1/P₀
 //
 //   w = v + D·e,   z = e·P
 //
-//   decay    P ← f·P; the oldest marks, whose z is now below the cut-off, are paid: v ← v + D·e, e ← 0
+//   decay    P ← f·P; the oldest marks, with z below the cut-off by now, are paid: v ← v + D·e, e ← 0
 //   mark     v ← v + D·e − D/P, e ← 1/P, which leaves w as it is and makes z 1
 //   add      D ← D + α δ·P, which adds α δ z to every weight
 //
@@ -64,10 +63,10 @@ class DeferredTrace {
  private:
   struct Mark {
     Index k;
-    double e;  // when it was made; dead if the table holds another by now
+    double e;  // e of the weight when it was marked; the mark is dead if the table now holds another e
   };
-  static constexpr double kSmallest = 1e-3;         // of P: 3 digits of 16 are lost at most
-  static constexpr std::size_t kUsualMarks = 4096;  // then the dead ones are weeded out
+  static constexpr double kSmallest = 1e-3;         // the smallest P: at most 3 digits of 16 are lost
+  static constexpr std::size_t kUsualMarks = 4096;  // with more marks the dead ones are removed
 
   Mark& mark(std::size_t i) { return marks_[i & (marks_.size() - 1)]; }
   void pay(WeightTable& table, const Mark& mark) {

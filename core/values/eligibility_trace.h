@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The eligibility trace z (thesis, section 2.2.2; Sutton & Barto 2018, section 12.7): which weights are answerable for
 // the reward that comes now. Only the entries that differ from 0 are kept; every one of them is touched in every step.
-// The learner takes DeferredTrace where it can, which is faster; this one is for accumulating traces and for features
-// that are not binary, and it is what the other is held against.
+// Where it can, the learner takes DeferredTrace, which is faster. This class is for accumulating traces and for
+// features that are not binary; tests compare DeferredTrace with it.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@
 
 namespace surefoot {
 
-/// Used by one thread; for one table, whose size is all that most calls want of it.
+/// Used by one thread; for one table. Most calls need only the size of the table.
 class EligibilityTrace {
  public:
   /// z ← factor·z; entries that fall below `cutoff` are dropped.

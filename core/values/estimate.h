@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An estimate q̂ with all that learns it: features, weights, eligibility trace, step size. What is learned (the target)
-// is the agent's business. Thesis, eq. 2.4, 2.8 to 2.10; Sutton & Barto 2018, section 12.7.
+// An estimate q̂ with everything that it learns with: features, weights, eligibility trace, step size. The agent chooses
+// the target of learning. Thesis, eq. 2.4, 2.8 to 2.10; Sutton & Barto 2018, section 12.7.
 #pragma once
 
 #include <algorithm>
@@ -50,7 +50,7 @@ class Estimate {
   std::int64_t statesOutside() const { return statesOutside_; }
   /// The last temporal-difference error was beyond any sensible size.
   bool diverged() const { return diverged_; }
-  /// The last step, by the name of this estimate.
+  /// The last step, with `name` as the estimate's name.
   NamedStep lastStep(const char* name) const { return {name, last_, settings_.stepSize.now(), settings_.traceDecay}; }
   /// z_k of the weights that have a trace, written behind what is in `z` already; weights count from `first` on.
   void eligibility(std::vector<Eligibility>& z, std::uint64_t first) const;
@@ -71,7 +71,7 @@ class Estimate {
   /// S ← S′.
   void go() { here_ = 1 - here_; }
 
-  /// Learns that (S, A) is worth R + next, where `next` is γ times the value of what follows, taken before this update.
+  /// Learns that (S, A) is worth R + next, where `next` is γ times the next state's value, computed before this update.
   void learn(Action a, double reward, double next, double discount, const TraceSettings& traces) {
     last_ = {reward, next, value(a)};
     const double delta = last_.delta();  // δ ← R + γ q̂(S′,·) − q̂(S,A)
@@ -92,8 +92,8 @@ class Estimate {
   static constexpr double kDivergedError = 1e12;
 
   using Active = typename F::Active;
-  Active& x() { return x_[here_]; }          // of S
-  Active& xNext() { return x_[1 - here_]; }  // of S′
+  Active& x() { return x_[here_]; }          // active features of S
+  Active& xNext() { return x_[1 - here_]; }  // active features of S′
 
   /// α/Σx²: a step size of 1 closes the whole error (α/n for n binary features).
   double alpha() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is expected before anything is learned.
+// The values before anything is learned.
 #pragma once
 
 #include "core/parameters.h"

@@ -4,7 +4,7 @@
 //   q̂(s, a, w) = Σ_i w(i, a) x_i(s) over the active features i of s, where x_i is 1 for binary features
 //
 // Weights lie as [feature][column], so that one feature number serves all actions. A column is an action, or, where
-// near actions share weights, one of their tiles (ActionTiles): then w(i, a) is that of the action's tile.
+// near actions share weights, one of their tiles (ActionTiles): then w(i, a) is the weight of the action's tile.
 #pragma once
 
 #include <algorithm>
@@ -78,8 +78,8 @@ class LinearActionValue final : public ActionValueFunction {
     for (std::size_t k = 0; k < static_cast<std::size_t>(x.count); ++k) sum += weights_[weight(x, k, a)] * x.valueOf(k);
     return sum;
   }
-  /// Σ x², the share of the error that a step size of 1 would close too much. (Outside a box no feature is on; what is
-  /// learned there reaches earlier states through their traces.)
+  /// Σ x²: the share of an error δ that w ← w + δ x closes. (Outside a box no feature is on; what is learned there
+  /// reaches earlier states through their traces.)
   double squaredLength(const Active& x) const {
     if constexpr (F::kBinary) return features_.total();
     double sum = 0.0;
@@ -100,9 +100,10 @@ class LinearActionValue final : public ActionValueFunction {
   Index columns() const { return static_cast<Index>(columns_); }
   WeightTable& weights() { return weights_; }
   const WeightTable& weights() const { return weights_; }
-  /// Of the features that there are so far, and a few more.
+  /// Weights of the features claimed so far, and of a few more.
   std::size_t weightCount() const { return weights_.size(); }
-  /// Counts the features of x; of those that are not binary, the ones at least half as strong as the strongest.
+  /// Counts a visit of the features of x; if they are not binary, only of those at least half as strong as the
+  /// strongest.
   void countVisit(const Active& x) {
     double least = 0.0;
     std::uint32_t* const visits = visits_.data();
@@ -132,7 +133,7 @@ class LinearActionValue final : public ActionValueFunction {
     if constexpr (ClaimingFeatureMap<F>) {
       std::vector<std::uint64_t> tiles(features_.tiles().begin(), features_.tiles().end());
       archive.list("tiles", tiles, features_.size());
-      archive.value("initial_low", initial_.low);  // of features that are yet to come
+      archive.value("initial_low", initial_.low);  // for features that are claimed later
       archive.value("initial_high", initial_.high);
       archive.value("initial_seed", seed_);
       if (archive.reading() && archive.good()) {
@@ -205,7 +206,7 @@ class LinearActionValue final : public ActionValueFunction {
     copy->weights_.settle();
     return copy;
   }
-  /// Rows that were not visited since are left as they are: `other` is what this is a clone of.
+  /// This must be a clone of `other`. Rows that were not visited since the last copy are left as they are.
   void assign(const ActionValueFunction& other) override {
     const auto& same = dynamic_cast<const LinearActionValue&>(other);
     assert(same.columns_ == columns_ && same.visits_.size() >= visits_.size() && !unsettled_.empty());
@@ -222,14 +223,14 @@ class LinearActionValue final : public ActionValueFunction {
   }
 
  private:
-  /// Features that have weights: all, or, of a hashed table, the claimed ones and as many more as one look-up can meet.
+  /// Number of features with weights: all; in a hashed table the claimed ones and as many more as one look-up can meet.
   std::size_t rows() const {
     if constexpr (ClaimingFeatureMap<F>)
       return std::min<std::size_t>(features_.size(), features_.occupied() + std::tuple_size_v<decltype(Active::index)>);
     else
       return features_.size();
   }
-  /// Gives the rows that have none their initial weights; the memory is there already.
+  /// Gives new rows their initial weights; the memory is reserved already.
   void grow() {
     const double low = initial_.low / features_.total();
     const double high = initial_.high / features_.total();
@@ -263,7 +264,7 @@ class LinearActionValue final : public ActionValueFunction {
   std::uint64_t seed_;
   WeightTable weights_;                // [feature][column]
   std::vector<std::uint32_t> visits_;  // [feature]
-  std::vector<bool> unsettled_;        // [feature] of a clone: may have changed without another visit
+  std::vector<bool> unsettled_;        // [feature] in a clone: may have changed without another visit
 };
 
 }  // namespace surefoot

@@ -17,7 +17,7 @@ struct Blocks {
 
   std::size_t first(std::size_t k) const { return features[k] * columns; }
 
-  /// Adds those of so many features, from the k-th on. A block is settled once and then serves all actions.
+  /// Adds the weights of several features, from the k-th on. A block is settled once and then serves all actions.
   template <std::size_t kCount>
   void add(std::size_t k, std::span<double> q) const {
     std::array<std::array<double, ActionTiles::kMostColumns>, kCount> block;

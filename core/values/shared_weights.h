@@ -8,8 +8,8 @@
 
 namespace surefoot {
 
-/// q_a ← Σ_k w(feature k, column of a in tiling k), in the order of the tilings. `features` has one of each tiling,
-/// each with so many columns. Hot.
+/// q_a ← Σ_k w(feature k, column of a in tiling k), in the order of the tilings. `features` has one feature of each
+/// tiling, and each has `columns` columns. Hot.
 void sumShared(const WeightTable& weights, std::span<const Index> features, std::size_t columns,
                const ActionTiles& tiles, std::span<double> q);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Q = Q⁺ + Q⁻ (thesis, eq. 6.4), for those who look: two linear estimates of different resolution as one function.
+// Q = Q⁺ + Q⁻ (thesis, eq. 6.4), for display: two linear estimates of different resolution as one function.
 #pragma once
 
 #include "core/values/linear_action_value.h"
@@ -9,7 +9,7 @@ namespace surefoot {
 template <FeatureMap P, FeatureMap N>
 class SplitActionValue final : public ActionValueFunction {
  public:
-  /// Looks through to two functions that outlive it, as long as it is not a clone.
+  /// Refers to two functions that must outlive it; a clone has its own.
   SplitActionValue(const LinearActionValue<P>& positive, const LinearActionValue<N>& negative)
       : positive_(&positive),
         negative_(&negative) {}
@@ -30,7 +30,7 @@ class SplitActionValue final : public ActionValueFunction {
   double familiarity(std::span<const double> state) const override {
     return std::max(positive_->familiarity(state), negative_->familiarity(state));
   }
-  /// The weights of Q⁺ come first; theirs is the eligibility that is shown.
+  /// The weights of Q⁺ come first; only their eligibility is shown.
   void average(std::span<const Eligibility> z, std::span<const double> state, std::span<double> out) const override {
     positive_->average(z, state, out);
   }

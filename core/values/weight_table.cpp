@@ -3,7 +3,7 @@
 
 namespace surefoot {
 
-/// Of kColumns columns at once, whose sums stay in registers. The order of additions is that of a single column.
+/// Sums kColumns columns at once; the sums stay in registers. Additions have the same order as for a single column.
 /// Inlined, so that a number of columns that the compiler knows saves a multiplication a row.
 template <std::size_t kColumns>
 [[gnu::always_inline]] inline void WeightTable::sumColumns(std::span<const Index> rows, std::size_t columns,

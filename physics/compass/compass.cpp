@@ -26,7 +26,7 @@ StateVariable variable(const char* key, const char* title, const char* symbol, b
 }
 
 Task makeTask(const CompassSettings& s) {
-  constexpr double kMostStance = 0.5, kMostSwing = 1.0;  // [rad]: what tiles cover and maps show
+  constexpr double kMostStance = 0.5, kMostSwing = 1.0;  // [rad]: the range that tiles cover and maps show
   Task task;
   task.state = {variable("stance_angle", "stance angle", "θ", false, -kMostStance, kMostStance, 0.1),
                 variable("stance_rate", "stance rate", "θ\u0307", true, -3.0, 0.6, 0.5),

@@ -24,9 +24,9 @@ class Compass final : public Environment {
   void reset(Random& random) override;
   Outcome step(Action action) override;
   std::span<const double> state() const override { return state_; }
-  /// How far the hip got [m], footsteps forward less those back.
+  /// Distance of the hip [m]; footsteps forward minus footsteps back.
   std::span<const double> measures() const override { return measures_; }
-  /// At the hip.
+  /// The impulse acts at the hip.
   bool push(double impulse) override;
   bool place(std::span<const double> state) override;
   std::vector<double> poseAt(std::span<const double> state) const override;
@@ -44,7 +44,7 @@ class Compass final : public Environment {
 
   CompassSettings settings_;
   Task task_;
-  std::unique_ptr<CompassWorld> world_;  // a new one for every episode: nothing of the last is left
+  std::unique_ptr<CompassWorld> world_;  // a new world for every episode, so that nothing of the last one is left
   std::array<double, 4> state_{};
   double torque_ = 0.0, start_ = 0.0;
   int steps_ = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the compass walker looks: the leg nearest to the eye in ink, the other quiet, whichever stands.
+// How the compass walker looks: the near leg in ink, the far leg quiet; it does not matter which one stands.
 #include <algorithm>
 #include <cmath>
 

@@ -13,7 +13,7 @@ float f(double x) {
   return static_cast<float>(x);
 }
 
-/// Whose foot touches the floor.
+/// The leg whose foot touches the floor.
 int legOf(b2Contact& contact) {
   b2Fixture* a = contact.GetFixtureA();
   b2Fixture* robot = a->GetFilterData().groupIndex == kRobotGroup ? a : contact.GetFixtureB();
@@ -59,7 +59,7 @@ CompassWorld::CompassWorld(const CompassSettings& s, const Posture& posture, dou
     fixture.userData.pointer = static_cast<std::uintptr_t>(leg);
     body->CreateFixture(&fixture);
     const b2MassData data{f(mass), {0.0f, f(-kScale * centre)}, f(kScale * kScale * inertia)};
-    body->SetMassData(&data);  // behind the fixture, which sets it too
+    body->SetMassData(&data);  // after the fixture, because the fixture sets it too
     const b2Vec2 arm = body->GetWorldCenter() - body->GetPosition();
     body->SetAngularVelocity(f(rate));
     body->SetLinearVelocity(

@@ -24,10 +24,10 @@ class CompassWorld final : private b2ContactListener {
   /// Stands with the stance foot on the floor at x.
   CompassWorld(const CompassSettings& settings, const Posture& posture, double x = 0.0);
 
-  /// One transition under a hip torque [N m]: + on the swing leg, − on the stance leg. Footsteps made: their length
-  /// [m], the new stance foot from the old one; 0 without one.
+  /// One transition under a hip torque [N m]: + on the swing leg, − on the stance leg. Returns the length of a
+  /// footstep [m], from the old stance foot to the new one; 0 without a footstep.
   double step(double torque);
-  /// One of its parts, kStepTime/substeps long.
+  /// One substep of a transition, kStepTime/substeps long.
   double substep(double torque);
   /// A horizontal impulse at the hip [N s].
   void push(double impulse);

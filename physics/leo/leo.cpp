@@ -78,7 +78,7 @@ Task makeTask(const LeoSettings& s) {
   task.stepTime = LeoWorld::kStepTime;
   task.handMade = true;
   task.lowestReturn = 2 * s.fallReward;
-  task.highestReturn = 14 * s.footstepReward;  // of the hand-made controller in 25 s, about
+  task.highestReturn = 14 * s.footstepReward;  // about the return of the hand-made controller in 25 s
   return task;
 }
 
@@ -210,7 +210,7 @@ bool Leo::push(double impulse) {
 
 namespace {
 
-/// All bodies from the state; the ankles, which it leaves out, stand where they hold themselves. The left leg stands.
+/// The angles of all bodies from the state. It has no ankles: they stand at their own target. The left leg stands.
 LeoWorld::Angles bodiesOf(std::span<const double> v, std::size_t rate, double ankleAngle) {
   LeoWorld::Angles b{};
   b[kTorso] = v[0 + rate];

@@ -3,8 +3,8 @@
 // wcaarls/grl (addons/leosim).
 //
 // State (10): angle and rate of the torso, the stance hip, the swing hip, the stance knee and the swing knee [rad,
-// rad/s]. The stance leg is the only one whose foot is on the floor; with both there the one whose ankle is in front;
-// with none it stays. A change is a footstep.
+// rad/s]. The stance leg is the leg on the floor. With both on the floor, it is the leg whose ankle is in front; with
+// none, it stays the same. A change of it is a footstep.
 // Actions (343): voltages of stance hip, swing hip and swing knee, 7 levels of each. The stance knee (21.21 V/rad
 // towards 0) and both ankles (42.42 V/rad towards 3.72°) look after themselves. Step: 1/30 s.
 // Rewards: time −1 a step; energy −3 a joule that hips and knees take; footstep +300·(L − L_before), L the distance of
@@ -32,7 +32,7 @@ class Leo final : public Environment {
   Outcome step(Action action) override;
   std::span<const double> state() const override { return state_; }
   std::span<const double> measures() const override { return measures_; }
-  /// At the hip.
+  /// The impulse acts at the hip.
   bool push(double impulse) override;
   bool place(std::span<const double> state) override;
   std::vector<double> poseAt(std::span<const double> state) const override;
@@ -59,14 +59,14 @@ class Leo final : public Environment {
 
   LeoSettings settings_;
   Task task_;
-  std::unique_ptr<LeoWorld> world_;  // a new one for every episode: nothing of the last is left
+  std::unique_ptr<LeoWorld> world_;  // a new world for every episode, so that nothing of the last one is left
   std::array<double, 10> state_{};
   Command command_{};
   int stance_ = 0, steps_ = 0;
-  int sinceFootstep_ = 0;       // steps, of the last of positive length
-  bool swingsForward_ = false;  // there has been one
-  double distance_ = 0.0;       // L before [m]
-  double start_ = 0.0;          // of the hip [m]
+  int sinceFootstep_ = 0;       // steps since the last footstep of positive length
+  bool swingsForward_ = false;  // such a footstep was made in this episode
+  double distance_ = 0.0;       // L_before [m]
+  double start_ = 0.0;          // x of the hip when the episode began [m]
   std::array<double, 3> measures_{};
 };
 

@@ -7,7 +7,7 @@ namespace surefoot::leo {
 
 namespace {
 
-/// What few people turn: shown only when asked for.
+/// A parameter that few people change: shown only on request.
 Parameter part(std::string key, std::string title, const char* unit, double low, double high, const char* help) {
   return {.key = std::move(key),
           .title = std::move(title),

@@ -33,7 +33,7 @@ struct JointKind {
   double stopStiffness, stopDamping;
 };
 
-/// What meets the floor, and nothing else.
+/// A part that meets the floor, and nothing else.
 struct Circle {
   Vec centre;
   double radius;

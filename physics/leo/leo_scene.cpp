@@ -56,7 +56,7 @@ Leg legOf(const Anatomy& a, std::span<const double> pose, int leg) {
   return l;
 }
 
-/// A link between two joints, as wide as its ends are round.
+/// A link between two joints; the radii of its round ends give its width.
 Polygon link(Point a, Point b, double radiusA, double radiusB, Ink ink) {
   Polygon shape{.points = {}, .fill = Fill::Panel, .ink = ink, .width = 2};
   const double along = std::atan2(b.y - a.y, b.x - a.x);
@@ -98,7 +98,7 @@ void drawStance(const Leg& l, bool stands, bool near, Scene& scene) {
         Label{{(l.heel.x + l.toe.x) / 2, 0}, near ? "stance, near leg" : "stance, far leg", 0, 38, 0, Ink::Quiet});
 }
 
-/// Scale of the torso's lean, and where it counts as a fall.
+/// The scale of the torso's lean, and the lean that counts as a fall.
 void drawProtractor(Point hip, double mostLean, Scene& scene) {
   constexpr double kRadius = 0.262;
   for (const double side : {-1.0, 1.0}) {
@@ -193,7 +193,7 @@ void Leo::draw(std::span<const double> pose, Scene& scene) const {
   if (pose[13] > 0.5) drawStance(near, nearStands, true, scene);
   if (pose[14] > 0.5) drawStance(far, !nearStands, false, scene);
 
-  // Numbers stand where no leg comes: those of the hips behind and before, that of the knee away from the other leg.
+  // Numbers stand where no leg comes: the hips' numbers behind and in front, the knee's on the side without a leg.
   const Leg &standing = nearStands ? near : far, &swinging = nearStands ? far : near;
   const double away = swinging.knee.x < standing.knee.x ? -1 : 1, most = settings_.voltage;
   drawVoltage(hip, {pose[9], most, 0.053, -1, 0.022, nearStands}, scene);

@@ -14,18 +14,18 @@ struct LeoSettings {
   double gearRatio = 193.0;         ///< G
   double armature = 0.002414;       ///< reflected inertia of the rotor [kg m²]
   double efficiency = 0.75;         ///< η of the gears
-  double dryFriction = 0.20;        ///< of a joint [N m]
-  double voltage = 10.69;           ///< largest [V]
+  double dryFriction = 0.20;        ///< dry friction of a joint [N m]
+  double voltage = 10.69;           ///< the largest voltage [V]
 
-  double boomForce = -1.0269;  ///< what the boom adds, vertically [N]
+  double boomForce = -1.0269;  ///< vertical force of the boom [N]
   double grip = 10.0;          ///< friction of feet and floor
-  int substeps = 19;           ///< Box2D steps a transition
-  double hipTarget = 0.68;     ///< of the hand-made controller: between the hips [rad]
+  int substeps = 19;           ///< Box2D steps per transition
+  double hipTarget = 0.68;     ///< angle between the hips that the hand-made controller aims at [rad]
   double gravity = 9.81;       ///< [m/s²]
 
   leo::Anatomy anatomy;
 
-  // What looks after itself.
+  // The joints that control themselves.
   double stanceKneeGain = 21.21, ankleGain = 42.42;  ///< [V/rad], towards 0 and the ankles' target
   double ankleTarget = 0.0649262481741891;           ///< 3.72° [rad]
 
@@ -33,13 +33,13 @@ struct LeoSettings {
   double mostTorso = 1.0, mostStanceThigh = 1.1309733552923256;
 
   // The task.
-  double timeReward = -1.0;       ///< a step
-  double energyReward = -3.0;     ///< a joule
-  double footstepReward = 300.0;  ///< a metre by which the ankles move apart
+  double timeReward = -1.0;       ///< per step
+  double energyReward = -3.0;     ///< per joule
+  double footstepReward = 300.0;  ///< per metre by which the ankles move apart
   double fallReward = -125.0;     ///< when doomed
-  int levels = 7;                 ///< of each voltage
-  int testEvery = 10;             ///< episodes
-  int maxSteps = 750;             ///< 25 s
+  int levels = 7;                 ///< levels of each voltage
+  int testEvery = 10;             ///< episodes between two greedy tests
+  int maxSteps = 750;             ///< steps of an episode at most: 25 s
 
   void declare(Fields& f);
 };

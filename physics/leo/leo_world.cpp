@@ -12,7 +12,7 @@ using namespace leo;
 
 namespace {
 
-constexpr double kSlowest = 0.05;  // [rad/s]: below, dry friction is a damper
+constexpr double kSlowest = 0.05;  // [rad/s]: below this rate, dry friction acts as a damper
 constexpr double kFree = 1e-6;     // stiffness of a weld that does not weld: Box2D wants more than 0
 
 float f(double x) {
@@ -23,7 +23,7 @@ Vec rotated(Vec v, double angle) {
   return {v.x * std::cos(angle) - v.y * std::sin(angle), v.x * std::sin(angle) + v.y * std::cos(angle)};
 }
 
-/// The origin of a child whose anchor is at that of its parent.
+/// The origin of a child whose anchor lies on the anchor of its parent.
 Vec hangOn(Vec parent, double parentAngle, const JointKind& kind, double childAngle) {
   const Vec anchor = rotated(kind.inParent, parentAngle), own = rotated(kind.inChild, childAngle);
   return {parent.x + anchor.x - own.x, parent.y + anchor.y - own.y};
@@ -87,7 +87,7 @@ LeoWorld::LeoWorld(const LeoSettings& s, const Angles& angles, const Angles& rat
     addJoint(static_cast<Joint>(kLeftAnkle + leg), shank(leg), foot(leg), a.ankle);
   }
 
-  // The masses come behind the fixtures, which set them too; then the rates, so that no joint is torn.
+  // The masses are set after the fixtures, which set them too; then the rates, so that no joint is torn.
   const auto setMass = [&](Body body, const Mass& m) {
     const double aboutOrigin = m.inertia + m.mass * (m.centre.x * m.centre.x + m.centre.y * m.centre.y);
     const b2MassData data{

@@ -60,7 +60,7 @@ class LeoWorld {
     const leo::JointKind* kind;
   };
 
-  /// Of every motor and substep.
+  /// Constants of the drive, the same for every motor and substep.
   struct Drive {
     double perVolt;  // A [N m/V]
     double damping;  // D + J/h [N m s/rad]

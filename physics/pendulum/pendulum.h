@@ -35,7 +35,7 @@ class Pendulum final : public Environment {
   void resetTo(double poleAngle, double poleRate, double wheelRate);
   Outcome step(Action action) override;
   std::span<const double> state() const override { return state_; }
-  /// At the tip of the pole. The next step feels it.
+  /// The impulse acts at the tip of the pole, in the next step.
   bool push(double impulse) override;
   bool place(std::span<const double> state) override;
   std::vector<double> poseAt(std::span<const double> state) const override;
@@ -57,7 +57,7 @@ class Pendulum final : public Environment {
   Task task_;
   std::unique_ptr<PendulumWorld> world_;
   std::array<double, 3> state_{};
-  double torque_ = 0.0;  // of the last action, scaled [N m]
+  double torque_ = 0.0;  // torque of the last action, scaled [N m]
   int steps_ = 0;
 };
 

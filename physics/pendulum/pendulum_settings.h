@@ -23,12 +23,12 @@ struct PendulumSettings {
   double wheelRadius = 0.05;               ///< [m]
   double wheelMass = 0.5;                  ///< solid cylinder [kg]
   double startAngle = 15.0 / 180.0 * kPi;  ///< starts are uniform in ± this [rad]
-  int substeps = 1;                        ///< Box2D steps a transition
+  int substeps = 1;                        ///< Box2D steps per transition
 
   // The task.
   double goalReward = 200.0;
   double fallReward = -100.0;
-  double timeReward = 0.0;             ///< a step (eq. 4.3)
+  double timeReward = 0.0;             ///< per step (eq. 4.3)
   double fallAngle = 0.45 * kPi;       ///< [rad]
   double balancedAngle = 0.005 * kPi;  ///< [rad]
   double balancedRate = 0.005 * kPi;   ///< [rad/s]

@@ -65,7 +65,7 @@ void PendulumWorld::place(double poleAngle, double poleRate, double wheelRate) {
   base_->SetTransform(b2Vec2_zero, 0.0f);
   base_->SetLinearVelocity(b2Vec2(speed, 0.0f));
   pole_->SetTransform(b2Vec2_zero, f(-poleAngle));
-  // The velocity of a body is that of its centre of mass: the hinge's plus ω × r.
+  // Box2D's velocity of a body is the velocity of its centre of mass: the hinge's velocity plus ω × r.
   const b2Vec2 arm = pole_->GetWorldCenter() - pole_->GetPosition();
   const float omega = f(-poleRate);
   pole_->SetAngularVelocity(omega);

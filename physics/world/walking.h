@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What walkers share: the floor, whose friction they stand on, and how their rewards are declared.
+// Parts that all walkers share: the floor with its friction, and the declarations of rewards.
 #pragma once
 
 #include <box2d/box2d.h>
@@ -8,7 +8,7 @@
 
 namespace surefoot {
 
-/// Parts of one group do not meet each other; the floor is in none.
+/// Bodies of one group do not collide with each other; the floor is in no group.
 inline constexpr std::int16_t kRobotGroup = -1;
 
 /// A flat floor at height 0, 500 m to either side; `scale` is Box2D's units per metre.

@@ -17,7 +17,7 @@ class BarButton final : public Painted<QAbstractButton> {
  public:
   enum class Look { Main, Quiet, Framed };
   BarButton(Icon icon, Look look, const QString& tip, QWidget* parent = nullptr);
-  /// One that does what an action does, and says what it says.
+  /// A button for an action, with the action's text.
   BarButton(QAction* action, Icon icon, Look look, QWidget* parent);
   void setIcon(Icon icon);
   void setTip(const QString& tip);

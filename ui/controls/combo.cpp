@@ -14,7 +14,7 @@ namespace surefoot {
 Combo::Combo(const QString& name, QWidget* parent) : QComboBox(parent) {
   setAccessibleName(name);
   setToolTip(tipText(name));
-  setFocusPolicy(Qt::TabFocus);  // one that is chosen by mouse leaves the keys to the page
+  setFocusPolicy(Qt::TabFocus);  // a click leaves the keyboard focus to the page
 }
 
 std::string Combo::chosen() const {

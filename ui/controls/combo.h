@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A combo box with a name that the wheel leaves alone.
+// A combo box with a name; the mouse wheel does not change it.
 #pragma once
 
 #include <QComboBox>
@@ -12,9 +12,9 @@ class Combo final : public QComboBox {
 
  public:
   explicit Combo(const QString& name, QWidget* parent = nullptr);
-  /// The name behind the item that is chosen, "" where there is none: items carry names as their data.
+  /// The name of the chosen item, or "" without one: names are the data of the items.
   std::string chosen() const;
-  /// The item of this name; where there is none the choice stays as it is.
+  /// Chooses the item with this name; if there is none, the choice does not change.
   void choose(const std::string& name);
   /// The data of its items are names of policies: each has its marker, in the theme's and the text's size.
   void setPolicyMarkers();

@@ -28,24 +28,24 @@ class MessageBar final : public QWidget {
   explicit MessageBar(QWidget* parent);
   /// Shows a sentence with only Dismiss.
   void say(const QString& sentence);
-  /// The same for good news, which goes away by itself. What is told in the same moment stands behind it.
+  /// The same for good news, which goes away by itself. Several sentences of the same moment share one line.
   void tell(const QString& sentence);
-  /// A button that answers a question, and what it does.
+  /// A button that answers a question, and its action.
   struct Answer {
     QString text;
     std::function<void()> then;
   };
   enum class Question {
-    Passing,  ///< about the life as it is: withdrawn when that changes; the next one takes its place
+    Passing,  ///< about the present life: withdrawn when the life changes; a new question replaces it
     Quit,     ///< stays until it is answered or cancelled
     Lasting   ///< stays until it is answered
   };
-  /// Shows a question beside what is there already; Escape in the bar is Cancel.
+  /// Shows a question beside the present messages; Escape in the bar is Cancel.
   void ask(const QString& sentence, std::vector<Answer> answers, Question kind = Question::Passing);
   bool asks(Question kind) const { return questions_.count(kind) > 0; }
   /// Takes remarks and passing questions away.
   void dismiss();
-  /// Unless it is a question.
+  /// Takes remarks away, but no questions.
   void dismissRemark();
   /// Takes a question back that can be cancelled; false: there is none.
   bool cancel();

@@ -33,7 +33,7 @@ void MessageRow::setSentence(const QString& sentence) {
   shown_.start();
 }
 
-/// Alt and the first letter that neither the menu bar nor an answer of any row of the bar has.
+/// Alt and the first letter of the text that neither the menu bar nor an answer in the message bar uses.
 QKeySequence MessageRow::freeKey(const QString& text) const {
   QSet<QKeySequence> taken;
   for (const char menu : {'F', 'E', 'V', 'R', 'X', 'H'}) taken << QKeySequence(Qt::ALT | static_cast<Qt::Key>(menu));

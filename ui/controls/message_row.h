@@ -20,11 +20,11 @@ class MessageRow final : public QWidget {
   explicit MessageRow(QWidget* parent);
   QString sentence() const;
   void setSentence(const QString& sentence);
-  /// A button at the right end, which no key presses but its own (Alt and a letter), unless Tab led to it.
+  /// A button at the right end. Only its own key (Alt and a letter) presses it, unless Tab gave it the focus.
   void addButton(const QString& text, std::function<void()> then, bool withKey = true);
   /// Good news has a quiet stripe.
   void setGood(bool good);
-  /// Since its sentence was set [ms].
+  /// The time since its sentence was set [ms].
   qint64 age() const { return shown_.isValid() ? shown_.elapsed() : 0; }
 
  protected:

@@ -64,7 +64,7 @@ PanelHeader::PanelHeader(const QString& title, bool canFill, QWidget* parent)
 
 namespace {
 
-/// As much of a note as has room: all of it, or its first parts, but never half a word.
+/// The part of a note that has room: all of it, or its first parts, but never half a word.
 QString wholeParts(const QString& note, const QFont& font, double room) {
   QString part = note;
   while (!part.isEmpty() && symbolWidth(font, part) > room) {

@@ -14,7 +14,7 @@ namespace surefoot {
 class Folding {
  public:
   virtual ~Folding() = default;
-  /// At most so wide [px], if it can.
+  /// Makes the widget at most `room` wide [px], if it can.
   virtual void fold(int room) = 0;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a person prefers, kept from one start to the next, and the dialog where it is said. Everything applies at once.
+// A person's preferences, kept from one start to the next, and the dialog that sets them. All changes apply at once.
 #pragma once
 
 #include <QDialog>
@@ -20,7 +20,7 @@ struct Preferences {
 Preferences readPreferences();
 void writePreferences(const Preferences& preferences);
 
-/// The preference, without a look at the disk.
+/// The preference for reduced motion, without reading the disk.
 bool reducedMotion();
 
 class PreferencesDialog final : public QDialog {

@@ -104,7 +104,7 @@ QTableWidgetItem* put(QTableWidget& table, int row, int column, const QString& t
 
 void spreadColumns(QTableWidget& table) {
   const int columns = table.columnCount(), width = table.viewport()->width();
-  // Of a cell's text: as the style has it, and what is lost by rounding.
+  // The margins beside a cell's text, as the style sets them, and 2 px for rounding.
   const int margins = 2 * (table.style()->pixelMetric(QStyle::PM_FocusFrameHMargin, nullptr, &table) + 1) + 2;
   std::vector<int> wanted;
   int sum = 0, shown = 0;

@@ -10,7 +10,7 @@
 
 namespace surefoot {
 
-/// Of a cell: its condition's name, the policy whose marker stands before the text, or a Verdict.
+/// Data of a cell: the name of its condition, the policy whose marker stands before the text, or a Verdict.
 enum CellRole { kNameRole = Qt::UserRole, kPolicyRole, kVerdictRole };
 
 /// Draws the marker or the verdict's sign before a cell's text.
@@ -26,10 +26,10 @@ class SignDelegate final : public QStyledItemDelegate {
 };
 
 void setUpTable(QTableWidget& table, const QStringList& heads);
-/// A cell; numbers stand at its right.
+/// Writes a cell; its text stands at the right, or with `left` at the left.
 QTableWidgetItem* put(QTableWidget& table, int row, int column, const QString& text, bool strong = false,
                       bool left = false);
-/// The columns take what they need and share the rest; the first gives way where there is too little.
+/// Each column gets the width that its texts need; the rest is shared. If there is too little, the first is narrower.
 void spreadColumns(QTableWidget& table);
 
 /// "1.1 · 10⁻⁶", ".036", "1.0"; "–": there was no test.

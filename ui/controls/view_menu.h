@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The context menu of a view: what it offers itself, and its picture and numbers as files or for the clipboard. It
+// The context menu of a view: the view's own entries, and its picture and numbers as files or for the clipboard. It
 // opens by the right button, by the Menu key and by Shift+F10.
 #pragma once
 
@@ -17,8 +17,8 @@ class ViewMenu final : public QObject {
   Q_OBJECT
 
  public:
-  /// Belongs to the view. `csv` gives its numbers where the view is no CsvSource; empty: it has none, or none yet. A
-  /// view that took no focus takes it by Tab from now on, with a ring that shows it.
+  /// Belongs to the view. If it is no CsvSource, `csv` gives its numbers; empty: no numbers (yet). A view that
+  /// could not have the focus can now get it by Tab, and shows a ring then.
   explicit ViewMenu(QWidget& view, std::function<std::string()> csv = {});
 
  protected:
@@ -35,7 +35,7 @@ class ViewMenu final : public QObject {
 
   QWidget& view_;
   std::function<std::string()> csv_;
-  std::optional<QPoint> pressed_;  // the right button went down there; a drag is no question for a menu
+  std::optional<QPoint> pressed_;  // where the right button went down; after a drag no menu opens
 };
 
 }  // namespace surefoot

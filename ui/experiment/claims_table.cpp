@@ -17,7 +17,7 @@ namespace surefoot {
 
 namespace {
 
-/// A number with its interval; numbers of one row have one rounding.
+/// A number with its interval; all numbers of a row are rounded to the same decimals.
 QString oursText(const Judgement& j, const QString& unit) {
   const double size = std::max(j.ours ? std::abs(*j.ours) : 0.0, j.high ? std::abs(*j.high) : 0.0);
   const int decimals = size < 1 ? 2 : size < 100 ? 1 : 0;
@@ -52,7 +52,7 @@ void ClaimsTable::showEvent(QShowEvent* event) {
   layOut();
 }
 
-/// Short columns take what they need, texts share the rest and wrap.
+/// Short columns get the width of their texts; columns of sentences share the rest and wrap.
 void ClaimsTable::layOut() {
   int rest = viewport()->width();
   for (const int column : {Code, P, VerdictIs}) {

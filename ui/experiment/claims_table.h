@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The claims of the thesis that a recipe bears on, and what came out here.
+// The claims of the thesis that a recipe tests, and the results here.
 #pragma once
 
 #include <QTableWidget>

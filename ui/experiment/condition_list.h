@@ -20,7 +20,7 @@ class ConditionList final : public Painted<> {
   void paintEvent(QPaintEvent*) override;
 
  private:
-  /// What all conditions share: name and value.
+  /// The settings that all conditions share: name and value.
   std::vector<std::pair<QString, QString>> design() const;
   void drawGroup(QPainter& p, const QString& title, double y) const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the Experiment page is about: a plan as text, the run that carries it out, and the newest results.
+// The data of the Experiment page: a plan as text, the run that carries it out, and the newest results.
 #pragma once
 
 #include <QElapsedTimer>
@@ -31,42 +31,42 @@ class Experiment final : public QObject {
   const std::vector<PlanSource>& sources() const { return sources_; }
   ~Experiment() override;
 
-  /// Loads a plan, a recipe or a store of results. What ran is stopped; what it lived is kept in its store, and lives
-  /// in hand beside it. What takes long goes on behind this call: isOpening() until planChanged() or failed() tells the
-  /// end.
+  /// Loads a plan, a recipe or a store of results. A running plan is stopped; its lives are kept in its store,
+  /// and unfinished lives beside it. Long work goes on after this call: isOpening() until planChanged() or failed()
+  /// tells the end.
   Status open(const std::string& path);
   bool isOpening() const { return opening_.busy(); }
-  /// About how long the plan takes [min]; 0: nobody knows.
+  /// The expected time of the plan [min]; 0: unknown.
   double minutes() const { return minutes_; }
-  /// What a text would give, without taking it over.
+  /// The plan that a text describes; the experiment keeps its own.
   Result<Plan> parse(const std::string& text) const;
-  /// A text in place of the plan's; refused with the line that is wrong. What was lived under the old one is left. It
-  /// may go on behind this call as open() does.
+  /// A text in place of the plan's; refused with the line that is wrong. The lives of the old plan are left. The
+  /// work may go on after this call, as with open().
   Status setText(const std::string& text);
   const std::string& text() const { return text_; }
   /// The file of the plan or results; a new text has none.
   const std::string& path() const { return path_; }
   const std::string& title() const { return title_; }
 
-  /// Empty until something is opened. That of a store of results is made from what the store keeps; it has no text.
+  /// Empty until something is opened. The plan of a store of results is made from the store; it has no text.
   const std::optional<Plan>& plan() const { return plan_; }
   const StoredPlan& storedPlan() const { return stored_; }
   const std::vector<FigureSpec>& figures() const { return figures_; }
-  /// The results that are shown: table, figures and judgements are of this view.
+  /// The results that are shown: table, figures and judgements are made from this view.
   const std::shared_ptr<const LabView>& view() const { return results_.view(); }
-  /// The claims of the thesis that a recipe bears on, judged on what is there; empty for other plans.
+  /// The claims of the thesis that the recipe tests, judged by the results so far; empty for other plans.
   const std::vector<Judgement>& judgements() const { return results_.judgements(); }
-  /// What the thesis says of a condition's falls; nullptr: nothing.
+  /// The verdict of the thesis on a condition's falls; nullptr: the thesis has none.
   const ThesisVerdict* thesisOn(const std::string& condition) const;
   std::string policyOf(const std::string& condition) const { return results_.policyOf(condition); }
   /// Whether all lives of a condition and of its reference are there.
   bool isComplete(const std::string& condition) const { return results_.isComplete(condition); }
-  /// What stands where results are missing: what brings them.
+  /// The text that stands in place of missing results: it says how to get them.
   QString whyNoResults() const;
   const std::vector<Claim>& claims() const { return results_.claims(); }
   /// Whether a claim is about a change against the reference.
   bool isInPercent(const std::string& claim) const;
-  /// Makes one of the figures from the results, which may take a while; nothing until there are any.
+  /// Makes one of the figures from the results; this may take a while. Nothing until there are results.
   std::optional<Figure> figure(const FigureSpec& spec) const;
   /// A panel looks at this figure; resultsChanged() tells when it is made.
   void look(std::size_t panel, const FigureSpec& spec) { results_.want(panel, spec); }
@@ -75,30 +75,30 @@ class Experiment final : public QObject {
   const Figure* figureAt(const FigureSpec& spec) const { return results_.figure(spec.name); }
 
   State state() const { return state_; }
-  /// Whether something is missing; run() tells why it cannot be done.
+  /// Whether results are missing; if the plan cannot run, run() says why.
   bool canRun() const { return (plan_ || !whyNot_.empty()) && state_ != State::Complete; }
   /// Whether there is a plan's text to begin again with.
   bool canStartAgain() const { return !text_.empty() && (livesDone_ > 0 || thread_); }
-  /// Runs what is missing, or goes on after a pause: into the store that was opened, else into one of its own beside
-  /// the program's data.
+  /// Runs the missing lives, or goes on after a pause: into the store that was opened, else into a new store in the
+  /// folder of the program's data.
   /// `otherVersion`: also beside lives of a version that lives others; else these are refused, and needsConsent().
   Status run(bool otherVersion = false);
   bool needsConsent() const { return needsConsent_; }
   /// Lives stand still where they are; run() goes on.
   void pause();
-  /// Forgets what was lived; the store stays on the disk, and what is in hand beside it.
+  /// Forgets all lives; the store stays on the disk, and beside it the lives that are not finished.
   void reset();
 
   int livesDone() const { return livesDone_; }
   int livesPlanned() const { return surefoot::livesPlanned(stored_); }
   double share() const { return share_; }
-  /// Those of lives in hand count, too.
+  /// Falls of unfinished lives count, too.
   std::int64_t falls() const { return falls_; }
-  /// Of the lives that are stored and shown: what table and figures are made of.
+  /// The number of lives behind the table and the figures: they are stored and shown.
   int livesShown() const { return results_.lives(); }
   std::int64_t fallsShown() const { return results_.falls(); }
-  double elapsed() const;  ///< [s], of running
-  /// [s]; nothing: cannot be told yet.
+  double elapsed() const;  ///< time of running [s]
+  /// The time that is left [s]; nothing: not known yet.
   std::optional<double> left() const;
   int livesOf(const std::string& condition) const;
   const std::string& storePath() const { return storePath_; }
@@ -110,13 +110,13 @@ class Experiment final : public QObject {
   void chosenChanged();
   void stateChanged();
   void failed(const QString& sentence);
-  /// Another plan takes the place of one whose lives are in this store.
+  /// Another plan was opened; the lives of the plan before it are in this store.
   void leftBehind(const QString& store);
 
  private:
   void tick();
   void take();
-  /// Everything that opening something gives; made on any thread.
+  /// The result of opening a plan or a store; made on any thread.
   struct Opened {
     std::string text, path;
     std::optional<Plan> plan;
@@ -155,9 +155,9 @@ class Experiment final : public QObject {
     std::string store;
     std::unique_ptr<LaboratoryThread> thread;
   };
-  std::vector<Leaving> leaving_;         // stopped, and keeping what they have in hand
-  std::string whyNot_;                   // why a store cannot be gone on with
-  std::shared_ptr<const LabView> view_;  // the newest; results_ shows it soon
+  std::vector<Leaving> leaving_;         // stopped; they still save their unfinished lives
+  std::string whyNot_;                   // why the run of a store cannot continue
+  std::shared_ptr<const LabView> view_;  // the newest view; results_ shows it soon
   State state_ = State::Ready;
   bool needsConsent_ = false;
   QTimer timer_;
@@ -167,7 +167,7 @@ class Experiment final : public QObject {
   double minutes_ = 0;
   int livesDone_ = 0;
   std::int64_t falls_ = 0;
-  Background opening_;  // last: it is waited for first
+  Background opening_;  // last member: its destructor runs first and waits
 };
 
 }  // namespace surefoot

@@ -12,7 +12,7 @@ namespace surefoot {
 
 namespace {
 
-constexpr std::chrono::milliseconds kOpeningPatience(80);  // what takes no longer is there when open() returns
+constexpr std::chrono::milliseconds kOpeningPatience(80);  // open() waits this long before it returns
 
 bool isStore(const std::string& path) {
   const auto head = readHead(path, 15);

@@ -47,10 +47,10 @@ class ExperimentPage final : public QWidget {
 
  Q_SIGNALS:
   void refused(const QString& sentence);
-  /// A store of another version: whether to go on with it all the same is a person's to say.
+  /// The store was written by another version: the person must decide whether to go on with it.
   void otherVersionFound(const QString& why);
   void told(const QString& sentence);
-  /// Names in the status line, as the page shows it.
+  /// The two texts of the status line while this page is shown.
   void statusChanged(const QString& left, const QString& right);
 
  protected:
@@ -87,12 +87,12 @@ class ExperimentPage final : public QWidget {
   QHBoxLayout* bar_ = nullptr;
   std::vector<QWidget*> copies_;  // have their places in the menu as well
   QWidget *upper_ = nullptr, *full_ = nullptr;
-  Background writing_;  // last: it is waited for first
+  Background writing_;  // last member: its destructor runs first and waits
 };
 
-/// The finding in one sentence, as rich text; "so far" while lives are missing that it rests on.
+/// The finding in one sentence, as rich text; with "so far" while some of its lives are missing.
 QString summaryOf(const Experiment& experiment);
-/// A plan's text with another number of lives a condition.
+/// A plan's text with another number of lives per condition.
 std::string withLives(const std::string& plan, int lives);
 
 }  // namespace surefoot

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the Experiment page opens, copies and writes.
+// The part of the Experiment page that opens, copies and writes.
 #include <QClipboard>
 #include <QGuiApplication>
 #include <QPointer>
@@ -95,8 +95,8 @@ void ExperimentPage::writeCharts(const QString& folder) {
                tr("Every chart is in %1, as PNG, SVG, PDF and CSV.").arg(folder));
 }
 
-/// With a window that tells how far it is and from which it can be cancelled; `done` below 0: it was. No steps: it is
-/// one, and goes on to its end.
+/// Runs `work` behind a window that shows its progress and has a Cancel button; `done` below 0: cancelled. With 0
+/// steps it cannot be cancelled.
 void ExperimentPage::inBackground(const QString& what, int steps, std::function<Status(std::atomic<int>&)> work,
                                   const QString& then) {
   if (writing_.busy()) return Q_EMIT refused(tr("Something is being written; wait for its end."));

@@ -82,7 +82,7 @@ void ExperimentPage::setFull(QWidget* panel) {
     header->setFull(each == full_);
   }
   upper_->setVisible(full_ != panels_.back().first);
-  if (isVisible()) setFocus(Qt::OtherFocusReason);  // what is hidden would hand it on to anything
+  if (isVisible()) setFocus(Qt::OtherFocusReason);  // a hidden widget would pass the focus on to any other
 }
 
 void ExperimentPage::keyPressEvent(QKeyEvent* event) {

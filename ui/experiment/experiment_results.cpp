@@ -8,7 +8,7 @@
 namespace surefoot {
 
 namespace {
-constexpr std::chrono::milliseconds kResultsPatience(40);  // what takes no longer is there at once
+constexpr std::chrono::milliseconds kResultsPatience(40);  // wait this long, so that quick results show at once
 }
 
 ExperimentResults::ExperimentResults(const Registry& registry, QObject* parent) : QObject(parent), registry_(registry) {

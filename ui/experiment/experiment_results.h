@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Results as the page shows them: the newest view of a store with its judgements and the figures that are looked at,
+// Results as the page shows them: the newest view of a store, its judgements, and the figures in the panels,
 // all made from one and the same view on a thread of their own. Belongs to the window's thread.
 #pragma once
 
@@ -20,7 +20,7 @@ class ExperimentResults final : public QObject {
  public:
   explicit ExperimentResults(const Registry& registry, QObject* parent = nullptr);
 
-  /// Another plan: nothing is shown, and what is being made is dropped.
+  /// Another plan: nothing is shown, and work on older results is dropped.
   void begin(std::vector<Claim> claims, const StoredPlan& plan);
   /// A newer view; changed() tells when it is shown. Views that come faster than they can be shown are left out.
   void show(std::shared_ptr<const LabView> view);
@@ -29,7 +29,7 @@ class ExperimentResults final : public QObject {
   bool busy() const { return making_.busy(); }
 
   const std::shared_ptr<const LabView>& view() const { return shown_.view; }
-  /// Of the lives that are over.
+  /// The number of lives that are over, and their falls.
   int lives() const { return shown_.lives; }
   std::int64_t falls() const { return shown_.falls; }
   const std::vector<Judgement>& judgements() const { return shown_.judgements; }
@@ -39,7 +39,7 @@ class ExperimentResults final : public QObject {
   const std::vector<Claim>& claims() const { return claims_; }
   /// The policy of a condition, by name; empty: there is no such condition.
   std::string policyOf(const std::string& condition) const;
-  /// Whether all lives of a condition are shown, and of what it is compared with.
+  /// Whether all lives of a condition and of its reference are shown.
   bool isComplete(const std::string& condition) const;
 
  Q_SIGNALS:
@@ -65,14 +65,14 @@ class ExperimentResults final : public QObject {
   std::shared_ptr<const LabView> newest_;
   std::map<std::size_t, FigureSpec> wanted_;
   std::map<std::string, std::string> policies_;
-  bool stale_ = false;      // something came while the last was made
-  bool cancelled_ = false;  // what is being made will not be shown
-  QString trouble_;         // that was told last; newer results of the same plan have it, too
+  bool stale_ = false;      // something new came while the last results were made
+  bool cancelled_ = false;  // the results that are being made will not be shown
+  QString trouble_;         // the error that was told last; newer results of the same plan have it, too
   Shown shown_;
-  Background making_;  // last: it is waited for first
+  Background making_;  // last member: its destructor runs first and waits
 };
 
-/// One figure with the thesis's marks; nothing where it cannot be drawn yet. Any thread.
+/// One figure with the thesis's marks; nothing if it cannot be drawn yet. Any thread.
 std::shared_ptr<const Figure> figureOf(const Registry& registry, const FigureSpec& spec, const LabView& view,
                                        const std::vector<Claim>& claims);
 

@@ -18,7 +18,7 @@ constexpr int kTick = 200;  // [ms]
 }  // namespace
 
 Experiment::~Experiment() {
-  if (thread_) thread_->stop();  // all at once, and then wait
+  if (thread_) thread_->stop();  // tell all threads to stop; the wait comes later
 }
 
 Status Experiment::run(bool otherVersion) {
@@ -68,7 +68,7 @@ std::string Experiment::placeForResults() const {
   for (;;) {
     const QString stamp = QDateTime::currentDateTime().toString(QStringLiteral("yyyy-MM-dd-HHmmss-zzz"));
     QFile file(QDir(folder_).filePath(QStringLiteral("results-%1.sqlite").arg(stamp)));
-    // What cannot be made at all is told by the store.
+    // If the file cannot be made at all, the store reports it.
     if (file.open(QIODevice::WriteOnly | QIODevice::NewOnly) || !file.exists()) return file.fileName().toStdString();
     QThread::msleep(1);
   }
@@ -81,7 +81,7 @@ void Experiment::pause() {
   setState(State::Paused);
 }
 
-// What runs is told to stop and looked after until it has: keeping the lives in hand may take seconds.
+// Tells the running thread to stop and keeps it until it has stopped: saving its unfinished lives may take seconds.
 void Experiment::leave() {
   if (!thread_) return;
   thread_->stop();
@@ -126,7 +126,7 @@ void Experiment::tick() {
   }
   const bool over = thread_->over();
   take();
-  if (!over || results_.view() != view_) return;  // until the last results are shown, too
+  if (!over || results_.view() != view_) return;  // wait until the last results are shown, too
   before_ = elapsed();
   const std::string trouble = thread_->trouble();
   const bool complete = thread_->complete();

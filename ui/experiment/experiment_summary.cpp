@@ -19,7 +19,7 @@ QString percent(double value) {
   return toText(fixedText(std::abs(value), 0));
 }
 
-/// "(95 % interval 29 to 53 %)"; of fewer falls the smaller reduction comes first.
+/// "(95 % interval 29 to 53 %)"; if falls became fewer, the smaller reduction comes first.
 QString reductionText(const Interval& i) {
   if (!std::isfinite(i.low) || !std::isfinite(i.high)) return {};
   return ExperimentPage::tr(" (95 % interval %1 to %2 %)")

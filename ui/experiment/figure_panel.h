@@ -21,7 +21,7 @@ class FigurePanel final : public QWidget {
   FigurePanel(Experiment& experiment, std::size_t first, QWidget* parent = nullptr);
   FigureView& view() { return *view_; }
   PanelHeader& header() { return *header_; }
-  /// What is drawn, as numbers; empty: nothing yet.
+  /// The numbers of the figure; empty: nothing is drawn yet.
   std::string asCsv() const;
 
  private:
@@ -33,7 +33,7 @@ class FigurePanel final : public QWidget {
   LinkButton* choose_;
   FigureView* view_;
   std::size_t first_;
-  std::string chosen_;  // its name
+  std::string chosen_;  // name of the chosen figure
 };
 
 }  // namespace surefoot

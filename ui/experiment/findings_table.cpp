@@ -34,7 +34,7 @@ QString rangeText(const Interval& i) {
   return known(i) ? QStringLiteral("%1 … %2").arg(signedText(i.low), signedText(i.high)) : QStringLiteral("–");
 }
 
-/// The interval of the change; in place of per cent that are of nothing the difference, "+2.4 falls (+1.0 … +3.8)".
+/// The interval of the change. If there is no change in per cent: the difference, "+2.4 falls (+1.0 … +3.8)".
 QString rangeText(const Comparison& c) {
   if (std::isfinite(c.change.value)) return rangeText(c.change);
   const QString falls = FindingsTable::tr("%1 falls").arg(signedText(c.difference.value));
@@ -101,7 +101,7 @@ void FindingsTable::refresh() {
   int row = 0;
   const auto& all = view->findings.conditions;
   for (const Finding& f : all) fillRow(row++, f);
-  for (int i = 0; i < row; ++i)  // what others are compared with says so
+  for (int i = 0; i < row; ++i)  // rows that are a reference for others say so
     if (const std::string& name = all[static_cast<std::size_t>(i)].name;
         std::any_of(all.begin(), all.end(), [&](const Finding& f) { return f.reference == name && f.name != name; }))
       item(i, Name)->setText(tr("%1 (reference)").arg(shownName(name)));

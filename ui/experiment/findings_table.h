@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of an experiment: a row a condition with falls, change against the reference, its significance, and what
-// the thesis says of it.
+// The table of an experiment: one row per condition, with falls, the change against the reference, its significance,
+// and the statement of the thesis.
 #pragma once
 
 #include <QTableWidget>

@@ -21,7 +21,7 @@ namespace surefoot {
 
 namespace {
 constexpr int kCheckAfter = 300;                    // [ms] of no typing
-constexpr std::chrono::milliseconds kPatience(95);  // what takes no longer is there at once
+constexpr std::chrono::milliseconds kPatience(95);  // the window waits this long, so that quick work is done at once
 }  // namespace
 
 PlanEditor::PlanEditor(Experiment& experiment, QWidget* parent)
@@ -85,7 +85,7 @@ PlanEditor::PlanEditor(Experiment& experiment, QWidget* parent)
   connect(use_, &QPushButton::clicked, this, &PlanEditor::use);
   connect(live, &QPushButton::clicked, this, &PlanEditor::liveConditionAsked);
   connect(&experiment_, &Experiment::planChanged, this, [this] {
-    // Edits that are not used yet stay while the plan is the one that they began with; else undo brings them back.
+    // Edits that are not used yet stay as long as the plan does not change; after a change, undo brings them back.
     const QString now = toText(experiment_.text());
     if (std::exchange(used_, now) == now && !text().isEmpty()) return;
     form_->forget();
@@ -125,7 +125,7 @@ void PlanEditor::addConfiguration(const Configuration& configuration) {
   });
 }
 
-// A plan that runs must run with the block, too; one that does not takes what comes.
+// If the plan runs without the block, it must run with it; a plan that does not run takes any block.
 void PlanEditor::add(MakeBlock block) {
   struct Made {
     std::string block, refusal;

@@ -23,18 +23,18 @@ class PlanEditor final : public QWidget {
  public:
   explicit PlanEditor(Experiment& experiment, QWidget* parent = nullptr);
   QString text() const;
-  /// As one step that can be undone.
+  /// Replaces the text, as one step that can be undone.
   void setText(const QString& text);
-  /// Something was written that is not the experiment's plan yet.
+  /// The text differs from the experiment's plan.
   bool hasEdits() const;
   /// Writes a [[condition]] block behind the others, as one step that can be undone; refused, with the reason below the
   /// text, where the plan would not run with it.
   void addCondition(const std::string& toml);
-  /// The same with what a configuration says, under a name that is free.
+  /// The same with a block made from a configuration, under a free name.
   void addConfiguration(const Configuration& configuration);
 
  Q_SIGNALS:
-  /// What the Live page runs shall become a condition.
+  /// Asks for a condition with the configuration of the Live page.
   void liveConditionAsked();
   /// The text is the experiment's plan now.
   void used();
@@ -48,12 +48,12 @@ class PlanEditor final : public QWidget {
   std::string path() const;
 
   Experiment& experiment_;
-  QString used_;  // the experiment's plan
+  QString used_;  // the text that is the experiment's plan
   QPlainTextEdit* edit_;
   ConditionForm* form_;
   QLabel* verdict_;
   QPushButton* use_;
-  Background checking_;  // last: it is waited for first
+  Background checking_;  // last member: its destructor runs first and waits
 };
 
 }  // namespace surefoot

@@ -11,12 +11,12 @@ namespace surefoot {
 
 namespace {
 
-/// How long a new life may be.
+/// The limit of a new life.
 std::string usualLength(const RunningLife& life) {
   return life.task().stepTime ? "--minutes 9" : "--episodes 900";
 }
 
-/// Some more than the life has lived: the limits of --resume count from its beginning.
+/// A limit a little beyond the life's length so far: the limits of --resume count from its beginning.
 std::string somewhatLonger(const RunningLife& life) {
   const Snapshot& now = life.snapshot();
   const auto& stepTime = life.task().stepTime;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a file that the window wrote is good for without a window: a command that can be copied into a shell.
+// A command for a file that the window wrote; it can be copied into a shell and works without a window.
 #pragma once
 
 #include <QString>
@@ -8,7 +8,7 @@
 
 namespace surefoot {
 
-/// The command that goes on with the file; it works as it is, whatever the name and the environment.
+/// The command that continues from the file; it works without changes for every name and environment.
 QString suggestedCommand(SavedAs what, const QString& path, const RunningLife& life);
 
 }  // namespace surefoot

@@ -115,7 +115,7 @@ void CompareStrip::fillAgents() {
 
 void CompareStrip::chooseStart(int index) {
   const auto start = static_cast<Rival::Start>(starts_->itemData(index).toInt());
-  refresh();  // until it has begun
+  refresh();  // shows the old choice until the new life has begun
   if (start != Rival::Start::File) return rival_.setStart(start);
   askForFile(this, tr("What the second begins with"), tr("Q-functions (*.safetensors *.surefoot);;All files (*)"),
              [this](const QString& path) { rival_.startWith(path); });
@@ -157,7 +157,7 @@ void CompareStrip::refresh() {
   select(*agents_, toText(rival_.agent()));
   select(*policies_, toText(rival_.policy()));
   select(*starts_, static_cast<int>(rival_.start()));
-  for (Combo* combo : {agents_, policies_, starts_})  // what stands there is never cut
+  for (Combo* combo : {agents_, policies_, starts_})  // the present choice is never cut
     combo->setMinimumWidth(QFontMetrics(scaledFont(13)).horizontalAdvance(combo->currentText()) +
                            scaled(kAround + (combo == policies_ ? kMarker : 0)));
   const QString own = rival_.ownParameters();

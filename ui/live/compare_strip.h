@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands above the two worlds of a comparison: how each of them learns and how it began, and the falls of both at
+// The strip above the two worlds of a comparison: how each of them learns and how it began, and the falls of both at
 // equal episodes and at equal simulated time.
 #pragma once
 
@@ -20,7 +20,7 @@ class CompareStrip final : public QWidget {
   explicit CompareStrip(Rival& rival);
   /// "after 327 episodes 195 : 399 falls".
   QString falls() const;
-  /// "● ε-greedy, Sarsa, began with an empty table" of the first.
+  /// The text about the first: "● ε-greedy, Sarsa, began with an empty table".
   QString first() const;
 
  protected:

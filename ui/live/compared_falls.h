@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two lives held against each other where they are comparable: at the same number of episodes, and at the same
-// simulated time. The counters of lives of unequal length say nothing.
+// Compares two lives fairly: at the same number of episodes, and at the same simulated time. The counters of lives of
+// unequal length cannot be compared.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ struct ComparedFalls {
   std::int64_t first = 0, second = 0;
 };
 
-/// The falls of both when each had lived as many episodes as the shorter one has; nothing before both have one.
+/// The falls of both after as many episodes as the shorter life has; nothing before both have one episode.
 std::optional<ComparedFalls> fallsAtEqualEpisodes(const RunCurve& first, const RunCurve& second);
 /// The same at equal steps of the life, and so at equal simulated time.
 std::optional<ComparedFalls> fallsAtEqualSteps(const RunCurve& first, const RunCurve& second);

@@ -24,7 +24,7 @@ Qt::Alignment alignmentOf(int column) {
   return Qt::AlignVCenter | (column == 4 ? Qt::AlignLeft : Qt::AlignRight);
 }
 
-/// What a person did in the episode, so that the fall is not the policy's alone.
+/// The person's actions in the episode, because of which the fall is not the policy's alone.
 QString handOf(const Fall& fall) {
   return fall.inputs.start.empty() ? QObject::tr("pushed") : QObject::tr("placed");
 }

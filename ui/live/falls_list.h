@@ -19,7 +19,7 @@ class FallsList final : public QTableView, public CsvSource {
  public:
   explicit FallsList(RunningLife& life, Looking& looking, QWidget* parent = nullptr);
   QSize sizeHint() const override { return scaled({440, 190}); }
-  /// A row a fall that is kept.
+  /// One row per kept fall.
   std::string asCsv() const override;
 
  protected:

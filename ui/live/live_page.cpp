@@ -131,7 +131,7 @@ void LivePage::makeCharts() {
           [span] { span->shows() == ChartSpan::Shows::WholeLife ? span->showLearning() : span->showWholeLife(); });
 }
 
-/// The numbers at the curves are those at the end of what is shown, so that is said where it is not the life's end.
+/// The numbers at the curves belong to the end of the shown part; the note says so if this is not the life's end.
 QString LivePage::fallsNote(const ChartSpan& span) const {
   const bool all = timeOf(session_.life().task(), session_.life().latest()) <= span.to();
   const QString end = toText(countText(span.to()));
@@ -257,7 +257,7 @@ void LivePage::resizeEvent(QResizeEvent* event) {
   if (laidOut_ && untouched_ && !full_) shareSpace();
 }
 
-// What reaches the page itself and none of its panels is a separator.
+// A press that reaches the page itself, and no panel, is on a separator.
 void LivePage::mousePressEvent(QMouseEvent* event) {
   untouched_ = false;
   QMainWindow::mousePressEvent(event);

@@ -36,14 +36,14 @@ class LivePage final : public QMainWindow {
   bool leaveFullSize();
   /// The widths and heights of the first start.
   void resetLayout();
-  /// With all panels, whichever has the whole page now.
+  /// The layout with all panels, even while one panel has the whole page.
   QByteArray layoutState();
   bool restoreLayout(const QByteArray& state);
 
  Q_SIGNALS:
   void refused(const QString& sentence);
   void told(const QString& sentence);
-  /// The second learner's next parameter needs a new table.
+  /// A changed parameter of the second learner needs a new table.
   void newTableAsked(const QString& sentence, const std::function<void()>& startAgain);
 
  protected:
@@ -75,12 +75,12 @@ class LivePage final : public QMainWindow {
   class PanelHeader* worldHeader_ = nullptr;
   ParameterForm* form_ = nullptr;
   QSplitter* worlds_ = nullptr;
-  Rival *rival_ = nullptr, *resting_ = nullptr;  // one that is out of sight keeps its life
+  Rival *rival_ = nullptr, *resting_ = nullptr;  // resting_: a hidden second learner; it keeps its life
   std::vector<Panel*> panels_;
   Panel *steps_ = nullptr, *rule_ = nullptr, *list_ = nullptr;  // hidden at first
-  std::vector<Panel*> needless_;                                // were shown, but the task has no falls
+  std::vector<Panel*> needless_;                                // panels that are hidden because the task has no falls
   QWidget* full_ = nullptr;                                     // the panel that has the whole page
-  std::vector<std::pair<Panel*, QSize>> before_;                // what was visible before that
+  std::vector<std::pair<Panel*, QSize>> before_;                // the panels that were visible before that
   double sizedFor_ = 1.0;                                       // the text size that the columns were made for
   bool laidOut_ = false;
   bool untouched_ = true;  // no one has moved a separator: the columns follow the width of the window

@@ -44,7 +44,7 @@ bool LivePage::leaveFullSize() {
   return true;
 }
 
-// What is hidden hands the focus on to whatever comes next, a page tab at last, which would keep the window's keys.
+// A hidden widget passes the focus on to the next one, in the end to a page tab, which would keep the window's keys.
 void LivePage::keepFocus() {
   if (!isVisible()) return;
   auto* panel = qobject_cast<Panel*>(full_);
@@ -52,7 +52,7 @@ void LivePage::keepFocus() {
   home->setFocus(Qt::OtherFocusReason);
 }
 
-// Named layouts: the usual one, one that explains, one of maps.
+// Named layouts: the usual one, and one each for teaching, falls and maps.
 void LivePage::useLayout(Layout layout) {
   resetLayout();
   const auto panel = [this](const char* name) { return findChild<Panel*>(QLatin1String(name)); };
@@ -60,7 +60,7 @@ void LivePage::useLayout(Layout layout) {
     case Layout::Usual:
       return keepFocus();
     case Layout::Teaching:
-      // What one turns, the robot large, what a step taught, and what comes of it; the maps are for those who ask.
+      // Shows the parameters, a large robot, the last step and the results; the maps are hidden at first.
       for (const char* name : {"maps", "actions"}) panel(name)->hide();
       for (Panel* p : {steps_, rule_}) p->show();
       addDockWidget(Qt::BottomDockWidgetArea, steps_);
@@ -98,7 +98,7 @@ void LivePage::resetLayout() {
   addDockWidget(Qt::BottomDockWidgetArea, panel("step"));
   addDockWidget(Qt::BottomDockWidgetArea, panel("rule"));
   addDockWidget(Qt::RightDockWidgetArea, panel("list"));
-  // Those that are not shown at first share the place of one that is, or they would cut each other.
+  // Panels that are hidden at first share the place of a visible one, or they would cut each other.
   for (Panel* extra : {steps_, rule_}) tabifyDockWidget(panel("actions"), extra);
   tabifyDockWidget(panel("falls"), list_);
   for (Panel* extra : {steps_, rule_, list_}) extra->hide();
@@ -154,8 +154,8 @@ void LivePage::followTextSize() {
 
 namespace {
 
-/// Qt follows the numbers of a layout to wherever they point: one that was damaged on the disk ends the program. So
-/// each carries its hash.
+/// Qt does not check the numbers of a layout: a layout that was damaged on the disk ends the program. So each carries
+/// its hash.
 QByteArray hashOf(const QByteArray& state) {
   return QCryptographicHash::hash(state, QCryptographicHash::Sha256);
 }

@@ -15,7 +15,7 @@ namespace surefoot {
 
 namespace {
 
-/// Something else than what the first one does.
+/// A policy other than the first's.
 std::string otherPolicy(const std::string& policy) {
   return policy == "softmax" ? "epsilon-greedy" : "softmax";
 }
@@ -88,7 +88,7 @@ Configuration Rival::configurationLikeFirst() {
   return own;
 }
 
-/// Whether the second can begin with what the first began with: it has the same tables, and what it was is still known.
+/// Whether the second can begin like the first: it has the same tables, and the first's beginning is still known.
 bool Rival::fits(const Configuration& own) const {
   const Configuration& began = first_.began();
   if (!began.start || own.names.agent != began.names.agent || own.names.features != began.names.features) return false;
@@ -112,7 +112,7 @@ void Rival::startAgain() {
     Q_EMIT told(tr("The second cannot have the same start (%1): its tables differ. It begins empty.").arg(began));
 }
 
-/// The second begins anew with the first; a life of the first that was brought back brings the one beside it back.
+/// The second begins anew with the first. If undo brings back a life of the first, the second's comes back, too.
 void Rival::firstReplaced() {
   if (resting_) {
     startsLate_ = true;
@@ -156,7 +156,7 @@ void Rival::followParameters() {
   }
 }
 
-/// Chooses and begins, at once where nothing was learned.
+/// Chooses and begins; asks first if the second has learned anything.
 void Rival::askToStartAgain(const QString& why, std::function<void()> choose) {
   const auto goOn = [this, choose = std::move(choose)] {
     choose();
@@ -164,7 +164,7 @@ void Rival::askToStartAgain(const QString& why, std::function<void()> choose) {
     Q_EMIT changed();
   };
   if (!session_->life().learned()) return goOn();
-  Q_EMIT changed();  // until it is answered all is as it was
+  Q_EMIT changed();  // nothing changes until the question is answered
   Q_EMIT newTableAsked(
       tr("%1: the second starts again from the beginning, and what it learned in %2 episodes is given up.")
           .arg(why, toText(countText(static_cast<double>(session_->life().progress().episodes)))),
@@ -218,7 +218,7 @@ void Rival::showParameters() {
     auto* form = new ParameterForm(session_->life(), session_->editing(), session_->history());
     column->addWidget(form);
     connect(form, &ParameterForm::refused, this, &Rival::refused);
-    connect(&session_->life(), &RunningLife::configurationChanged, parameters_, [this] {  // what differs stays so
+    connect(&session_->life(), &RunningLife::configurationChanged, parameters_, [this] {  // keep differences
       own_.clear();
       for (const auto& entry : session_->life().configuration().parameters.all()) {
         const Parameters::Entry* firsts = first_.configuration().parameters.find(entry.parameter.key);

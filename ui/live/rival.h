@@ -23,7 +23,7 @@ class Rival final : public QWidget {
   Q_OBJECT
 
  public:
-  /// What the second learner begins with.
+  /// The beginning of the second learner's life.
   enum class Start { Same, Empty, File };
 
   explicit Rival(RunningLife& first, QWidget* parent = nullptr);
@@ -31,18 +31,18 @@ class Rival final : public QWidget {
   Session& session() { return *session_; }
   RunningLife& first() { return first_; }
   WorldView& world() { return *world_; }
-  /// What stands above both worlds all the time: how both learn and began, and their falls.
+  /// The strip above both worlds: how both learn and began, and their falls.
   CompareStrip& strip();
 
   const std::string& policy() const { return policy_; }
   const std::string& agent() const { return agent_; }
   Start start() const { return begin_.start; }
-  // Another learning rule or start begins a new life; one that has learned anything is asked for first.
+  // Another learning rule or start begins a new life; if the old one has learned anything, the person is asked first.
   void choose(const std::string& agent, const std::string& policy);
   void setStart(Start start);
-  /// … a Q-function in a file.
+  /// Starts with a Q-function from a file.
   void startWith(const QString& path);
-  /// Parameters that are other ones than the first's: "Threshold 66". Empty: none.
+  /// Parameters with other values than the first's: "Threshold 66". Empty: none.
   QString ownParameters() const;
   void showParameters();
   /// Out of sight it rests; its life goes on when it is shown again.
@@ -71,13 +71,13 @@ class Rival final : public QWidget {
     std::shared_ptr<const TensorFile> file{};
   };
   std::string policy_, agent_;
-  Beginning begin_, began_;  // what is chosen; what the life began with
+  Beginning begin_, began_;  // the beginning that is chosen; the beginning of the present life
   std::map<std::string, double> firstHad_, own_;
   std::unique_ptr<Session> session_;
-  /// The lives that the second had beside lives of the first, by their lineage.
+  /// The second's lives, by the lineage of the first's life beside them.
   std::map<std::uint64_t, std::shared_ptr<KeptLife>> beside_;
-  std::uint64_t lineage_;                 // of the first's life
-  std::uint64_t ranBeside_, keptBeside_;  // the first's life beside the second's; beside that of the second before
+  std::uint64_t lineage_;                 // lineage of the first's life
+  std::uint64_t ranBeside_, keptBeside_;  // the first's lineage beside the second's life now; … before
   bool resting_ = false, startsLate_ = false;
   WorldView* world_ = nullptr;
   QPointer<CompareStrip> strip_;

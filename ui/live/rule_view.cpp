@@ -24,7 +24,7 @@ QString oneDecimal(double value) {
   return toText(fixedText(value, 1));
 }
 
-/// "γ^n*" and "R_t" with what stands high and low, not to be broken there.
+/// "γ^n*" and "R_t" with superscripts and subscripts; no line break inside them.
 QString richText(const QString& text) {
   static const QRegularExpression high("\\^([^ )]+)"), low("([A-Za-z])_([a-z])");
   return text.toHtmlEscaped()

@@ -23,7 +23,7 @@ class RuleView final : public Painted<> {
   explicit RuleView(RunningLife& life, Editing& editing, QWidget* parent = nullptr);
   QSize sizeHint() const override { return scaled({300, 200}); }
   QSize minimumSizeHint() const override { return scaled({240, 150}); }
-  /// What it says: the number first; one sentence where there is no rule.
+  /// Its text: the number first; one sentence if there is no rule.
   QStringList lines() const;
 
  protected:

@@ -26,7 +26,7 @@ namespace surefoot {
 namespace {
 
 constexpr double kSlowest = 0.1, kFastest = 8.0;  // times real time
-constexpr int kIsEnvironment = Qt::UserRole + 1;  // of a task
+constexpr int kIsEnvironment = Qt::UserRole + 1;  // data of an item: it is an environment, not a scenario
 constexpr int kIsHead = -1;                       // data of a head between tasks
 
 double paceAt(int position) {
@@ -104,7 +104,7 @@ RunBar::RunBar(RunningLife& life, Editing& editing, const RunActions& actions, Q
   readNumbers();
 }
 
-/// The counters are drawn from what was read here, and told to a screen reader.
+/// Reads the numbers that the counters show; a screen reader gets them, too.
 void RunBar::readNumbers() {
   const Numbers& now = life_.numbers();
   texts_ = {toText(countText(static_cast<double>(now.falls))), toText(countText(static_cast<double>(now.episodes))),
@@ -115,7 +115,7 @@ void RunBar::readNumbers() {
   update();
 }
 
-/// "?": what the three boxes stand at means, one click away.
+/// "?": a menu that explains the present choices of the three boxes.
 void RunBar::makeMeaning() {
   meaning_ = new QToolButton(this);
   meaning_->setText(QStringLiteral("?"));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The toolbar: run, step, restart; pace and turbo; task, learning rule and policy; falls and episodes. Where it is
-// narrow the boxes become shorter, then the pace, the episodes and the factor go; the number of falls stays.
+// The toolbar: run, step, restart; pace and turbo; task, learning rule and policy; falls and episodes. In a narrow
+// window the boxes become shorter, then the pace, the episodes and the factor go; the number of falls stays.
 #pragma once
 
 #include <QAction>
@@ -32,7 +32,7 @@ class RunBar final : public Painted<> {
   QSize sizeHint() const override { return scaled({1280, 48}); }
   /// One notch up or down the slider.
   void changePace(int notches);
-  /// What the counters say: falls, episodes, and how much faster than real time it runs (empty: not known).
+  /// The texts of the counters: falls, episodes, and how many times faster than real time it runs (empty: not known).
   struct Texts {
     QString falls, episodes, factor;
   };
@@ -43,14 +43,14 @@ class RunBar final : public Painted<> {
   void agentAsked(const QString& name, const QString& title);
   /// Another environment was chosen.
   void environmentAsked(const std::string& name);
-  /// What something that can be chosen means.
+  /// A person asks for the meaning of a choice.
   void meaningAsked(const std::string& name);
 
  protected:
   void paintEvent(QPaintEvent*) override;
   void resizeEvent(QResizeEvent*) override { layOut(); }
 
-  /// Of the counter at the right, from the right: what is written and how large.
+  /// A word of the counter at the right end, with its size; the words are listed from right to left.
   struct Word {
     QString text;
     int pixels, weight;
@@ -59,7 +59,7 @@ class RunBar final : public Painted<> {
   };
 
  private:
-  /// What there is no room for, the first of them first.
+  /// The parts that are left out if there is too little room, in this order.
   enum Fold { kNothing, kPaceWord, kFactor, kEpisodes, kPace, kBoxes, kShortBoxes, kFolds };
   void layOut();
   int place(int fold, int spare);

@@ -35,7 +35,7 @@ int RunBar::counterWidth(int fold) const {
   return static_cast<int>(std::ceil(width));
 }
 
-/// Places everything but the counter; so much room is left for the boxes beyond their least. Returns the right end.
+/// Places everything but the counter. The boxes share `spare` beyond their least widths. Returns the right end.
 int RunBar::place(int fold, int spare) {
   const double k = textScale();
   const auto px = [k](double usual) { return static_cast<int>(std::lround(k * usual)); };

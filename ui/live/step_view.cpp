@@ -21,7 +21,7 @@ QString number(double v) {
   return toText(fixedText(v, std::abs(v) < 99.95 ? 2 : 0));
 }
 
-/// The same behind a sign: "(−2.69)".
+/// The same number after a sign; negative ones in brackets: "(−2.69)".
 QString bracketed(double v) {
   return v < 0 ? QStringLiteral("(%1)").arg(number(v)) : number(v);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// This step: what the last step taught, in words and numbers (Sutton & Barto 2018, section 12.7).
+// "This step": the learning update of the last step, in words and numbers (Sutton & Barto 2018, section 12.7).
 #pragma once
 
 #include <QElapsedTimer>
@@ -22,7 +22,7 @@ class StepView final : public Painted<> {
   explicit StepView(RunningLife& life, Looking& looking, QWidget* parent = nullptr);
   QSize sizeHint() const override { return scaled({576, 200}); }
   QSize minimumSizeHint() const override { return scaled({380, 150}); }
-  /// The same as text, for those who listen.
+  /// The same as text, for screen readers.
   QStringList sentences() const;
 
  protected:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One piece of work at a time on a thread of its own, so that the window goes on meanwhile. What was started last
-// counts: it waits until the one before, which is told to stop, has done so.
+// One piece of work at a time on a thread of its own, so that the window goes on meanwhile. New work replaces the old:
+// the old work is told to stop, and the new work begins when it has stopped.
 #pragma once
 
 #include <QObject>

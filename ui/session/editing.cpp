@@ -7,7 +7,7 @@ namespace surefoot {
 
 namespace {
 
-/// One parameter, changed by hand. Changes of one that follow each other are one.
+/// A change of one parameter by hand. Changes of the same parameter within a second are joined into one.
 class Edit final : public QUndoCommand {
  public:
   Edit(RunningLife& life, History& history, const Parameter& parameter, double before, double after)
@@ -67,7 +67,7 @@ Status Editing::setParameter(const std::string& key, double value) {
 }
 
 void Editing::setPolicy(const std::string& name) {
-  static_cast<void>(static_cast<bool>(life_.setPolicy(name)));  // the list holds those that can be made
+  static_cast<void>(static_cast<bool>(life_.setPolicy(name)));  // the list holds only policies that can be made
 }
 
 void Editing::setScenario(const std::string& name) {

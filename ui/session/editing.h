@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a person changes in the life that runs: parameters, policy, scenario. Undo takes changes of parameters back.
+// A person's changes of the life that runs: parameters, policy, scenario. Undo takes changes of parameters back.
 #pragma once
 
 #include <QObject>

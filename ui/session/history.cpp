@@ -5,7 +5,7 @@ namespace surefoot {
 
 namespace {
 
-/// Gives the life that runs way to another one, or to another one that was kept.
+/// Replaces the life that runs by a kept one; undo and redo exchange the two.
 class AnotherLife final : public QUndoCommand {
  public:
   AnotherLife(History& history, std::shared_ptr<KeptLife> kept)
@@ -23,7 +23,7 @@ class AnotherLife final : public QUndoCommand {
   void exchange(bool redo) {
     if (kept_->aside) {
       history_.exchange(kept_);
-    } else {  // it had to make room
+    } else {  // its life was dropped to free memory
       setObsolete(true);
       history_.undoOnceMore(redo);
     }
@@ -62,7 +62,7 @@ void History::removeEarlierRuns(std::vector<int> numbers) {
   if (!numbers.empty()) push(new RemovedRuns(life_, std::move(numbers)));
 }
 
-/// A new command ends what could be made again; a life in it must not go with it, so undo goes by way of it.
+/// A new command drops all commands that redo could repeat. Lives in them are moved within reach of undo first.
 void History::push(QUndoCommand* command) {
   saveRedone();
   undo_.push(command);
@@ -93,7 +93,7 @@ void History::undoOnceMore(bool redo) {
 }
 
 void History::replace(KnownLife next, std::unique_ptr<Life> life, As as) {
-  auto before = life_.learned() && keepsBefore_ ? putAside() : nullptr;  // nothing learned: it is not missed
+  auto before = life_.learned() && keepsBefore_ ? putAside() : nullptr;  // a life that learned nothing is not kept
   next.lineage = before || as == As::Another ? ++lineages_ : life_.lineage();
   if (as == As::Another && !before && unsavedBefore().empty()) forgetChanges();
   next.progress = {life->log().totals().episodes, life->steps()};

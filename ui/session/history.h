@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What undo brings back: changes, and lives that gave way to others. A life that has learned anything is kept when a
-// new one begins: undo brings it back as it was, and redo the new one. Where there is no memory for this, the window
+// Undo and redo of changes, and of lives that were replaced. A life that has learned anything is kept when a new one
+// begins: undo brings it back unchanged, and redo brings back the new one. If there is no memory for this, the window
 // is asked before.
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace surefoot {
 
-/// Memory that can still be had on this machine [bytes]; nothing where it does not tell.
+/// Free memory of this machine [bytes]; nothing if the system does not tell it.
 std::optional<std::size_t> availableMemory();
 
 class History final : public QObject {
@@ -28,16 +28,16 @@ class History final : public QObject {
   QUndoStack& undo() { return undo_; }
   /// Use this instead of undo().push(): a life that could be brought back by redo stays within reach of undo.
   void push(QUndoCommand* command);
-  /// … and these instead of its own for what is undone in one go.
+  /// Use these instead of undo()'s own, for several commands that are undone in one step.
   void beginMacro(const QString& text);
   void endMacro() { undo_.endMacro(); }
   /// Curves of earlier lives are taken out of the charts, by their numbers; undo brings them back.
   void removeEarlierRuns(std::vector<int> numbers);
-  /// What was to be undone (or made again) is of no use any more: the next one is, soon.
+  /// The command that was undone (or redone) is void: soon the next one is undone (or redone).
   void undoOnceMore(bool redo);
 
-  /// Called before a life ends for good that was not saved; it ends when `goOn` is called. Not set: it ends. `kept`:
-  /// one that is kept for undo, of which the memory is needed; nullptr: the one that runs.
+  /// Called before an unsaved life ends for good; it ends when `goOn` is called, or at once if nothing is set here.
+  /// `kept`: a life that is kept for undo and whose memory is needed; nullptr: the life that runs.
   using GoOn = std::function<void()>;
   using Ask = std::function<void(const std::shared_ptr<KeptLife>& kept, const GoOn& goOn)>;
   void setAskBeforeEnding(Ask ask) { askBeforeEnding_ = std::move(ask); }
@@ -45,23 +45,23 @@ class History final : public QObject {
   /// Memory for lives that undo can bring back [bytes].
   void setMostKept(std::size_t bytes) { mostKept_ = bytes; }
 
-  /// Calls `end`, which is about to replace the life that runs; asks first where something would be lost.
+  /// Calls `end`, which replaces the life that runs; asks first if something would be lost.
   void endOrAsk(std::function<void()> end);
   enum class As { SameAgain, Another };
-  /// A new life takes the place of the one that runs. SameAgain: where nothing was learned yet, changes that were made
-  /// to the one before can still be undone.
+  /// A new life replaces the one that runs. SameAgain: if the old life had learned nothing, its changes can still be
+  /// undone.
   void replace(KnownLife next, std::unique_ptr<Life> life, As as);
 
-  /// Lives within reach of undo and redo of which something is not saved.
+  /// Lives that undo or redo can bring back and that are not saved.
   std::vector<std::shared_ptr<KeptLife>> unsavedBefore() const;
-  /// The life that gave way last, if it is kept.
+  /// The life that was replaced last, if it is kept.
   std::shared_ptr<KeptLife> lastKept() const { return kept_.empty() ? nullptr : kept_.back().lock(); }
   /// Exchanges the life that runs and one that is kept.
   void exchange(std::shared_ptr<KeptLife>& kept);
 
  Q_SIGNALS:
   void lifeKept();         ///< the life before is within reach of undo
-  void lifeBroughtBack();  ///< … and was brought back by undo or redo
+  void lifeBroughtBack();  ///< undo or redo has brought a life back
 
  private:
   bool canKeep() const;

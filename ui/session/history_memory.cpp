@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of History that decides for which lives there is memory.
+// The part of History that decides which lives are kept in memory.
 #include <QFile>
 #include <algorithm>
 
@@ -10,10 +10,10 @@ namespace surefoot {
 namespace {
 
 constexpr int kMostKept = 50;                     // lives
-constexpr std::size_t kLeastMemory = 256u << 20;  // [bytes] that must be left
-constexpr std::size_t kBeside = 8u << 20;         // [bytes] that curves and falls take, about
+constexpr std::size_t kLeastMemory = 256u << 20;  // [bytes] that must stay free
+constexpr std::size_t kBeside = 8u << 20;         // [bytes] for curves and falls, about
 
-/// Whether one of them is rather let go than another: what is saved, then that in which less was learned.
+/// Whether `one` is dropped before `other`: saved lives first, then the life with fewer steps.
 bool goesBefore(const KeptLife& one, const KeptLife& other) {
   if (one.unsaved() != other.unsaved()) return other.unsaved();
   return one.known.progress.steps < other.known.progress.steps;
@@ -42,7 +42,7 @@ void History::endOrAsk(std::function<void()> end) {
   const bool keeps = canKeep();
   const auto least = life_.learned() && keeps ? withoutRoom(life_.bytes()) : nullptr;
   const auto goOn = [this, keeps, end = std::move(end)] {
-    keepsBefore_ = keeps || canKeep();  // what was found out before does not change between question and answer
+    keepsBefore_ = keeps || canKeep();  // a yes from before the question stays a yes after the answer
     end();
   };
   if (askBeforeEnding_ && ((life_.unsaved() && !keeps) || (least && least->unsaved())))
@@ -51,7 +51,7 @@ void History::endOrAsk(std::function<void()> end) {
     goOn();
 }
 
-/// What the window knows of the life that runs goes into it; the life itself follows when the thread comes to it.
+/// Copies the window's data about the life that runs; the learner's thread adds the life itself later.
 std::shared_ptr<KeptLife> History::putAside() const {
   auto kept = std::make_shared<KeptLife>();
   kept->aside = std::make_shared<LifeAside>();
@@ -61,7 +61,7 @@ std::shared_ptr<KeptLife> History::putAside() const {
   return kept;
 }
 
-/// Of the lives that are kept the one to let go if one of so many bytes comes to them; nullptr: there is room.
+/// The kept life to drop before one of `more` bytes is kept as well; nullptr: there is room.
 std::shared_ptr<KeptLife> History::withoutRoom(std::size_t more) const {
   std::size_t bytes = more;
   int lives = 1;
@@ -82,7 +82,7 @@ void History::keep(const std::shared_ptr<KeptLife>& kept) {
   kept_.push_back(kept);
 }
 
-/// Where another environment begins, the curves stay with the last life of this one that can be brought back.
+/// When the environment changes, the curves go to the last life of the old environment that undo can bring back.
 void History::moveCurves(std::shared_ptr<KeptLife> last) {
   const std::string& here = life_.configuration().names.environment;
   for (auto other = kept_.rbegin(); !last && other != kept_.rend(); ++other)
@@ -97,7 +97,7 @@ void History::forgetChanges() {
   undo_.clear();
 }
 
-/// Large tables are given back to the system on the learner's thread, so that the window does not wait for it.
+/// The learner's thread frees large tables, so that the window does not wait.
 void History::letGo(KeptLife& kept) {
   life_.visit([aside = std::exchange(kept.aside, nullptr)](const Life&) {});
   kept.seen = {};

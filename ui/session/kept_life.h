@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A life that gave way to another one, with everything that the window knew of it: undo brings it back as it was.
+// A life that was replaced by another one, with all the window's data about it: undo brings it back unchanged.
 #pragma once
 
 #include <memory>
@@ -12,10 +12,10 @@
 namespace surefoot {
 
 struct KeptLife {
-  std::shared_ptr<LifeAside> aside;  ///< null: it had to make room for others
+  std::shared_ptr<LifeAside> aside;  ///< null: it was dropped to free memory
   KnownLife known;
   int curve = 0;                    ///< its number among the curves
-  std::optional<RunCurves> curves;  ///< those beside it, where the life after it is in another environment
+  std::optional<RunCurves> curves;  ///< the curves of its environment, if the next life is in another one
   SeenFalls seen;
 
   bool unsaved() const { return aside && known.progress.learnedSince(known.file.saved); }

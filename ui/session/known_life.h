@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window knows of a life besides the life itself, which belongs to the learner's thread.
+// The window's own data about a life; the life itself belongs to the learner's thread.
 #pragma once
 
 #include <QString>
@@ -12,7 +12,7 @@ namespace surefoot {
 /// How far a life has come.
 struct LifeProgress {
   std::int64_t episodes = 0, steps = 0;
-  /// From `before` on something was learned that a person would miss: an episode is over, or kManySteps are made.
+  /// Since `before`, enough was learned to be worth saving: an episode is over, or kManySteps were made.
   bool learnedSince(const LifeProgress& before) const {
     return episodes > before.episodes || steps >= before.steps + kManySteps;
   }
@@ -25,7 +25,7 @@ struct LifeFile {
   LifeProgress saved{};
 };
 
-/// What a life can be saved as: to go on exactly, what it learned, or a small text by which it can be lived again.
+/// The kinds of files: a session goes on exactly, a Q-function holds the learned values, a journal repeats the life.
 enum class SavedAs { Session, QFunction, Journal };
 
 struct KnownLife {
@@ -33,10 +33,10 @@ struct KnownLife {
   Configuration began;          ///< as the life began
   Parameters base;              ///< the values under the chosen preset and scenario
   LifeFile file{};
-  LifeProgress progress{};    ///< of the life that runs: until its first snapshot
-  std::int64_t falls = 0;     ///< up to there
-  std::uint64_t lineage = 1;  ///< changes that were made to one life are not undone in another
-  std::size_t bytes = 0;      ///< of memory that what it learned takes, about
+  LifeProgress progress{};    ///< for the life that runs: valid until its first snapshot
+  std::int64_t falls = 0;     ///< at this progress
+  std::uint64_t lineage = 1;  ///< says which life it is: undo changes only the life where a change was made
+  std::size_t bytes = 0;      ///< approximate memory of the learned values
 };
 
 }  // namespace surefoot

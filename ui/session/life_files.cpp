@@ -30,7 +30,7 @@ std::string bytesOf(const Life& life, const Configuration& began, const Configur
   return journalOf(began, summarise(life, 0, 0.0));
 }
 
-/// Writes a life; what it learned may need more memory than there is.
+/// Writes a life; an error if memory is too small for its values.
 Status write(const Life& life, const Configuration& began, const Configuration& now, SavedAs what,
              const std::string& path) {
   if (life.changesLeftOut() && what == SavedAs::Journal)
@@ -87,7 +87,7 @@ Result<NewLives::Made> goOnFrom(const Registry& registry, const std::string& pat
   if (!resumed) return resumed.error();
   resumed->life->keepInputs();
   const Life& life = *resumed->life;
-  const bool named = path.ends_with(".surefoot");  // another name may be another program's
+  const bool named = path.ends_with(".surefoot");  // a file with another ending may belong to another program
   LifeFile from{named ? QString::fromStdString(path) : QString(), {life.log().totals().episodes, life.steps()}};
   const Status same = checkLivesVersion(*file);
   return NewLives::Made{std::move(resumed->configuration), std::move(resumed->life), std::move(from),

@@ -19,13 +19,13 @@ class LifeFiles final : public QObject {
   using Then = NewLives::Then;
   /// Writes the life that runs; `then` is called when it is written, or could not be.
   void save(SavedAs what, const std::string& path, Then then);
-  /// Writes one that is kept for undo.
+  /// Writes a life that is kept for undo.
   void saveKept(const KeptLife& kept, const std::string& path, Then then);
-  /// How far the life had come when save() wrote it last; nothing if that was another one.
+  /// The life's progress when save() wrote it last; nothing if that was another life.
   const std::optional<LifeProgress>& written() const { return written_; }
 
-  /// A saved session goes on, a Q-function is what a new life begins with, a journal is lived again; `then` is called
-  /// when it has begun, or could not.
+  /// A saved session goes on, a new life begins with a Q-function, a journal is lived again; `then` is called when the
+  /// life has begun, or could not.
   void open(const std::string& path, const Then& then);
 
  private:

@@ -37,7 +37,7 @@ void Looking::makeViewer() {
       std::make_unique<Viewer>(std::move(*environment), std::move(*policy), deriveSeed(c.seed, 0, Stream::Viewer));
 }
 
-/// Another life runs. Until its first snapshot comes its environment is shown as it is set up.
+/// Another life runs. Until its first snapshot comes, its environment is shown in its first state.
 void Looking::beginAnew() {
   hovered_.clear();
   pinned_.clear();
@@ -60,7 +60,7 @@ void Looking::advance(double seconds) {
 }
 
 void Looking::show(double seconds) {
-  if (!life_.isShown()) return;  // that of the life before, perhaps in another environment
+  if (!life_.isShown()) return;  // the snapshot is still from the life before, perhaps in another environment
   const Snapshot& now = life_.snapshot();
   const bool viewing = life_.turbo() && life_.running() && life_.values();
   std::int64_t falls = now.totals.falls;
@@ -71,7 +71,7 @@ void Looking::show(double seconds) {
     shown_.state.assign(viewer_->environment().state().begin(), viewer_->environment().state().end());
     shown_.pose = viewer_->pose();
     shown_.q.resize(life_.task().actions.size());
-    values.evaluate(shown_.state, Layer::Sum, shown_.q);  // the viewer's own are of the step before
+    values.evaluate(shown_.state, Layer::Sum, shown_.q);  // the viewer's own values are from the step before
     fillParts(values);
     shown_.action = viewer_->action();
     falls = viewer_->falls();
@@ -83,10 +83,10 @@ void Looking::show(double seconds) {
     shown_.qNegative = now.qNegative;
     shown_.action = now.action;
   }
-  if (falls == fallsBefore_ + 1) sinceFall_.start();  // one fall; a jump by many is a change of the world shown
+  if (falls == fallsBefore_ + 1) sinceFall_.start();  // one fall; a larger jump means that another world is shown
   fallsBefore_ = falls;
   shown_.flash = sinceFall_.isValid() && sinceFall_.elapsed() < kFlash;
-  // The next episode has begun already, but a fall wants to be seen: the fallen pose stays for as long as the flash.
+  // The next episode has begun already, but a person must see the fall: the fallen pose stays during the flash.
   if (shown_.flash && !viewing && !now.fallenPose.empty()) shown_.pose = now.fallenPose;
   if (life_.running() || recording_.size() == 0) recording_.add(shown_);
 }

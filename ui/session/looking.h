@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a person looks at: the world as it is drawn now, falls, the last minutes, a state on a map. None of it touches
-// the life.
+// The things that a person looks at: the world as it is drawn now, falls, the last minutes, a state on a map. Looking
+// never changes the life.
 #pragma once
 
 #include <QElapsedTimer>
@@ -30,25 +30,25 @@ class Looking final : public QObject {
   explicit Looking(RunningLife& life);
 
   const Shown& shown() const { return shown_; }
-  /// The values that maps show: the newest, or those of the playback. nullptr: none yet.
+  /// The values that maps show: the newest, or the values of the playback. nullptr: none yet.
   const ActionValueFunction* valuesShown() const;
   /// Holds the body of the world that is shown by its tip [m], or lets go.
   void hold(std::optional<double> target);
 
-  /// The falls of this life, the newest last, up to the life's numbers().falls; of many of them a choice, as thinOut()
-  /// says.
+  /// The falls of this life, the newest last, up to the life's numbers().falls. If there are many, thinOut() keeps only
+  /// some of them.
   const std::deque<Fall>& falls() const { return seen_.falls; }
   /// Shows the last seconds of one of them again.
   void replayFall(std::size_t index);
 
-  /// So many frames back (or forth) in what the window has shown; past the end it is live again.
+  /// Goes back (or forth) by some frames that the window has shown; past the end it is live again.
   void lookBack(int frames);
-  /// The next frame where something stands that was seen before; else one step of the life.
+  /// The next frame of a stopped playback; without one, one step of the life.
   void stepOnce();
-  /// Something that was seen before is shown; the learner goes on meanwhile.
+  /// The playback that is shown, if any; the learner goes on meanwhile.
   const Playback* playback() const { return playback_ ? &*playback_ : nullptr; }
   void seek(double position);
-  /// Lets it run, from the beginning if it stands at its end, or stops it.
+  /// Plays it (from the beginning if it is at its end), or stops it.
   void play(bool on);
   void backToLive();
 
@@ -58,9 +58,9 @@ class Looking final : public QObject {
   void examine(const std::optional<std::vector<double>>& state);
   void pin(const std::optional<std::vector<double>>& state);
 
-  /// What was seen of the life, to be kept with it, …
+  /// The falls and values seen in this life, to be kept with it.
   SeenFalls seen() const;
-  /// … and what was seen of the one that takes its place, before it does.
+  /// Sets the falls and values of the next life; called before that life takes the place of this one.
   void setSeen(SeenFalls seen) { seen_ = std::move(seen); }
 
  Q_SIGNALS:
@@ -74,7 +74,7 @@ class Looking final : public QObject {
   void show(double seconds);
   void showPlayback(double seconds);
   void takeFalls();
-  bool copyable() const;  ///< what is learned is small enough to be kept with a fall
+  bool copyable() const;  ///< the values are small enough to be kept with a fall
   void fillParts(const ActionValueFunction& values);
   void makeViewer();
   void beginAnew();
@@ -84,7 +84,7 @@ class Looking final : public QObject {
   Shown shown_;
   std::vector<double> hovered_, pinned_;
   SeenFalls seen_;
-  std::vector<Fall> fallsToCome_;  // newer than the numbers
+  std::vector<Fall> fallsToCome_;  // newer than life_.numbers()
   Recording recording_;
   std::optional<Playback> playback_;
   QElapsedTimer sinceValues_, sinceFall_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of Looking that shows what was seen before: falls, and the last minutes.
+// The part of Looking that replays falls and the last minutes.
 #include <algorithm>
 #include <iterator>
 #include <utility>
@@ -13,13 +13,13 @@ void Looking::takeFalls() {
   constexpr std::size_t kMostValues = 20;
   std::vector<Fall> fresh = std::exchange(fallsToCome_, {});
   for (Fall& fall : life_.takeFalls()) fresh.push_back(std::move(fall));
-  // The learner is ahead of what the window shows; a fall is listed when the counter has come to it.
+  // The learner is ahead of the window: a fall is listed only when the window's counter has reached its number.
   const auto ahead =
       std::find_if(fresh.begin(), fresh.end(), [this](const Fall& f) { return f.number > life_.numbers().falls; });
   fallsToCome_.assign(std::move_iterator(ahead), std::move_iterator(fresh.end()));
   fresh.erase(ahead, fresh.end());
   if (fresh.empty()) return;
-  // The values as they were, as nearly as the window has them. In turbo hundreds of falls come in a second.
+  // Keeps the values that the window had nearest to the fall. In turbo there are hundreds of falls per second.
   constexpr int kEvery = 500;  // [ms]
   if (copyable() && (!sinceValues_.isValid() || sinceValues_.elapsed() >= kEvery)) {
     sinceValues_.start();
@@ -43,7 +43,7 @@ void Looking::replayFall(std::size_t index) {
   Playback playback = playbackOf(fall, life_.registry(), life_.configuration().names.environment, std::move(then));
   if (playback.frames.empty()) return;
   if (!kept) playback.values.reset();
-  if (reducedMotion()) {  // it stands at the fall, to be stepped through by hand
+  if (reducedMotion()) {  // the playback stops at the fall; a person steps through it by hand
     playback.rate = 0;
     playback.position = static_cast<double>(playback.frames.size()) - 1;
   }
@@ -52,7 +52,7 @@ void Looking::replayFall(std::size_t index) {
 }
 
 bool Looking::copyable() const {
-  constexpr std::size_t kMost = 16u << 20;  // [bytes]: more takes the window's thread too long, and twenty too much
+  constexpr std::size_t kMost = 16u << 20;  // [bytes]: a larger copy takes too long, and twenty copies too much memory
   return life_.values() && life_.values()->values->bytes() <= kMost;
 }
 
@@ -95,7 +95,7 @@ void Looking::showPlayback(double seconds) {
   Playback& p = *playback_;
   if (p.rate > 0) {
     p.position = std::min(p.position + p.rate * seconds, static_cast<double>(p.frames.size()) - 1.0);
-    if (p.atEnd()) p.rate = 0;  // it stands at the fall, to be looked at
+    if (p.atEnd()) p.rate = 0;  // the playback stops at the fall
   }
   shown_ = p.frames[static_cast<std::size_t>(p.position)];
 }

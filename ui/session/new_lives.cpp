@@ -10,7 +10,7 @@
 namespace surefoot {
 
 namespace {
-/// So long the window may stand still for a table, so that those of usual size are there at once.
+/// The window may wait this long for a table, so that tables of usual size are ready at once.
 constexpr std::chrono::milliseconds kPatience(100);
 }  // namespace
 
@@ -135,7 +135,7 @@ Status NewLives::setAgent(const std::string& name) {
 
 namespace {
 
-/// What carrying a function over needs, and gives.
+/// Input and result of carrying a Q-function over.
 struct CarriedOver {
   std::shared_ptr<const ActionValueFunction> from;
   Configuration to;
@@ -174,7 +174,7 @@ void NewLives::carryOver(const std::string& key, double value, Then then) {
                           const std::atomic<bool>& interrupted) { work->file = fitted(registry, *work, interrupted); },
                       end);
   };
-  life_.visit([this, work, fit](const Life& life) {  // a copy of what is learned up to now
+  life_.visit([this, work, fit](const Life& life) {  // a copy of the learned values
     work->from = life.agent().values().clone();
     QMetaObject::invokeMethod(this, fit, Qt::QueuedConnection);
   });

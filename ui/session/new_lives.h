@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Begins new lives. Where the tables are large, a life is made while the old one goes on, and comes when it is ready;
-// then background() is busy, and what went wrong is said by `refused`.
+// Begins new lives. A life with large tables is made in the background while the old one goes on: until it is ready,
+// background() is busy; if it fails, `refused` says why.
 #pragma once
 
 #include <QObject>
@@ -16,7 +16,7 @@
 
 namespace surefoot {
 
-/// A configuration under other names, with every parameter that both know.
+/// A configuration under other names; it keeps the values of all parameters that both have.
 Result<Configuration> configurationUnder(const Registry& registry, const Configuration& now, const Names& names);
 
 class NewLives final : public QObject {
@@ -31,27 +31,27 @@ class NewLives final : public QObject {
   Status restartEmpty();
   /// The same with another value of a parameter, with an empty table if it needs one.
   Status setParameterAndRestart(const std::string& key, double value);
-  /// Under another configuration.
+  /// A new life with another configuration.
   Status begin(Configuration configuration);
-  /// … in another environment, with its usual parameters.
+  /// A new life in another environment, with its usual parameters.
   Status beginEnvironment(const std::string& name);
   Status setSeed(std::uint64_t seed);
-  /// Another learning rule has another table: a new life begins, with every parameter that both know.
+  /// Another learning rule needs another table: a new life begins, with the values of all parameters that both have.
   Status setAgent(const std::string& name);
 
   using Then = std::function<void(const Status&)>;
-  /// With a parameter that needs a new table, and with what was learned, fitted to it.
+  /// Changes a parameter that needs a new table; the learned values are fitted to the new table.
   void carryOver(const std::string& key, double value, Then then);
 
   /// A life that can begin.
   struct Made {
     Configuration configuration;
     std::unique_ptr<Life> life;
-    std::optional<LifeFile> file{};  ///< that it was read from
+    std::optional<LifeFile> file{};  ///< the file that it was read from
     std::string remark{};            ///< about that file
   };
   using Make = std::function<Result<Made>(const std::atomic<bool>& interrupted)>;
-  /// Begins what is made in the background; `then` is called when it has begun, or could not.
+  /// Makes a life in the background and begins it; `then` is called when it has begun, or could not.
   Status beginWhenMade(Make make, const Then& then = {});
   /// Makes a life of this configuration.
   Make makeOf(Configuration configuration) const;

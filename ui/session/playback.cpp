@@ -10,9 +10,9 @@
 namespace surefoot {
 
 namespace {
-constexpr double kSeconds = 3.0;   // before a fall
-constexpr double kSlow = 0.5;      // of real time
-constexpr double kNoClock = 0.05;  // [s] a step
+constexpr double kSeconds = 3.0;   // shown before a fall
+constexpr double kSlow = 0.5;      // share of real time
+constexpr double kNoClock = 0.05;  // time of a step in a task without a clock [s]
 }  // namespace
 
 Playback playbackOf(const Fall& fall, const Registry& registry, const std::string& environment,

@@ -13,7 +13,7 @@
 
 namespace surefoot {
 
-/// What the panels show: the learner's world, or in turbo the viewer's, or a playback.
+/// The state that the panels show: from the learner's world, in turbo from the viewer's, or from a playback.
 struct Shown {
   std::vector<double> state, pose, q;
   std::vector<double> qPositive, qNegative;  ///< empty where the agent keeps one estimate
@@ -23,23 +23,23 @@ struct Shown {
 
 struct Playback {
   std::vector<Shown> frames;
-  double position = 0.0;  ///< of the frame that is shown
-  double rate = 0.0;      ///< frames a second; 0: it stands
-  double usualRate = 60;  ///< … while it plays
+  double position = 0.0;  ///< index of the frame that is shown
+  double rate = 0.0;      ///< frames per second; 0: stopped
+  double usualRate = 60;  ///< frames per second while it plays
   QString title;
-  std::shared_ptr<const ActionValueFunction> values;  ///< as they were then; nullptr: as they are now
+  std::shared_ptr<const ActionValueFunction> values;  ///< the values at that time; nullptr: the present ones are shown
 
   bool atEnd() const { return position >= static_cast<double>(frames.size()) - 1.0; }
 };
 
-/// The last seconds before a fall, at half speed. Empty where the episode cannot be repeated.
+/// The last seconds before a fall, at half speed. Empty if the episode cannot be repeated.
 Playback playbackOf(const Fall& fall, const Registry& registry, const std::string& environment,
                     std::shared_ptr<const ActionValueFunction> values);
 
-/// What the window has shown, as far back as memory for it goes.
+/// The last frames that the window has shown, up to kMostFrames and kMostBytes.
 class Recording {
  public:
-  static constexpr std::size_t kMostFrames = 5 * 60 * 60;  ///< five minutes at 60 a second
+  static constexpr std::size_t kMostFrames = 5 * 60 * 60;  ///< five minutes at 60 per second
   static constexpr std::size_t kMostBytes = 256u << 20;
 
   void add(const Shown& frame);

@@ -15,8 +15,8 @@ namespace surefoot {
 struct PreLearned {
   std::shared_ptr<const TensorFile> file;
   std::int64_t episodes = 0, falls = 0;
-  double averageReward = 0;  ///< of the last 80 episodes
-  bool reached = false;      ///< what was asked for
+  double averageReward = 0;  ///< over the last 80 episodes
+  bool reached = false;      ///< the average reward that was asked for
 };
 
 class QPool final : public QObject {
@@ -26,14 +26,14 @@ class QPool final : public QObject {
   static constexpr std::int64_t kCap = 20'000;  ///< episodes; the cap is ours
   explicit QPool(const Registry& registry, QObject* parent = nullptr);
 
-  /// `simulation` is what is learned on, with its seed and how long: until an average reward (and kCap episodes at the
-  /// most), or so many minutes or episodes. Policy and start are set here: ε-greedy, from nothing. Life i of the pool
-  /// is life i of that configuration.
+  /// `simulation` is the configuration to learn with. It has the seed and the length: until an average reward (at most
+  /// kCap episodes), or a number of minutes or episodes. Policy and start are set here: ε-greedy, from nothing. Life i
+  /// of the pool is life i of that configuration.
   void start(Configuration simulation, int pool);
   void cancel() { background_.cancel(); }
   bool busy() const { return background_.busy(); }
   int asked() const { return asked_; }
-  /// Those that are ready.
+  /// The Q-functions that are ready.
   const std::vector<PreLearned>& pool() const { return pool_; }
 
  Q_SIGNALS:
@@ -46,7 +46,7 @@ class QPool final : public QObject {
   const Registry& registry_;
   std::vector<PreLearned> pool_;
   int asked_ = 0;
-  std::uint64_t run_ = 0;  // those of an earlier one come too late
+  std::uint64_t run_ = 0;  // number of the run; results of an earlier run are ignored
   Background background_;
 };
 

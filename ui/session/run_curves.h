@@ -15,19 +15,19 @@ namespace surefoot {
 struct CurvePiece {
   std::string policy;
   std::vector<CurvePoint> points;
-  std::int64_t from = 0;  ///< steps of the life at which it begins
+  std::int64_t from = 0;  ///< the step of the life at which the piece begins
 };
 
 struct RunCurve {
   std::string agent;
-  int number = 1;       ///< of the life since the window was opened
-  int environment = 0;  ///< counts those that the window was in
+  int number = 1;       ///< number of the life, counted since the environment was chosen
+  int environment = 0;  ///< number of the environment, counted since the window was opened
   std::vector<CurvePoint> points;
   /// The same points, cut where the policy changed: there, between two of them, one piece ends and the next begins.
   std::vector<CurvePiece> pieces;
-  std::int64_t fallsBefore = 0;  ///< those of which the curve does not know when they were
+  std::int64_t fallsBefore = 0;  ///< falls before the curve begins; their times are not known
   std::string began{};           ///< how its life began: "pre-learned (scenario 2)"; empty: with an empty table
-  /// In force at its end.
+  /// The policy in force at the end of the curve.
   std::string policy() const { return pieces.empty() ? "" : pieces.back().policy; }
 };
 
@@ -37,17 +37,17 @@ class RunCurves {
 
   /// How the life that runs began, as RunCurve::began.
   void setBegan(std::string began) { began_ = std::move(began); }
-  /// The points of the life that runs, its learning rule, the policy of its last episode, and what was changed
-  /// meanwhile.
+  /// The points of the life that runs, its learning rule, the policy of its last episode, and its changes
+  /// so far.
   void update(const std::string& agent, const std::string& policy, const std::vector<CurvePoint>& points,
               const std::vector<Change>& changes);
-  /// The life that ran becomes an earlier one; one too short to say anything is forgotten.
+  /// The live curve becomes an earlier one; a curve that is too short to be of use is dropped.
   void archive();
-  /// An earlier life runs again: its curve is the live one. One that is not among the earlier ones has no points yet.
+  /// An earlier life runs again: its curve is the live one. If it is not an earlier one, it has no points yet.
   void bringBack(int number);
   /// In another environment there is nothing to compare with.
   void forget();
-  /// Takes earlier lives out by their numbers, and gives them back; those of another environment do not come back.
+  /// Removes earlier curves by their numbers, and returns them; putBack() ignores curves of another environment.
   std::vector<RunCurve> remove(const std::vector<int>& numbers);
   void putBack(const std::vector<RunCurve>& curves);
 
@@ -56,10 +56,10 @@ class RunCurves {
 
  private:
   std::string began_;
-  int newest_ = 1;  // number of a life
+  int newest_ = 1;  // number of the newest life
   RunCurve live_;
   std::vector<RunCurve> earlier_;
-  int environment_ = 0;  // counts them
+  int environment_ = 0;  // number of the present environment
 };
 
 }  // namespace surefoot

@@ -14,7 +14,7 @@ std::string titleOf(const std::vector<Entry>& entries, const std::string& name) 
   return name;
 }
 
-/// The policies under which an episode ended; one that was chosen and left again at once did nothing.
+/// The policies under which at least one episode ended; a policy that was left again before that does not count.
 std::vector<std::string> policiesLived(const RunCurve& curve) {
   std::vector<std::string> lived;
   for (const CurvePiece& piece : curve.pieces) {

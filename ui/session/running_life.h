@@ -17,20 +17,20 @@
 
 namespace surefoot {
 
-/// What is told of a life in several places of the window: all of it of one moment, that of the newest curve.
+/// The numbers that several places of the window show. All are from one moment: that of the newest curve.
 struct Numbers {
   std::int64_t episodes = 0, falls = 0;
-  std::int64_t fallsByHand = 0;  ///< of the falls, those of episodes in which a person placed or pushed the body
+  std::int64_t fallsByHand = 0;  ///< falls in episodes where a person placed or pushed the body; part of `falls`
   std::int64_t steps = 0;
   double simulatedSeconds = 0;  ///< NaN: no clock
   double stepsPerSecond = 0;    ///< learning steps per second of wall-clock time, as measured; 0: not yet
 };
 
-/// A life that can be saved in the middle of an episode; an error where memory does not suffice.
+/// A life that can be saved in the middle of an episode; an error if there is too little memory.
 Result<std::unique_ptr<Life>> makeLifeToRun(const Registry& registry, const Configuration& configuration,
                                             bool keepRows);
 
-/// A life of which only these configurations are known.
+/// The data of a life if only its configurations are known.
 KnownLife knownAs(const Registry& registry, Configuration now, Configuration began);
 
 class RunningLife final : public QObject {
@@ -40,23 +40,23 @@ class RunningLife final : public QObject {
   RunningLife(const Registry& registry, Configuration configuration, bool keepRows);
   ~RunningLife() override;
 
-  // What it is.
+  // The life and its configuration.
   const Registry& registry() const { return registry_; }
-  /// As it is now.
+  /// The present configuration.
   const Configuration& configuration() const { return known_.configuration; }
-  /// As it was when the life began: its start, too.
+  /// The configuration at the life's beginning, with its start.
   const Configuration& began() const { return known_.began; }
   /// "pre-learned (scenario 2)", "with walks.safetensors"; empty: with an empty table.
   QString beginning() const;
-  /// Tells of the task and draws it; never stepped.
+  /// Describes and draws the task; it is never stepped.
   const Environment& environment() const { return *environment_; }
   const Task& task() const { return environment_->task(); }
-  /// The value of a parameter under the chosen preset and scenario: what Reset goes back to.
+  /// The value of a parameter under the chosen preset and scenario: the value of Reset.
   double base(const std::string& key) const { return known_.base.get(key); }
   /// Whether rows of its episodes are kept for a log.
   bool keepsRows() const { return keepRows_; }
 
-  // How far it has come.
+  // The progress of the life.
   const Snapshot& snapshot() const { return learner_->snapshot(); }
   /// The newest snapshot is of this life, not of the one before.
   bool isShown() const { return snapshot().life == lifeSent_; }
@@ -71,17 +71,17 @@ class RunningLife final : public QObject {
   QString factorText() const;
   /// The step at which a parameter was last changed, if it was.
   std::optional<std::int64_t> changedAt(const std::string& key) const;
-  /// Schedules go by this.
+  /// The time that schedules depend on.
   LifeTime lifeTime() const;
   /// TRL's threshold now, on its schedule.
   double threshold() const;
   /// The life has reached its limit, or diverged.
   bool finished() const { return isShown() && (snapshot().finished || !snapshot().trouble.empty()); }
   LifeProgress progress() const;
-  /// Whether anything was learned in it, and since it was saved.
+  /// Whether anything was learned at all, and whether since the last save.
   bool learned() const { return progress().learnedSince({}); }
   bool unsaved() const { return progress().learnedSince(known_.file.saved); }
-  /// Memory of what it learned [bytes]; hashed tables grow.
+  /// Memory of the learned values [bytes]; hashed tables grow.
   std::size_t bytes() const;
   /// Curves of this life and of those before it.
   const RunCurves& curves() const { return curves_; }
@@ -89,7 +89,7 @@ class RunningLife final : public QObject {
   /// The falls since the last call, of this life.
   std::vector<Fall> takeFalls();
 
-  // How a person runs it.
+  // Commands of a person.
   bool running() const { return running_; }
   bool turbo() const { return turbo_; }
   double pace() const { return pace_; }
@@ -102,13 +102,13 @@ class RunningLife final : public QObject {
   void hold(std::optional<double> target);
   /// Puts the body into a state: a new episode begins there.
   Status place(const std::vector<double>& state);
-  /// Whether anyone can see the window; a hidden one asks the learner for nothing but the moment.
+  /// Whether the window is visible; a hidden window asks the learner only for the present moment.
   void setLookedAt(bool lookedAt) { lookedAt_ = lookedAt; }
 
-  // How it is changed; ParameterEditing, History and LifeFiles do this.
+  // Changes; ParameterEditing, History and LifeFiles make them.
   Status setParameter(const std::string& key, double value);
   Status setPolicy(const std::string& name);
-  /// The names of preset and scenario, which say what Reset goes back to.
+  /// The names of preset and scenario, which decide the values of Reset.
   void setScenario(const std::string& name);
   const LifeFile& file() const { return known_.file; }
   void setFile(LifeFile file);
@@ -116,28 +116,28 @@ class RunningLife final : public QObject {
   void visit(std::function<void(const Life&)> look);
   /// Counts the lives that ran here.
   std::uint64_t number() const { return lifeSent_; }
-  /// Changes that were made to one life are not undone in another: which life it is. One that begins again with
-  /// another parameter is another one; one that is brought back is the same.
+  /// Says which life it is, because changes of one life are not undone in another. A life that begins again with
+  /// another parameter gets a new number; a life that is brought back keeps its number.
   std::uint64_t lineage() const { return known_.lineage; }
-  /// What is known of it, up to now.
+  /// The window's data about this life, up to now.
   KnownLife known() const;
-  /// Another life takes its place, which is so known; its curves() are set before.
+  /// Another life takes its place; `known` is the data about it. Set curves() before.
   void replace(KnownLife known, ReplaceLife replacement);
 
-  /// Ends the learner's thread; the life as it is, or nullptr if it was ended before.
+  /// Ends the learner's thread and returns the life; nullptr if the thread was ended before.
   std::unique_ptr<Life> finish();
 
  Q_SIGNALS:
   void ticked(double seconds);  ///< about 60 times a second
   void valuesArrived();         ///< at most ten times a second
-  void curvesChanged();         ///< earlier ones came or went
+  void curvesChanged();         ///< earlier curves were added or removed
   void stateChanged();          ///< running, turbo, pace
-  void commanded();             ///< to run or to stand still, before stateChanged
+  void commanded();             ///< a command to run or to pause; comes before stateChanged
   void parameterChanged(const QString& key);
   void policyChanged();
-  void configurationChanged();  ///< after both
+  void configurationChanged();  ///< comes after parameterChanged and policyChanged
   void replaced();              ///< another life runs
-  void parametersReplaced();    ///< … under other names, so with other parameters
+  void parametersReplaced();    ///< the life has other names, and so other parameters
   void fileChanged();
 
  private:
@@ -145,7 +145,7 @@ class RunningLife final : public QObject {
   void takeValues();
   void measureSpeed(double seconds);
   void restartMeasuring();
-  bool obeyed() const;  ///< the newest snapshot is of a learner that has heard of pace, turbo, and whether it runs
+  bool obeyed() const;  ///< in the newest snapshot the learner has the present pace, turbo and running
   void makeEnvironmentAnew();
   Parameters baseOf(const Names& names) const;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of RunningLife that takes what comes from the learner's thread, and measures how fast it is.
+// The part of RunningLife that takes data from the learner's thread, and measures how fast it is.
 #include "core/text/text.h"
 #include "ui/session/running_life.h"
 
@@ -59,7 +59,7 @@ void RunningLife::measureSpeed(double seconds) {
 
 void RunningLife::restartMeasuring() {
   numbers_.stepsPerSecond = stepsPerSecond_ = 0;
-  measuring_ = false;  // until the learner has heard of what changed
+  measuring_ = false;  // until the learner has got the change
 }
 
 }  // namespace surefoot

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window is about, in parts by what people do. A panel gets the parts that it needs.
+// All data of the window, in parts for the things that people do. A panel gets only the parts that it needs.
 #pragma once
 
 #include "ui/session/editing.h"
@@ -15,25 +15,25 @@ class Session final {
  public:
   Session(const Registry& registry, Configuration configuration, bool keepRows)
       : life_(registry, std::move(configuration), keepRows) {}
-  /// The learner's thread ends first: what it was asked to do speaks to the parts.
+  /// The learner's thread ends first, because its tasks use the parts.
   ~Session() { life_.finish(); }
 
-  /// The life that runs: what it is, how far it has come, run and pause.
+  /// The life that runs: its configuration and progress, run and pause.
   RunningLife& life() { return life_; }
   const RunningLife& life() const { return life_; }
-  /// What is looked at: the world that is drawn, falls, the last minutes, a state on a map.
+  /// The things on view: the world that is drawn, falls, the last minutes, a state on a map.
   Looking& looking() { return looking_; }
-  /// What is undone, and the lives that undo brings back.
+  /// Undo and redo, and the lives that they bring back.
   History& history() { return history_; }
   /// Changes of the life that runs.
   Editing& editing() { return editing_; }
-  /// What begins another life.
+  /// Begins other lives.
   NewLives& newLives() { return newLives_; }
   LifeFiles& files() { return files_; }
 
  private:
   RunningLife life_;
-  Looking looking_{life_};  // the first to hear of anything: others read it when they hear of it
+  Looking looking_{life_};  // made first, so that it gets signals first: the others read it when they get theirs
   History history_{life_, looking_};
   Editing editing_{life_, history_};
   NewLives newLives_{life_, history_};

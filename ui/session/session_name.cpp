@@ -7,7 +7,7 @@ namespace surefoot {
 
 namespace {
 constexpr int kPixels = 11;
-constexpr int kLetters = 24;  // of a name that is shown whole
+constexpr int kLetters = 24;  // longer names are cut
 }  // namespace
 
 SessionName::SessionName(QWidget* parent) : Painted(parent) {}
@@ -24,7 +24,7 @@ void SessionName::say(const QString& name, bool unsaved, const QString& tip) {
   update();
 }
 
-/// Always as wide, so that the tabs stand still.
+/// The width does not change with the name, so that the tabs stand still.
 QSize SessionName::sizeHint() const {
   const QFontMetricsF metrics(textFont(kPixels));
   return scaled(

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The name of the session beside the page tabs: that of its file, with a * while something that was learned is not
-// saved.
+// The name of the session beside the page tabs: the name of its file, with a * while learned values are not saved.
 #pragma once
 
 #include "ui/style/painted.h"
@@ -13,7 +12,7 @@ class SessionName final : public Painted<> {
  public:
   explicit SessionName(QWidget* parent);
   void say(const QString& name, bool unsaved, const QString& tip);
-  /// What it says: "walks*".
+  /// The text that is shown: "walks*".
   QString text() const;
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return sizeHint(); }

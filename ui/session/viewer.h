@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A second world at real time. While the learner runs flat out its own world would only flicker; this one is driven by
-// the newest copy of what it has learned, and learns nothing itself.
+// A second world at real time. While the learner runs at full speed, its own world would only flicker. The viewer acts
+// by the newest copy of the learned values, and learns nothing itself.
 #pragma once
 
 #include <memory>
@@ -26,7 +26,7 @@ class Viewer {
   void setPolicy(std::unique_ptr<Policy> policy) { policy_ = std::move(policy); }
   std::vector<double> pose() const { return environment_->pose(); }
   Action action() const { return action_; }
-  /// Where the body is held; nothing lets go.
+  /// Holds the body at `target`; without a target, lets go.
   void hold(std::optional<double> target) { hand_.hold(target); }
   /// Counts the falls seen here.
   int falls() const { return falls_; }

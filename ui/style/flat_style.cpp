@@ -68,7 +68,7 @@ int FlatStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const
     case PM_TabBarTabOverlap:
     case PM_TabBarTabShiftVertical:
       return 0;
-    case PM_DockWidgetFrameWidth:  // of one that floats: a line, and room to take hold of
+    case PM_DockWidgetFrameWidth:  // frame of a floating panel: a line, and room to drag it
       return 4;
     case PM_MenuPanelWidth:
       return 1;
@@ -77,7 +77,7 @@ int FlatStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const
     case PM_MenuHMargin:
     case PM_MenuVMargin:
       return scaled(4);
-    case PM_DockWidgetSeparatorExtent:  // one hairline to see, wide enough to take hold of
+    case PM_DockWidgetSeparatorExtent:  // shown as one hairline, but wide enough to drag
       return scaled(5);
     case PM_ToolTipLabelFrameWidth:
       return scaled(9);
@@ -93,7 +93,7 @@ int FlatStyle::pixelMetric(PixelMetric metric, const QStyleOption* option, const
       return scaled(20);
     case PM_ScrollBarSliderMin:
       return scaled(kShortestHandle);
-    case PM_FocusFrameHMargin:  // of a cell's text, but for one pixel
+    case PM_FocusFrameHMargin:  // margin of a cell's text, less one pixel
       return qobject_cast<const QTableView*>(widget) ? scaled(kCellMargin) - 1
                                                      : QProxyStyle::pixelMetric(metric, option, widget);
     default:
@@ -162,7 +162,7 @@ QRect FlatStyle::subControlRect(ComplexControl control, const QStyleOptionComple
 void FlatStyle::polish(QWidget* widget) {
   QProxyStyle::polish(widget);
   if (qobject_cast<QDialog*>(widget)) widget->setAttribute(Qt::WA_StyledBackground);  // drawPrimitive(PE_Widget)
-  // A label shows what it is given to the letter, whatever looks like HTML in it; tooltips see to it themselves.
+  // A label shows its text unchanged, even if it looks like HTML; tooltips do this themselves.
   if (auto* label = qobject_cast<QLabel*>(widget); label && label->textFormat() == Qt::AutoText)
     if (!label->inherits("QTipLabel")) label->setTextFormat(Qt::PlainText);
 }

@@ -40,7 +40,7 @@ class FlatStyle final : public QProxyStyle {
   /// False: not a surface of this style's own.
   static bool drawSurface(PrimitiveElement element, QPainter& painter, const QStyleOption& option,
                           const QWidget* widget);
-  /// What the words at the head of a column keep clear beyond Fusion's margin, to stand above those of the cells [px].
+  /// The extra margin of a column's head beyond Fusion's, so that its words stand above the words of the cells [px].
   int headMargin() const;
   void drawMenuEntry(ControlElement element, const QStyleOptionMenuItem& item, QPainter& painter,
                      const QWidget* widget) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Buttons, fields, indicators and scroll bars: what is pressed, typed into or turned.
+// Buttons, fields, indicators and scroll bars: the controls of the window.
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QMenu>
@@ -17,7 +17,7 @@ namespace surefoot {
 
 namespace {
 
-/// What every field and button stands on: a rounded frame, heavier and in the accent where the keyboard is.
+/// The plate of every field and button: a rounded frame; with the keyboard focus it is heavier and in the accent.
 void drawPlate(QPainter& p, const QStyleOption& option, const QColor& fill, const QColor& frame) {
   const bool focus = option.state & QStyle::State_HasFocus;
   const double pen = focus ? scaled(2.0) : scaled(1), inset = pen / 2, round = scaled(4.0);
@@ -88,7 +88,7 @@ void drawIndicator(QPainter& p, const QStyleOption& option, bool round) {
   p.restore();
 }
 
-/// In a menu there are no boxes: what is on has a tick, or as one of several Fusion's dot.
+/// A menu has no boxes: an entry that is on has a tick, or Fusion's dot if it is one of several choices.
 void drawMenuTick(QPainter& p, const QStyleOption& option) {
   if (!(option.state & QStyle::State_On)) return;
   p.save();
@@ -108,7 +108,7 @@ void drawScrollBar(QPainter& p, const QStyleOption& option, const QRect& handle)
   p.restore();
 }
 
-/// Who shows by himself where the keyboard is.
+/// Whether a widget itself shows that it has the keyboard focus.
 bool showsItsFocus(const QWidget* widget) {
   return qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QComboBox*>(widget) ||
          qobject_cast<const QTabBar*>(widget) || qobject_cast<const QTableView*>(widget);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands in rows: menus, tabs, heads and cells of tables; and the lines between panels.
+// Items in rows: menus, tabs, heads and cells of tables; and the lines between panels.
 #include <QPainter>
 #include <QStyleOption>
 #include <QTableView>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What things stand on, and the lines between them: menus, tool tips, dialogs, framed areas, cells, docks.
+// Backgrounds, and the lines between them: menus, tool tips, dialogs, framed areas, cells, docks.
 #include <QDialog>
 #include <QDockWidget>
 #include <QPainter>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Widgets that are drawn by hand, in pixels at text size 1 (see ui/scale.h). Inside such a class width(), height(),
-// rect() and size() are in those pixels, rounded up; a ScaledPainter enlarges what is drawn, mouseAt() says where the
+// rect() and size() are in those pixels, rounded up; a ScaledPainter enlarges the drawing, mouseAt() says where the
 // mouse is and place() puts a child widget.
 #pragma once
 

@@ -30,8 +30,8 @@ std::vector<Follower>& followers() {
   return list;
 }
 
-/// Styles keep what they measured, and layouts what they were told: both ask again. What is laid out by hand is laid
-/// out in its resizeEvent.
+/// Styles and layouts keep old sizes: this makes both ask again. A widget that is laid out by hand does it in its
+/// resizeEvent.
 void measureAgain(const QPointer<QWidget>& widget) {
   if (!widget) return;
   QEvent style(QEvent::StyleChange);
@@ -44,7 +44,7 @@ void measureAgain(const QPointer<QWidget>& widget) {
   if (widget) widget->update();
 }
 
-/// Once more when all of them have answered: a menu bar is as high as what stands in its corner.
+/// Lays out once more after all widgets were measured: a menu bar is as high as the widget in its corner.
 void layOutAgain(const std::vector<QPointer<QWidget>>& widgets) {
   for (const QPointer<QWidget>& widget : widgets) {
     if (!widget || !widget->layout()) continue;
@@ -53,8 +53,8 @@ void layOutAgain(const std::vector<QPointer<QWidget>>& widgets) {
   }
 }
 
-/// What is shown is measured at once; what is not (other pages, closed dialogs) in parts, between other events: nobody
-/// waits for what he does not see.
+/// Visible widgets are measured at once. Hidden ones (other pages, closed dialogs) are measured in parts, between other
+/// events, so that nobody waits for them.
 class Measuring final {
  public:
   Measuring() {
@@ -80,7 +80,7 @@ class Measuring final {
 
   QTimer next_;
   std::vector<QPointer<QWidget>> shown_, hidden_;
-  std::size_t at_ = 0;  // of the hidden ones
+  std::size_t at_ = 0;  // index in hidden_
 };
 
 }  // namespace

@@ -20,7 +20,7 @@ struct Piece {
   bool low = false;
 };
 
-/// A "_" between one letter and one letter or digit, not that of a key ("swing_hip").
+/// Whether a "_" stands between one letter and one letter or digit; not so in a key ("swing_hip").
 bool lowersNext(const QString& text, qsizetype i) {
   const auto isWord = [&](qsizetype at) {
     return at >= 0 && at < text.size() && (text[at].isLetterOrNumber() || text[at] == kLow);

@@ -10,13 +10,13 @@ namespace surefoot {
 
 namespace {
 
-/// "svg" of "Vector graphics (*.svg)"; empty: any.
+/// "svg" from "Vector graphics (*.svg)"; empty: any ending.
 QString endingOf(const QString& filter) {
   static const QRegularExpression ending(QStringLiteral("\\*\\.(\\w+)"));
   return ending.match(filter).captured(1);
 }
 
-/// A name that has no ending gets that of the kind of file that is chosen.
+/// A name without an ending gets the ending of the chosen kind of file.
 class FileDialog final : public QFileDialog {
  public:
   FileDialog(QWidget* parent, const QString& title, const QString& folder, const QString& filter)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Views as files: PNG (twice the size on the screen), SVG, PDF; and CSV of what some of them show.
+// Views as files: PNG (twice the size on the screen), SVG, PDF; and CSV of the numbers that some of them show.
 #pragma once
 
 #include <QImage>
@@ -11,15 +11,15 @@ class QMenu;
 
 namespace surefoot {
 
-/// A view that can say its numbers.
+/// A view that can give its numbers.
 class CsvSource {
  public:
   virtual ~CsvSource() = default;
-  /// Empty: there is nothing to say yet.
+  /// The numbers as CSV; empty: there are none yet.
   virtual std::string asCsv() const = 0;
-  /// A picture of the view is about to be made, or has been: alone it may have to say more.
+  /// A picture of the view is about to be made (true), or was made (false); the view may add a title, for example.
   virtual void prepareExport(bool exporting) { static_cast<void>(exporting); }
-  /// What its context menu offers before everything that all have (view_menu.h).
+  /// Adds the view's own entries at the top of its context menu (view_menu.h).
   virtual void fillMenu(QMenu& menu) { static_cast<void>(menu); }
 };
 

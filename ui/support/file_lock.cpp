@@ -13,7 +13,7 @@ namespace surefoot {
 
 namespace {
 
-/// Whether the open file is still the one of that name: another process may have removed it meanwhile.
+/// Whether the open file still has this path: another process may have removed it meanwhile.
 bool isStillThere(int file, const char* path) {
   struct stat open {
   }, named{};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A lock that ends with its process, whatever ends it: the system holds it (flock), so a lock file that was left by a
-// crash, in an earlier boot or with other content in it is no lock, and a number of a process that is in use again says
-// nothing.
+// A lock that ends with its process, however the process ends: the system holds it (flock). A file alone is no lock, so
+// a file that was left by a crash or an earlier boot locks nothing, whatever is in it. Process numbers, which can be
+// used again, play no part.
 #pragma once
 
 #include <QString>
@@ -15,7 +15,7 @@ class FileLock {
   FileLock(FileLock&& other) noexcept;
   FileLock& operator=(FileLock&& other) noexcept;
 
-  /// Takes the lock, for which `path` is made where it is missing. Where it cannot be made, there is no lock.
+  /// Takes the lock; the file `path` is made if it is missing. If it cannot be made, there is no lock.
   static FileLock take(const QString& path);
   bool held() const { return file_ >= 0; }
   /// Gives it back; its file goes.

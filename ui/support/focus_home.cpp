@@ -14,7 +14,7 @@ namespace surefoot {
 
 namespace {
 
-/// What would keep the window's keys, and has no use for Escape itself.
+/// Whether a widget would keep the window's keys, but does not use Escape itself.
 bool keepsKeys(const QWidget& widget) {
   return qobject_cast<const QLineEdit*>(&widget) || qobject_cast<const QAbstractSpinBox*>(&widget) ||
          qobject_cast<const QPlainTextEdit*>(&widget) || qobject_cast<const QComboBox*>(&widget) ||
@@ -28,7 +28,7 @@ bool isInQuestion(const QWidget& widget) {
   return false;
 }
 
-/// What stood there before it was typed at.
+/// Restores the text from before the typing.
 void takeBack(QLineEdit& field) {
   if (!field.isModified()) return;
   while (field.isUndoAvailable()) field.undo();

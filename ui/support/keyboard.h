@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Who gets a key: the window's shortcuts are single keys (Space, R, the arrows …), so what has the focus must be asked
-// first, or no button could be pressed and no slider moved without a mouse.
+// Decides which widget gets a key. The window's shortcuts are single keys (Space, R, the arrows …), so the widget with
+// the focus is asked first, or no button could be pressed and no slider moved without a mouse.
 #pragma once
 
 #include <QObject>
@@ -28,7 +28,7 @@ bool usesKey(const QWidget& widget, const QKeyEvent& event);
 /// A property of a list whose cells are not walked through: ← and → are not its own.
 inline constexpr char kRowsOnly[] = "rowsOnly";
 
-/// The ring around what has the focus, inside its edge.
+/// The ring around the widget with the focus, inside its edge.
 void drawFocusRing(QPainter& painter, const QWidget& widget);
 
 }  // namespace surefoot

@@ -10,7 +10,7 @@
 namespace surefoot {
 
 QString tipText(const QString& text) {
-  constexpr int kLine = 60;  // [characters]; Qt wraps what it takes for HTML, and nothing else
+  constexpr int kLine = 60;  // [characters]; Qt wraps only texts that it takes for HTML
   const bool longLine = text.contains('\n') || text.size() > kLine;
   return longLine || Qt::mightBeRichText(text) ? Qt::convertFromPlainText(text, Qt::WhiteSpaceNormal) : text;
 }

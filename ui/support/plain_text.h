@@ -17,13 +17,13 @@ QString tipText(const QString& text);
 /// The text of a menu's entry: "a&b" has no mnemonic.
 QString menuText(QString text);
 
-/// Name, symbol, unit, range, formula and a sentence: what is to be said of a parameter, as lines.
+/// A parameter in lines: name, symbol, unit, range, formula and a sentence.
 QStringList linesOf(const Parameter& parameter);
 
-/// The same of a word; its title stands first.
+/// A word of the glossary in lines; its title stands first.
 QStringList linesOf(const Word& word);
 
-/// The tooltip of something that is chosen by name; `help` where the glossary has no word for it.
+/// The tooltip of a choice by its name; `help` if the glossary has no word for it.
 QString tipOf(const std::string& name, const std::string& help);
 
 }  // namespace surefoot

@@ -17,9 +17,9 @@ const QString kPrefix = QStringLiteral("autosave-");
 const QString kLast = QStringLiteral("last-session-");
 const QString kEnding = QStringLiteral(".surefoot");
 const QString kLock = QStringLiteral(".lock");
-constexpr std::size_t kMostBefore = 3;  // lives before, of which the file is left
-constexpr int kMostLast = 3;            // sessions that were closed and not asked for since,
-constexpr qint64 kLarge = 64ll << 20;   // and of those that are larger [bytes] one
+constexpr std::size_t kMostBefore = 3;  // files of earlier lives that are kept
+constexpr int kMostLast = 3;            // closed sessions that are kept,
+constexpr qint64 kLarge = 64ll << 20;   // and only one of those larger than this [bytes]
 
 /// Removes the lock files of processes that are gone.
 void removeStaleLocks(const QString& folder) {
@@ -35,9 +35,9 @@ QStringList orphans(const QString& folder, const QString& prefix) {
   return list;
 }
 
-/// A name that no other process has had: a number of a process is used again.
+/// A name that no other process has had: process numbers are used again, so the time is in it as well.
 QString newPath(const QString& folder, const QString& prefix) {
-  static qint64 last = 0;  // one whose file is still to come
+  static qint64 last = 0;  // the last number given out; its file may not exist yet
   for (qint64 i = std::max(QDateTime::currentMSecsSinceEpoch(), last + 1);; ++i) {
     const QString name = QStringLiteral("%1%2-%3").arg(prefix).arg(QCoreApplication::applicationPid()).arg(i, 0, 36);
     const QString path = QDir(folder).filePath(name + kEnding);
@@ -64,8 +64,8 @@ Autosave::Autosave(RunningLife& life, History& history, LifeFiles& files, QStrin
 }
 
 void Autosave::tick() {
-  constexpr std::size_t kEach = 32u << 20;  // [bytes] that may be written a tick
-  if (!life_.learned()) return;             // one that learned something, written before, is worth more
+  constexpr std::size_t kEach = 32u << 20;  // [bytes] that may be written per tick
+  if (!life_.learned()) return;             // an earlier file of a life that learned something is worth more
   const auto* values = life_.values() ? life_.values()->values.get() : nullptr;
   const std::size_t rest = values ? values->bytes() / kEach : 0;
   if (static_cast<std::size_t>(waited_++) < rest) return;
@@ -73,7 +73,7 @@ void Autosave::tick() {
   save();
 }
 
-/// What was written of the life before is not written over before that is saved, comes back or is let go.
+/// The file of the life before is not overwritten until that life is saved, brought back or dropped.
 void Autosave::beginAnotherFile() {
   const auto kept = history_.lastKept();
   if (saved_ < 0 || !kept || kept->known.progress.steps < saved_) return;
@@ -89,10 +89,10 @@ void Autosave::beginAnotherFile() {
   path_ = newPath(folder_, kPrefix);
   lock_ = FileLock::take(path_ + kLock);
   saved_ = -1;
-  again_ = writing_;  // what is being written is still the life before
+  again_ = writing_;  // a file in writing still holds the life before
 }
 
-/// The life that runs is on the disk: of those before, files stay only of what is neither saved nor there again.
+/// The present life is on the disk. The file of an earlier life stays only while undo keeps that life unsaved.
 void Autosave::forgetBefore() {
   std::erase_if(before_, [](const Before& b) {
     const auto life = b.life.lock();
@@ -125,7 +125,7 @@ void Autosave::forget(const QString& file) {
 void Autosave::takeOver(const QString& file) {
   takenOver_ = file;
   saved_ = -1;
-  again_ = writing_;  // what is being written is still the session before
+  again_ = writing_;  // a file in writing still holds the session before
   save();
 }
 

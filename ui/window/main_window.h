@@ -33,11 +33,11 @@ struct Preferences;
 enum class Appearance;
 enum class SavedAs;
 
-/// What the program gives its window.
+/// The data that the program gives to its window.
 struct WindowSetup {
   std::vector<PlanSource> plans;  ///< to choose from on the Experiment page
-  QString folder;                 ///< for results and what must survive a crash; empty: the user's data folder
-  bool asksOnQuit = true;         ///< whether to save what was learned; where quitting writes the results: no
+  QString folder;                 ///< for results and autosaves; empty: the user's data folder
+  bool asksOnQuit = true;         ///< whether quitting asks to save; false if quitting writes the results
 };
 
 class MainWindow final : public QMainWindow {
@@ -49,7 +49,7 @@ class MainWindow final : public QMainWindow {
   ExperimentPage& experimentPage() { return *experiment_; }
   MessageBar& messages() { return *messages_; }
   void setPage(int page);
-  /// Whatever it is: a session, a Q-function, a journal, a plan, results.
+  /// Opens any kind of file: a session, a Q-function, a journal, a plan, results.
   void openFile(const QString& path);
   void saveTo(SavedAs what, const QString& path, const std::function<void()>& then = {});
   /// The program is ended from outside: the session is kept for the next start, then the window closes.

@@ -88,7 +88,7 @@ void MainWindow::showAbout() {
          "<p>The methods are those of M. van Diepen's thesis<br><i>Avoiding failure states during Reinforcement "
          "Learning</i>, Delft.</p><p>Free software under the GNU General Public License, version 3 or later.</p>")
           .arg(QApplication::applicationVersion()));
-  text->setTextFormat(Qt::RichText);  // nothing in it is from outside
+  text->setTextFormat(Qt::RichText);  // safe: no part of it comes from outside
   column->addWidget(text);
   fillDialog(*dialog, body);
   dialog->show();

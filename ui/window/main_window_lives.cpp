@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of the window that sees to it that no life is lost: the questions before one ends, the name of the session
-// and its mark, what happens on quitting and after it.
+// The part of the window that keeps lives from being lost: the questions before a life ends, the name of the session
+// and its mark, and the work on quitting and after it.
 #include <QCloseEvent>
 #include <QFileInfo>
 #include <QSettings>
@@ -99,7 +99,7 @@ QString MainWindow::sessionName() const {
   return path.isEmpty() ? tr("untitled session") : QFileInfo(path).completeBaseName();
 }
 
-// The mark has its place in the title only while it is shown: a title without one is compared by scripts.
+// The title holds the mark's placeholder only while the mark is shown: scripts compare the title without it.
 void MainWindow::refreshTitle() {
   const bool finished = session_.life().finished(), named = !session_.life().file().path.isEmpty();
   const bool unsaved = session_.life().unsaved(), marked = unsaved && !finished;
@@ -111,7 +111,7 @@ void MainWindow::refreshTitle() {
   refreshName();
 }
 
-/// The session's name beside the tabs, and what its tip counts.
+/// The session's name beside the tabs, and the counts in its tooltip.
 void MainWindow::refreshName() {
   const bool unsaved = session_.life().unsaved();
   const QString& path = session_.life().file().path;
@@ -132,7 +132,7 @@ void MainWindow::closeForNow() {
   });
 }
 
-/// What would be lost: of the life that runs, and of those that undo could bring back.
+/// A text about the lives that would be lost: the present one, and those that undo could bring back.
 QString MainWindow::whatIsNotSaved() const {
   const auto before = session_.history().unsavedBefore();
   QStringList others;
@@ -164,7 +164,7 @@ Session* MainWindow::secondUnsaved() const {
   return rival && rival->session().life().unsaved() ? &rival->session() : nullptr;
 }
 
-/// Whether there is something to be asked. Saved one after the other, until nothing is left.
+/// Asks about unsaved lives; false: there are none. They are saved one after the other.
 bool MainWindow::askBeforeQuit() {
   const QString sentence = asksOnQuit_ ? whatIsNotSaved() : QString();
   if (sentence.isEmpty()) return false;
@@ -209,7 +209,7 @@ void MainWindow::saveSecond(const std::function<void()>& then) {
                 });
 }
 
-/// What was learned stays for the next start, whatever was answered. Where it cannot be written, the window stays once.
+/// Keeps the lives for the next start, whatever the answer was. If they cannot be written, the window stays open once.
 void MainWindow::quit() {
   if (closing_) return;
   closing_ = true;

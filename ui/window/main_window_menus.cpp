@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The menus of the window, what they do, and its page tabs.
+// The menus of the window with their actions, and its page tabs.
 #include <QAbstractButton>
 #include <QApplication>
 #include <QHBoxLayout>
@@ -26,7 +26,7 @@ namespace surefoot {
 
 namespace {
 
-/// A page's name at the right end of the menu; a line below the one that is shown.
+/// A page's name at the right end of the menu bar; the shown page has a line below its name.
 class PageTab final : public Painted<QAbstractButton> {
  public:
   PageTab(const QString& text, QWidget* parent) : Painted(parent) {

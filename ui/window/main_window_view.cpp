@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The View menu: panels, layouts and those that a person keeps, colours, full screen; and the preferences.
+// The View menu: panels, layouts (also a person's own), colours, full screen; and the preferences.
 #include <QActionGroup>
 #include <QApplication>
 #include <QInputDialog>
@@ -23,7 +23,7 @@ namespace {
 constexpr int kMostLayouts = 20;
 constexpr int kLongestName = 40;
 
-/// A name as a key of the settings, which must not hold slashes.
+/// A name as a key of the settings; keys must not hold slashes.
 QString keyOf(const QString& name) {
   return QStringLiteral("layouts/") + QString::fromLatin1(name.toUtf8().toPercentEncoding());
 }

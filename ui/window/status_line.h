@@ -24,7 +24,7 @@ class StatusLine final : public Painted<> {
   /// Shows these instead of the life's state, until follow().
   void say(const QString& left, const QString& right);
   void follow();
-  /// What it says, from left to right.
+  /// Its texts, from left to right.
   QStringList texts() const { return segments_ + QStringList{state_}; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The glossary: a list of words that can be searched, and what the chosen one means.
+// The glossary: a list of words that can be searched, and the meaning of the chosen word.
 #pragma once
 
 #include <QDialog>
@@ -15,7 +15,7 @@ class WordsDialog final : public QDialog {
 
  public:
   explicit WordsDialog(QWidget* parent = nullptr);
-  /// Shows the word of something that is chosen by name.
+  /// Shows the word for an entry of the registry, by the entry's name.
   void showWord(const std::string& name);
 
  private:

@@ -22,9 +22,9 @@ class EpisodeSpool {
   EpisodeSpool& operator=(const EpisodeSpool&) = delete;
   ~EpisodeSpool();
 
-  /// Never fails: what the disk does not take waits in memory.
+  /// Never fails: text that cannot be written to the disk waits in memory.
   void append(int life, std::string text);
-  /// All parts in the order of the lives, those of a life in the order in which they came, until `take` fails.
+  /// Reads all parts until `take` fails: ordered by life, and within a life in the order of append().
   Status read(const std::function<Status(std::string_view part)>& take);
 
  private:

@@ -15,8 +15,8 @@ namespace surefoot {
 
 namespace {
 
-/// A checkpoint holds the whole log, so that a resumed life can write it; then it is in memory as well. What cannot fit
-/// is refused before a night is spent on it.
+/// A checkpoint holds the whole log, so that a resumed life can write it; then it is in memory as well. A log that
+/// cannot fit is refused before the run, which may take a night.
 Status checkMemory(const TrainRequest& request) {
   const Configuration& c = request.configuration;
   if (!request.log || !request.checkpoint || !c.episodes) return Done{};
@@ -58,7 +58,7 @@ std::int64_t TrainFiles::visitEvery() const {
 }
 
 void TrainFiles::visit(const Life& life) {
-  if (life.diverged()) return;  // nothing that anyone would want to go on from
+  if (life.diverged()) return;  // nobody would want to continue from a diverged life
   if (save_) learned_ = qFileOf(life, request_->configuration).write();
   if (!request_->checkpoint) return;
   std::string bytes = checkpointOf(life, request_->configuration, keepRows()).write();
@@ -68,8 +68,8 @@ void TrainFiles::visit(const Life& life) {
 
 namespace {
 
-/// The place was free when the run began and is not any more, or its folder is gone: what was lived must not be lost
-/// for that. Beside it, or in the current folder; the error says where.
+/// The place was free when the run began, but now it is taken or its folder is gone. So that the results are not lost,
+/// writes beside it or in the current folder; the error says where.
 Error rescue(const std::string& path, const TrainFiles::Write& write, const Error& why) {
   const std::filesystem::path wanted = path;
   const std::string name = fmt::format("{}-{}", wanted.filename().string(), getpid());

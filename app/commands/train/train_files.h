@@ -24,12 +24,12 @@ class TrainFiles {
   /// Whether visit() wants to be called, and after how many steps.
   bool wantsVisits() const { return save_ || request_->checkpoint; }
   std::int64_t visitEvery() const;
-  /// Saves what is learned so far. On the life's thread.
+  /// Saves the learned values so far. On the life's thread.
   void visit(const Life& life);
   /// Whether takeRows() wants the rows while lives go on.
   bool wantsRows() const { return spool_ != nullptr; }
   void takeRows(int life, const std::vector<EpisodeRow>& rows);
-  /// Writes what is left to write. What is not in its place in the end, one sentence a file: it says where the file is
+  /// Writes the remaining files. Returns one error for each file that is not in its place: it says where the file is
   /// instead, or that it is lost.
   std::vector<Error> finish(const std::vector<LifeResult>& lives);
 

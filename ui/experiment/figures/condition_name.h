@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How names of conditions are shown: with a true minus, and in groups. "pre(2): TRL -50" belongs to the group "pre(2)",
-// in which it is called "TRL −50"; there it is the bar "−50" of the family "TRL".
+// How names of conditions are shown: with a true minus, and in groups. "pre(2): TRL -50" belongs to the group "pre(2)".
+// In this group its name is "TRL −50": it is the bar "−50" of the family "TRL".
 #pragma once
 
 #include <QString>
@@ -11,11 +11,11 @@ namespace surefoot {
 
 /// The name with a true minus before its numbers.
 QString shownName(const std::string& name);
-/// What stands before ": "; empty: the name has no group.
+/// The part of the name before ": "; empty: the name has no group.
 std::string groupOf(const std::string& name);
 /// "pre-learned on scenario 2"
 QString groupTitle(const std::string& group);
-/// What stands behind ": ".
+/// The part of the name after ": ".
 QString nameInGroup(const std::string& name);
 
 /// How conditions are put together in a figure.
@@ -24,10 +24,10 @@ struct NameGroups {
     QString title;
     std::size_t first = 0, last = 0;  ///< places in `order`
   };
-  std::vector<std::size_t> order;  ///< numbers of the names: those of one group stand together
-  std::vector<QString> labels;     ///< by place
+  std::vector<std::size_t> order;  ///< indices of the names; names of one group are neighbours
+  std::vector<QString> labels;     ///< one label per place
   std::vector<Run> families;       ///< neighbours that differ by a number only
-  std::vector<Run> groups;         ///< those that have a title
+  std::vector<Run> groups;         ///< the groups that have a title
 };
 NameGroups groupNames(const std::vector<std::string>& names);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What all figures have: ranges, axes, titles, and the choice of what stands out.
+// The parts that all figures have: ranges, axes, titles, and the choice of the series that stand out.
 #include "ui/experiment/figures/figure_painter.h"
 
 #include <algorithm>
@@ -17,9 +17,9 @@ namespace surefoot {
 
 namespace {
 
-constexpr std::size_t kFew = 3;  // so many curves are all drawn in full
+constexpr std::size_t kFew = 3;  // up to this number, all curves are drawn in full
 
-/// A value on an axis whose ticks are so far apart.
+/// A value on an axis; `step` is the distance between two ticks.
 QString tickText(double value, double step) {
   return toText(step < 0.01  ? fixedText(value, 3)
                 : step < 0.1 ? fixedText(value, 2)
@@ -101,7 +101,7 @@ bool FigurePainter::isReference(std::size_t series) const {
                      [&](const FigureSeries& s) { return s.reference == name && s.name != name; });
 }
 
-// With a choice, it and what it is compared with; else the references, or all where there are few.
+// If a condition is chosen: it and its reference. Else the references, or all series if there are few.
 bool FigurePainter::standsOut(std::size_t series) const {
   const auto chosen = std::find_if(figure_.series.begin(), figure_.series.end(),
                                    [&](const FigureSeries& s) { return s.name == chosen_; });

@@ -2,8 +2,8 @@
 // Draws a figure of the laboratory: upright bars with intervals, curves with their 95 % bands, or a picture. Needs no
 // widget, so that files can be made on any thread.
 //
-// Colour says the policy, the dash of a curve the learning rule. The reference and the chosen series are thick and have
-// their bands, the others are thin and light; a bar is open while lives of its condition are missing.
+// The colour shows the policy, the dash of a curve the learning rule. The reference and the chosen series are thick and
+// have their bands, the others are thin and light; a bar is open while lives of its condition are missing.
 #pragma once
 
 #include <QObject>
@@ -23,35 +23,35 @@ class FigurePainter {
   const Figure& figure() const { return figure_; }
   /// The series of this condition stands out beside the references; empty: none.
   void setChosen(const std::string& condition) { chosen_ = condition; }
-  /// A panel's header says the title already.
+  /// False where a panel's header shows the title already.
   void setTitleShown(bool shown) { titleShown_ = shown; }
 
-  /// The part of a curve's time axis that is shown; none: all of it. Kept within what there is.
+  /// The part of the time axis of curves that is shown; none: all of it. Kept within the whole axis.
   void setTime(std::optional<std::pair<double, double>> part);
   std::pair<double, double> time() const { return {xLeast_, xMost_}; }
   bool isPart() const { return xLeast_ > xFirst_ || xMost_ < xLast_; }
   /// The time below a point of the plot.
   std::optional<double> timeAt(QPointF point, QSizeF size) const;
-  /// A line at this point of the plot, and the values there of what stands out and of the curve nearest to it.
+  /// Draws a line at this point, with the values there of the nearest curve and of the series that stand out.
   void setReading(std::optional<QPointF> point) { reading_ = point; }
 
-  /// What the y axis shows, from its lowest to its highest tick.
+  /// The range of the y axis, from its lowest to its highest tick.
   std::pair<double, double> yRange() const { return {yLeast_, yMost_}; }
-  /// The smallest in which everything can be read, to the last bar and the last name of the list [px].
+  /// The smallest size in which everything can be read, also the last bar and the last name of the list [px].
   QSizeF fullSize() const;
-  /// How far bars can be moved to the left [px]; 0: all are there.
+  /// How far the bars can be scrolled to the left [px]; 0: all are visible.
   double mostScroll(QSizeF size) const;
   void paint(QPainter& p, const Theme& t, QSizeF size, double scroll = 0) const;
 
   /// The series at a point: a bar, a curve near it, or a name in the list.
   std::optional<std::size_t> seriesAt(QPointF point, QSizeF size, double scroll = 0) const;
-  /// "TRL 50: 93.4 (84.1 … 102.7), 40 lives": what is there, for a tooltip.
+  /// "TRL 50: 93.4 (84.1 … 102.7), 40 lives": the tooltip at this point.
   QString textAt(QPointF point, QSizeF size, double scroll = 0) const;
 
  private:
   struct BarLayout {
-    QRectF plot;            ///< of the bars that can be seen
-    double column = 0;      ///< width of one [px]
+    QRectF plot;            ///< the part with the bars that can be seen
+    double column = 0;      ///< width of one column [px]
     double gap = 0;         ///< before every group but the first
     std::vector<double> x;  ///< middles, by place, without the scroll
     int labelLines = 1;
@@ -59,7 +59,7 @@ class FigurePainter {
   };
   BarLayout barLayout(QSizeF size) const;
   QRectF curvePlot(QSizeF size) const;
-  std::vector<std::size_t> listed(QSizeF size) const;  ///< what the list of curves has room for, in order
+  std::vector<std::size_t> listed(QSizeF size) const;  ///< the series that have room in the list of curves, in order
   double listTop(QSizeF size) const;
   double listWidth(double most) const;
   double top() const;
@@ -81,7 +81,7 @@ class FigurePainter {
   void paintCurves(QPainter& p, const Theme& t, const QRectF& plot) const;
   void paintCurve(QPainter& p, const Theme& t, const QRectF& plot, std::size_t series) const;
   void paintReading(QPainter& p, const Theme& t, QSizeF size) const;
-  std::optional<std::size_t> placeAt(std::size_t series, double time) const;  ///< of the last value up to then
+  std::optional<std::size_t> placeAt(std::size_t series, double time) const;  ///< index of the last value by then
   void paintList(QPainter& p, const Theme& t, QSizeF size) const;
   void paintScene(QPainter& p, const Theme& t, QSizeF size) const;
   QPen penOf(std::size_t series, const Theme& t) const;
@@ -94,7 +94,7 @@ class FigurePainter {
 
   Figure figure_;
   NameGroups names_;
-  std::vector<std::size_t> byEnd_;  // of curves: the series by their last values, the highest first
+  std::vector<std::size_t> byEnd_;  // curves only: the series in the order of their last values, the highest first
   std::string chosen_;
   bool titleShown_ = true;
   std::optional<QPointF> reading_;

@@ -13,13 +13,13 @@ namespace surefoot {
 namespace {
 
 constexpr int kMostLabelLines = 3;
-constexpr double kBar = 0.52, kWidestColumn = 8.5, kWidestBar = 2.5;  // of a column; in lines of text
+constexpr double kBar = 0.52, kWidestColumn = 8.5, kWidestBar = 2.5;  // share of a column; others: lines of text
 
 QFontMetricsF small() {
   return QFontMetricsF(textFont(11));
 }
 
-/// A label in lines no wider than a column; the last one is cut where it must be.
+/// A label in lines that are no wider than a column; the last line is cut if it is too long.
 QStringList wrapped(const QString& label, double width) {
   QStringList lines;
   const QFontMetricsF metrics = small();
@@ -37,7 +37,7 @@ QStringList wrapped(const QString& label, double width) {
   return lines;
 }
 
-/// A bracket's title, in the middle of what can be seen of it.
+/// A bracket's title, in the middle of its visible part.
 void drawRunTitle(QPainter& p, const QString& title, double from, double to, const QRectF& seen, double y) {
   const double left = std::max(from, seen.left()), right = std::min(to, seen.right());
   if (right - left < 8) return;
@@ -47,7 +47,7 @@ void drawRunTitle(QPainter& p, const QString& title, double from, double to, con
 
 }  // namespace
 
-/// As wide as the longest word below a bar asks for, within reason.
+/// Wide enough for the longest word below a bar, up to a limit.
 double FigurePainter::smallestColumn() const {
   const QFontMetricsF metrics = small();
   double widest = 1.6 * metrics.height();
@@ -69,7 +69,7 @@ QStringList FigurePainter::barHead() const {
   return head;
 }
 
-/// Lines of the legend above the bars, which wraps, and room for the marks of the highest bar.
+/// Height of the legend above the bars (its lines wrap), with room for the marks of the highest bar.
 double FigurePainter::headHeight(double width) const {
   const QFontMetricsF metrics = small();
   double x = 0;
@@ -189,7 +189,7 @@ void FigurePainter::paintMarks(QPainter& p, const Theme& t, double x, double bar
   p.drawPolygon(QPolygonF{{c.x(), c.y() - arm}, {c.x() + arm, c.y()}, {c.x(), c.y() + arm}, {c.x() - arm, c.y()}});
 }
 
-/// A dashed line at every reference's mean, over what is compared with it.
+/// A dashed line at the mean of every reference, over the bars that are compared with it.
 void FigurePainter::paintReferences(QPainter& p, const Theme& t, const BarLayout& l) const {
   for (std::size_t place = 0; place < l.x.size(); ++place) {
     const FigureSeries& reference = figure_.series[names_.order[place]];

@@ -12,7 +12,7 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kStroke = 28, kNear = 10;  // of a stroke in the list; a curve under the mouse [px]
+constexpr double kStroke = 28, kNear = 10;  // length of a stroke in the list; reach of the mouse around a curve [px]
 
 bool known(const Interval& i) {
   return std::isfinite(i.low) && std::isfinite(i.high);
@@ -41,7 +41,7 @@ QPen FigurePainter::penOf(std::size_t series, const Theme& t) const {
   return pen;
 }
 
-/// Names in the list leave out the group that all have.
+/// Names in the list leave out a group that is the same for all.
 QString FigurePainter::listName(std::size_t series) const {
   const std::string& name = figure_.series[series].name;
   const bool one = std::all_of(figure_.series.begin(), figure_.series.end(),
@@ -68,7 +68,7 @@ double FigurePainter::listTop(QSizeF size) const {
   return curvePlot(size).top() + (figure_.series.size() > 1 ? rowHeight() : 0);
 }
 
-// What stands out is always in the list.
+// Series that stand out are always in the list.
 std::vector<std::size_t> FigurePainter::listed(QSizeF size) const {
   const double room = size.height() - listTop(size) - 6;
   const auto rows = static_cast<std::size_t>(std::max(1.0, std::floor(room / rowHeight())));
@@ -117,7 +117,7 @@ void FigurePainter::paintList(QPainter& p, const Theme& t, QSizeF size) const {
 void FigurePainter::paintCurves(QPainter& p, const Theme& t, const QRectF& plot) const {
   p.save();
   p.setClipRect(plot.adjusted(-4, -4, 4, 4));
-  for (const bool out : {false, true})  // what stands out lies above
+  for (const bool out : {false, true})  // series that stand out are drawn last, above the others
     for (std::size_t i = 0; i < figure_.series.size(); ++i)
       if (standsOut(i) == out) paintCurve(p, t, plot, i);
   p.restore();

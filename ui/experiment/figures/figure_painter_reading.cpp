@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of the time axis that curves are shown for, and what they say at a time.
+// The part of FigurePainter for the time axis of curves: the range that is shown, and the values at a time.
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +12,7 @@ namespace surefoot {
 
 namespace {
 constexpr std::size_t kMostRead = 8;  // values in the box
-constexpr double kLeastPart = 1e-3;   // of the time axis
+constexpr double kLeastPart = 1e-3;   // the smallest share of the time axis that is shown
 }  // namespace
 
 QString intervalText(const Interval& v) {
@@ -55,7 +55,7 @@ void FigurePainter::paintReading(QPainter& p, const Theme& t, QSizeF size) const
   for (const std::size_t i : byEnd_)
     if (placeAt(i, *time) && (i == nearest || (standsOut(i) && read.size() + 1 < kMostRead))) read.push_back(i);
   if (read.empty()) return;
-  // The box stands beside the line, where there is more room.
+  // The box stands beside the line, on the side with more room.
   p.setFont(textFont(11));
   const double row = QFontMetricsF(p.font()).height() + 2, stroke = 14;
   std::vector<QString> texts;

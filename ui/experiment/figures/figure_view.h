@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A figure of the laboratory in the window. Bars that have no room scroll; a click on a series chooses its condition,
-// the mouse above it tells its numbers. Of curves, the wheel and a drag magnify the time axis, a double click shows all
-// of it again; by keys: arrows, + and −, Home.
+// A figure of the laboratory in the window. Bars that have no room scroll. A click on a series chooses its condition,
+// the mouse above it shows its numbers. With curves, the wheel and a drag magnify the time axis, and a double click
+// shows all of it again. The keys for this are the arrows, + and −, Home.
 #pragma once
 
 #include <optional>
@@ -21,18 +21,18 @@ class FigureView final : public Painted<>, public CsvSource {
   explicit FigureView(Figure figure, QWidget* parent = nullptr);
   QSize sizeHint() const override { return scaled(painter_.fullSize().toSize()); }
   QSize minimumSizeHint() const override { return scaled({240, 160}); }
-  /// Another figure; one without series shows the words instead.
+  /// Shows another figure; if it has no series, the words instead.
   void setFigure(Figure figure, const QString& words);
   const Figure& figure() const { return painter_.figure(); }
   /// The series of this condition stands out beside the reference; empty: none.
   void setChosen(const std::string& condition);
-  /// A panel's header says the title already.
+  /// False where a panel's header shows the title already.
   void setTitleShown(bool shown);
 
   /// Writes NAME.png (twice the size on the screen), NAME.svg and NAME.pdf at the full size; a path without its ending.
   Status save(const std::string& path);
   std::string asCsv() const override;
-  /// Alone it has its title and its full size.
+  /// An exported figure has its title and its full size.
   void prepareExport(bool exporting) override;
   void fillMenu(QMenu& menu) override;
 
@@ -55,7 +55,7 @@ class FigureView final : public Painted<>, public CsvSource {
   void layOut();
   void read(std::optional<QPointF> at);
   void moveReading(int pixels);
-  void zoom(double factor, double anchor);  ///< what stands at the anchor [share of the plot] stays there
+  void zoom(double factor, double anchor);  ///< the time at the anchor [share of the plot] stays there
   void pan(double share);
   void showAllOfIt();
   bool curves() const;
@@ -67,7 +67,7 @@ class FigureView final : public Painted<>, public CsvSource {
   QString words_;
   std::string chosen_;
   std::optional<QPointF> reading_, pressed_;
-  QSize before_;  // of an export, on the screen
+  QSize before_;  // the size on the screen, before an export
   bool titleShown_ = true, exporting_ = false;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a person does on a figure: chooses a condition, reads a curve, magnifies its time axis.
+// A person's actions on a figure: choosing a condition, reading a curve, magnifying its time axis.
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMouseEvent>
@@ -72,7 +72,7 @@ void FigureView::mouseMoveEvent(QMouseEvent* event) {
   read(painter_.timeAt(at, drawn()) ? std::optional(at) : std::nullopt);
 }
 
-/// A drag along a plot magnifies what it went over; without one it was a click.
+/// A drag along a plot magnifies the range of the drag; without a drag it was a click.
 void FigureView::mouseReleaseEvent(QMouseEvent* event) {
   const auto from = std::exchange(pressed_, std::nullopt);
   if (!from || event->button() != Qt::LeftButton) return event->ignore();
@@ -111,7 +111,7 @@ bool FigureView::usesKey(const QKeyEvent& event) const {
   }
 }
 
-/// By the keyboard the line goes along the curve that is chosen, or the first that stands out.
+/// The keyboard moves the line along the chosen curve, or along the first that stands out.
 void FigureView::moveReading(int pixels) {
   const QPointF middle(width() / 2.0, height() / 2.0);
   QPointF next = reading_.value_or(middle) + QPointF(pixels, 0);

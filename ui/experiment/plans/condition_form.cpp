@@ -21,7 +21,7 @@ void fill(Combo* combo, const Entries& entries) {
   for (const auto& entry : entries) combo->addItem(toText(entry.title), toText(entry.name));
 }
 
-/// As wide as there is room, whatever its longest entry is.
+/// The box takes the width that is free, even if its longest entry is wider.
 void narrow(Combo* combo) {
   combo->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   combo->setMinimumContentsLength(8);
@@ -90,7 +90,7 @@ ConditionForm::ConditionForm(const Registry& registry, QWidget* parent)
 
 void ConditionForm::watch() {
   connect(environment_, &QComboBox::activated, this, [this] {
-    features_->choose(Names().features);  // which suit every environment
+    features_->choose(Names().features);  // these features suit every environment
     if (episodes_ == hasClock()) setCounted(!hasClock());
     fillForEnvironment();
   });
@@ -122,7 +122,7 @@ void ConditionForm::beginAs(const Condition& condition) {
   pool_->setText(QString::number(condition.preLearning->pool));
 }
 
-/// In what a life's length is counted, with a usual length.
+/// Sets the unit of a life's length (episodes or minutes), with a usual length.
 void ConditionForm::setCounted(bool episodes) {
   episodes_ = episodes;
   lengthLabel_->setText(episodes ? tr("A life [episodes]") : tr("A life [min]"));

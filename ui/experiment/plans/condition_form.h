@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A form that writes a [[condition]] block of a plan: what is learned where, by which rule, what is varied.
+// A form that writes a [[condition]] block of a plan: environment, learning rule, policy, and the varied parameters.
 #pragma once
 
 #include <QWidget>
@@ -22,9 +22,9 @@ class ConditionForm final : public QWidget {
   explicit ConditionForm(const Registry& registry, QWidget* parent = nullptr);
   /// The block as the form is filled in; an error names the field.
   Result<std::string> toml() const;
-  /// Says what this condition says, unless somebody has filled something in.
+  /// Fills the form in like this condition, unless a person has filled something in.
   void beginAs(const Condition& condition);
-  /// What was filled in may go.
+  /// A person's entries may be overwritten now.
   void forget() { touched_ = false; }
 
  private:

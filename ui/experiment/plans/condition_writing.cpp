@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the form of a condition writes.
+// The part of ConditionForm that writes the block.
 #include <fmt/format.h>
 
 #include <QLineEdit>
@@ -32,7 +32,7 @@ Result<std::string> valuesOf(const Parameter& parameter, const std::string& text
 
 }  // namespace
 
-/// Its policy, and in braces what is varied.
+/// The name of the policy, and in braces the varied parameters.
 std::string ConditionForm::name() const {
   if (const QString name = name_->text().simplified(); !name.isEmpty()) return name.toStdString();
   std::string name = policy_->currentText().toStdString();

@@ -26,7 +26,7 @@ namespace surefoot {
 namespace {
 
 enum Columns { Number, Title, Time };
-constexpr int kSource = Qt::UserRole;  // of an item: its place in the list of sources; headings have none
+constexpr int kSource = Qt::UserRole;  // an item's index in the list of sources; headings have none
 
 /// Everything that a search looks through.
 QString haystack(const PlanSource& s) {

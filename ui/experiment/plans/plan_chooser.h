@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The box from which the experiment is chosen. It opens a list of plans, recipes and files, grouped, with the time that
-// each takes; what is typed searches titles, questions and the numbers of figures ("4.6").
+// each takes; typed words search titles, questions and the numbers of figures ("4.6").
 #pragma once
 
 #include <QComboBox>
@@ -20,7 +20,7 @@ class PlanChooser final : public QComboBox {
 
  public:
   PlanChooser(const QString& name, std::vector<PlanSource> sources, QWidget* parent = nullptr);
-  /// What the box says.
+  /// Sets the text of the box.
   void setCurrent(const QString& title);
   /// A file that was opened, or results that were left; a path that is known stands where it is, with the new title.
   void addOwn(const QString& title, const QString& path);
@@ -50,7 +50,7 @@ class PlanChooser final : public QComboBox {
   QLabel* answer_ = nullptr;
 };
 
-/// "4.4–4.9", "table 4.1": what of the thesis a recipe shows; empty: nothing.
+/// "4.4–4.9", "table 4.1": the figures and tables of the thesis that a recipe shows; empty: none.
 QString numbersOf(const PlanSource& source);
 
 }  // namespace surefoot

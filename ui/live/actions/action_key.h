@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the colours of "What the robot would do now" mean, in the head of that panel: Q⁻, Q⁺ and Q where the agent keeps
-// two parts; the policies, where an action is a combination (else their names head columns).
+// The key to the colours in the head of "What the robot would do now": Q⁻, Q⁺ and Q if the agent keeps two parts; the
+// policies if an action is a combination (else their names stand above the columns).
 #pragma once
 
 #include <vector>

@@ -19,7 +19,7 @@
 namespace surefoot {
 
 namespace {
-constexpr int kUpdateEvery = 200;  // [ms]: numbers that change faster cannot be read; bars are of the same moment
+constexpr int kUpdateEvery = 200;  // [ms]: numbers that change faster cannot be read; bars change together with them
 }  // namespace
 
 ActionRows::ActionRows(RunningLife& life, Looking& looking, Editing& editing, QWidget* parent)
@@ -49,7 +49,7 @@ void ActionRows::rebuild() {
   columns_.clear();
   std::vector<std::string> names;
   for (const auto& entry : life_.registry().policies)
-    if (entry.name != "greedy") names.push_back(entry.name);  // the others say which action that is
+    if (entry.name != "greedy") names.push_back(entry.name);  // the other policies show which action is greedy
   if (const std::string& now = life_.configuration().names.policy;
       std::find(names.begin(), names.end(), now) == names.end())
     names.insert(names.begin(), now);
@@ -95,7 +95,7 @@ QString ActionRows::valueText(double q) {
   return toText(fixedText(q, std::abs(q) < 99.95 ? 1 : 0));
 }
 
-/// Of the live state, or of that which is looked at on the map.
+/// Takes the values of the live state, or of the state that is examined on the map.
 void ActionRows::takeValues() {
   const Shown& shown = looking_.shown();
   const std::vector<double>& state = looking_.examined();
@@ -117,8 +117,8 @@ void ActionRows::takeValues() {
   looking_.valuesShown()->evaluate(state, Layer::Negative, negative_);
 }
 
-/// As much of the task's returns, from 0 to both sides, as the values have needed since the life began. It does not
-/// shrink, nor move under a threshold that is being dragged.
+/// The scale shows as much of the task's returns, from 0 to both sides, as the values have needed since the life began.
+/// It never shrinks, and it does not move while the threshold is dragged.
 void ActionRows::fitScale() {
   const double lowest = std::min(life_.task().lowestReturn, 0.0);
   const double highest = std::max(life_.task().highestReturn, lowest == 0 ? 1.0 : 0.0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the robot would do now: a row an action, with its value and its probability under the three policies side by
-// side (the thesis's Figure 4.1, live). The threshold of TRL is a line to drag. Where an action is a combination, a
-// column a variable of it, with a row a level.
+// "What the robot would do now": one row per action, with its value and its probability under the three policies side
+// by side (the thesis's Figure 4.1, live). The threshold of TRL is a line to drag. If an action is a combination, there
+// is one column per action variable, with one row per level.
 #pragma once
 
 #include <QElapsedTimer>
@@ -30,11 +30,11 @@ class ActionRows final : public Painted<>, public CsvSource {
   explicit ActionRows(RunningLife& life, Looking& looking, Editing& editing, QWidget* parent = nullptr);
   QSize sizeHint() const override { return scaled({576, 240}); }
   QSize minimumSizeHint() const override { return scaled({400, 190}); }
-  /// A row an action: its value, the parts of it, its probability under each policy.
+  /// One row per action: its value, the parts of the value, its probability under each policy.
   std::string asCsv() const override;
   /// Least and greatest value on the scale of Q.
   std::pair<double, double> scaleOfQ() const { return {low_, high_}; }
-  /// Right end of the scale of Q, and left end of its numbers: nothing of the one reaches the other [px].
+  /// Right end of the scale of Q, and left end of its numbers [px]; they do not overlap.
   std::pair<double, double> scaleAndNumbers() const;
 
  protected:
@@ -53,15 +53,15 @@ class ActionRows final : public Painted<>, public CsvSource {
   /// A level of an action variable.
   struct Level {
     std::vector<double> chance;  // under each policy
-    double best = 0.0;           // the highest value of an action that has it
+    double best = 0.0;           // the highest value of an action with this level
   };
-  /// Where things stand; depends on the size, on the texts and on how wide they are.
+  /// The positions of all parts; they depend on the size, on the texts and on their widths.
   struct Geometry {
     double top, row, bottom;           // first row, height of a row, below the last
     double label;                      // right end of the actions' values
     double qLeft, qRight, qNumber;     // scale of Q, right end of its number
     double first, pitch, bar, number;  // columns of the policies: left ends, bar length, right end of the number
-    std::vector<std::size_t> columns;  // those that there is room for
+    std::vector<std::size_t> columns;  // the columns that have room
     bool below;                        // "in force" stands below the policy's name
   };
   struct LevelPlace {
@@ -95,12 +95,12 @@ class ActionRows final : public Painted<>, public CsvSource {
   Looking& looking_;
   Editing& editing_;
   std::vector<Column> columns_;
-  std::vector<double> q_, positive_, negative_;  // the parts are empty where the agent keeps one estimate
+  std::vector<double> q_, positive_, negative_;  // the parts are empty if the agent keeps one estimate
   std::vector<std::vector<Level>> levels_;       // [action variable][level]; empty: an action is one number
   Action chosen_ = kNoAction;
   double numberWidth_ = 0;          // the widest number of Q so far, in the usual size of text [px]
   double low_ = -100, high_ = 200;  // scale of Q
-  double share_ = 0;                // of the task's returns that it shows
+  double share_ = 0;                // share of the task's range of returns that the scale shows
   bool dragging_ = false;
   QElapsedTimer sinceUpdate_;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of ActionRows for actions that are combinations (Task::actionVariables): three hundred of them as a few
-// columns, one a variable, each with its levels: what the policies choose of it whatever the others are, and the best
-// value that an action with this level has.
+// The part of ActionRows for actions that are combinations (Task::actionVariables). Three hundred actions become a few
+// columns, one per variable. Each level has its probability under the policies, summed over the other variables, and
+// the best value of an action with this level.
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
@@ -21,14 +21,14 @@ namespace {
 
 constexpr double kTop = 34, kUnder = 26, kBetween = 4;  // [px], with texts of the usual size
 
-/// "voltage", where every variable's title ends with it; else nothing.
+/// The word that ends every variable's title, such as "voltage"; else nothing.
 QString commonEnd(const std::vector<ActionVariable>& variables) {
   const QString end = toText(variables[0].title).section(' ', -1);
   const auto ends = [&](const ActionVariable& v) { return toText(v.title).endsWith(' ' + end); };
   return std::all_of(variables.begin(), variables.end(), ends) ? end : QString();
 }
 
-/// "Stance hip" of "stance hip voltage".
+/// "Stance hip" from "stance hip voltage".
 QString headOf(const ActionVariable& v, const QString& end) {
   QString title = toText(v.title);
   if (!end.isEmpty()) title.chop(end.size() + 1);
@@ -80,7 +80,7 @@ void ActionRows::drawLevelsOf(QPainter& p, const Theme& t, std::size_t variable,
   const double row = std::clamp((height() - top - k * kUnder) / n, 8.0, 28.0 * k);
   const double right = left + pitch - 12 * k, values = symbolWidth(textFont(13, 500), QStringLiteral("−1234")) + 14 * k;
   const double percents = symbolWidth(textFont(13, 500), QStringLiteral("100.0")) + 8 * k;
-  const bool room = right - left - values - percents > 36 * k;  // for the values, too
+  const bool room = right - left - values - percents > 36 * k;  // room for the values, too
   LevelPlace at{left, 0, room ? right - values : right, room ? right : 0, 0, row};
   at.bar = std::max(12.0, at.percent - percents - left);
   drawLevelScale(p, t, at, top + row * n);
@@ -115,7 +115,7 @@ void ActionRows::drawLevelScale(QPainter& p, const Theme& t, const LevelPlace& a
     drawSymbol(p, QRectF(right - 80, bottom + 3, 80, height), Qt::AlignRight, text);
   };
   double last = -1e9;
-  for (const int share : {0, 1, 10, 100}) {  // a square-root axis: the exploring few per cent are what differs
+  for (const int share : {0, 1, 10, 100}) {  // square-root axis: policies differ in the few per cent of exploring
     const double x = std::round(at.left + at.bar * std::sqrt(share / 100.0)) + 0.5;
     p.setPen(QPen(share == 0 ? t.outline : t.hairline, 1));
     p.drawLine(QPointF(x, textScale() * kTop), QPointF(x, bottom));
@@ -146,7 +146,7 @@ void ActionRows::drawLevelBars(QPainter& p, const Theme& t, const Level& level, 
   }
 }
 
-/// Of the policy in force, and of no other.
+/// Only the policy in force has numbers.
 void ActionRows::drawLevelNumbers(QPainter& p, const Theme& t, const Level& level, bool chosen,
                                   const LevelPlace& at) const {
   const auto write = [&](double right, const QString& text) {

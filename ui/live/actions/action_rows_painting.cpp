@@ -36,7 +36,7 @@ QString headOf(const Task& task) {
   return unit.isEmpty() ? title : QStringLiteral("%1, %2").arg(title, unit);
 }
 
-/// Numbers below a scale, as many as do not touch.
+/// Numbers below a scale, as many as fit without touching.
 class ScaleNumbers {
  public:
   ScaleNumbers(QPainter& p, double y, double apart) : p_(p), y_(y), apart_(apart) {}
@@ -47,7 +47,7 @@ class ScaleNumbers {
     const double height = QFontMetricsF(p_.font()).height();
     drawSymbol(p_, QRectF(x - half, y_ + 4, 2 * half, height), Qt::AlignHCenter, text);
   }
-  /// The number 0 will stand there: nothing takes its place.
+  /// Keeps the place of the number 0 free.
   void keepZero(double x) { zero_ = x - symbolWidth(p_.font(), QStringLiteral("0")) / 2; }
   /// No number from here on to the right.
   double last() const { return last_; }
@@ -60,7 +60,7 @@ class ScaleNumbers {
 
 }  // namespace
 
-/// The text of a row, smaller where rows are low.
+/// The font of a row, smaller if rows are low.
 QFont ActionRows::rowFont(double row, int weight) const {
   QFont font = textFont(13, weight);
   font.setPixelSize(std::clamp(static_cast<int>(0.82 * row), 6, font.pixelSize()));
@@ -173,7 +173,7 @@ void ActionRows::drawScales(QPainter& p, const Theme& t, const Geometry& g) cons
   for (std::size_t i = 0; i < g.columns.size(); ++i) {
     const double x0 = g.first + g.pitch * static_cast<double>(i);
     ScaleNumbers percents(p, g.bottom, 4);
-    for (const int percent : {0, 1, 10, 100}) {  // a square-root axis: the exploring few per cent are what differs
+    for (const int percent : {0, 1, 10, 100}) {  // square-root axis: policies differ in the few per cent of exploring
       const double x = std::round(x0 + g.bar * std::sqrt(percent / 100.0)) + 0.5;
       p.setPen(QPen(percent == 0 ? t.outline : t.hairline, 1));
       p.drawLine(QPointF(x, g.top), QPointF(x, g.bottom));
@@ -231,7 +231,7 @@ void ActionRows::drawNumbers(QPainter& p, const Theme& t, const Geometry& g, std
 void ActionRows::drawThreshold(QPainter& p, const Theme& t, const Geometry& g) const {
   if (life_.configuration().names.policy != "trl") return;
   const double x = xOf(life_.threshold(), g), k = textScale();
-  if (onScale(life_.threshold())) {  // else the flag says at which side it lies
+  if (onScale(life_.threshold())) {  // else the flag shows on which side it lies
     QPen pen(t.trl, 2 * k, Qt::CustomDashLine, Qt::FlatCap);
     pen.setDashPattern({3, 2});
     p.setPen(pen);

@@ -11,9 +11,9 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kBehindLearning = 1.2;  // so much more than learning took is shown of it
-constexpr double kPressed = 3.0;         // a life so much longer presses learning against the axis
-constexpr double kClosest = 1.0 / 2000;  // of the life up to there: what the curve resolves
+constexpr double kBehindLearning = 1.2;  // times the time of learning is shown
+constexpr double kPressed = 3.0;         // times: in a longer life, learning is pressed against the axis
+constexpr double kClosest = 1.0 / 2000;  // least share of the life that is shown: curves have no finer detail
 
 double endOf(const Task& task, const RunCurve& curve) {
   return curve.points.empty() ? 0.0 : timeOf(task, curve.points.back());
@@ -35,7 +35,7 @@ ChartSpan::ChartSpan(RunningLife& life, QObject* parent) : QObject(parent), life
   connect(&life_, &RunningLife::valuesArrived, this, &ChartSpan::refresh);
   connect(&life_, &RunningLife::configurationChanged, this, &ChartSpan::refresh);
   connect(&life_, &RunningLife::replaced, this, [this] {
-    if (wished_ == Shows::Part) wished_.reset();  // of a life that is over
+    if (wished_ == Shows::Part) wished_.reset();  // the chosen part belongs to a life that is over
     refresh();
   });
   refresh();
@@ -57,7 +57,7 @@ double ChartSpan::whole() const {
   const bool clock = task.stepTime.has_value();
   double end = std::max(endOf(task, curves.live()), clock ? 1.0 : 100.0);
   if (second_) end = std::max(end, endOf(task, second_->curves().live()));
-  // A long life before must not press the one that runs against the axis: it is cut where it is much longer.
+  // A much longer earlier life must not press the present one against the axis: its curve is cut.
   const double most = std::max(2 * end, clock ? 10.0 : 1000.0);
   for (const RunCurve& curve : curves.earlier()) end = std::max(end, std::min(endOf(task, curve), most));
   return end;
@@ -81,7 +81,7 @@ void ChartSpan::refresh() {
 
 void ChartSpan::wish(std::optional<Shows> shows) {
   wished_ = shows;
-  from_ = to_ = 0;  // whatever comes is told
+  from_ = to_ = 0;  // so that any new range counts as a change
   refresh();
 }
 

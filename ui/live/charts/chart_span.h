@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of the time axis that the charts of a life show, all of them the same; and the place on it that is read.
+// The part of the time axis that all charts of a life show, and the time that the cursor reads.
 #pragma once
 
 #include <QObject>
@@ -13,7 +13,7 @@ namespace surefoot {
 class RunningLife;
 struct Task;
 
-/// Where a state of the life stands on the time axis: simulated minutes, or episodes where the task has no clock.
+/// The position of a moment of the life on the time axis: simulated minutes, or episodes if the task has no clock.
 double timeOf(const Task& task, std::int64_t episode, std::int64_t lifeSteps);
 inline double timeOf(const Task& task, const CurvePoint& point) {
   return timeOf(task, point.episode, point.lifeSteps);
@@ -25,8 +25,8 @@ class ChartSpan final : public QObject {
  public:
   explicit ChartSpan(RunningLife& life, QObject* parent = nullptr);
 
-  /// All of the life; as far as it learned; or a part that was chosen. Until one of them is asked for, it is the whole
-  /// life, and, when learning has ended and would be pressed against the axis, as far as it learned.
+  /// The whole life; the time of learning; or a chosen part. Without a choice it is the whole life, or the time of
+  /// learning if learning has ended and would be pressed against the axis.
   enum class Shows { WholeLife, Learning, Part };
   Shows shows() const;
   double from() const { return from_; }  ///< [min] or episodes
@@ -37,9 +37,9 @@ class ChartSpan final : public QObject {
   void showWholeLife();
   void showLearning();
   void showPart(double from, double to);
-  /// `factor` < 1: closer. What stands at `anchor` stays there.
+  /// `factor` < 1: closer. The time at `anchor` stays in its place.
   void zoom(double factor, double anchor);
-  /// By a share of what is shown; never beyond the ends.
+  /// Moves by a share of the shown part; never beyond the ends.
   void pan(double share);
 
   /// The place under the cursor; none: nobody reads.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a person does on a chart: reads it, magnifies its time axis, replays a fall, takes earlier runs out.
+// A person's actions on a chart: reading it, magnifying its time axis, replaying a fall, removing earlier runs.
 #include <QKeyEvent>
 #include <QMenu>
 #include <QMouseEvent>
@@ -18,7 +18,7 @@ namespace surefoot {
 
 namespace {
 constexpr double kLeastDrag = 6;  // [px]
-constexpr double kStep = 0.01;    // of what is shown, for a key
+constexpr double kStep = 0.01;    // share of the shown part by which a key moves
 constexpr double kKeyZoom = 0.7;
 }  // namespace
 
@@ -36,11 +36,11 @@ std::optional<LearningChart::Read> LearningChart::read() const {
   for (std::size_t i = 0; i < list.size(); ++i) {
     const CurvePoint* point = stateAt(*list[i].curve, *span_.cursor());
     if (!point) continue;
-    // The next one may be nearer; behind its end a curve says nothing.
+    // The next point may be nearer; after its end a curve has no value.
     const bool isLast = point == &list[i].curve->points.back();
     if (isLast && toPixel(*span_.cursor(), 0).x() > toPixel(xOf(*point), 0).x() + 12) continue;
     if (!isLast && xOf(point[1]) - *span_.cursor() < *span_.cursor() - xOf(*point)) ++point;
-    const bool chosen = i == readRun_.value_or(list.size() - 1);  // at first the one that runs
+    const bool chosen = i == readRun_.value_or(list.size() - 1);  // at first the present life
     const double distance = mouseY_  ? std::abs(toPixel(0, yOf(*point)).y() - *mouseY_)
                             : chosen ? 0.0
                                      : 1.0 + static_cast<double>(list.size() - i);
@@ -111,7 +111,7 @@ void LearningChart::replayNear(double pixel) {
   if (nearest) looking_.replayFall(*nearest);
 }
 
-/// By the keyboard: what is shown follows where the cursor leaves it.
+/// Moves the cursor by keys; if it leaves the shown part, the part follows.
 void LearningChart::moveCursor(int steps) {
   const double span = span_.to() - span_.from();
   const double edge = steps > 0 ? span_.from() : span_.to();
@@ -134,7 +134,7 @@ void LearningChart::readNext(int step) {
 }
 
 bool LearningChart::usesKey(int key) const {
-  const bool playing = looking_.playback();  // then Escape and the arrows are its own
+  const bool playing = looking_.playback();  // then Escape and the arrow keys belong to the playback
   switch (key) {
     case Qt::Key_Left:
     case Qt::Key_Right:

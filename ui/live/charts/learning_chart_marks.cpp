@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The dashed verticals of the charts: what was changed in the life, and where learning ended.
+// The dashed verticals of the charts: changes in the life, and the end of learning.
 #include <QHelpEvent>
 #include <QToolTip>
 #include <algorithm>
@@ -39,12 +39,12 @@ double LearningChart::timeOfStep(std::int64_t step) const {
   return after == points.begin() ? 0.0 : xOf(*std::prev(after));
 }
 
-/// Those within what is shown, in the order of the life.
+/// The marks in the shown part, in the order of their times.
 std::vector<LearningChart::Mark> LearningChart::marks() const {
   const ValueSnapshot* v = life_.values();
   std::vector<Mark> list;
   if (!v) return list;
-  // A slider that is drawn makes many changes; those of one parameter that follow closely are one mark.
+  // A slider that is dragged makes many changes: changes of one parameter that follow closely are one mark.
   struct Together {
     Change change;
     double x;
@@ -70,8 +70,8 @@ std::vector<LearningChart::Mark> LearningChart::marks() const {
   return list;
 }
 
-/// Each text stands beside its line, the newest lowest, in rows that fill the lower part of the chart; what finds no
-/// room there is told under the cursor.
+/// Each text stands beside its line, the newest lowest, in rows that fill the lower part of the chart. A text without
+/// room there is shown under the cursor.
 void LearningChart::drawMarks(QPainter& p, const Theme& t) const {
   const std::vector<Mark> list = marks();
   QPen pen(t.ink, 1, Qt::CustomDashLine);
@@ -105,7 +105,7 @@ void LearningChart::drawMarks(QPainter& p, const Theme& t) const {
   }
 }
 
-// The texts of changes under the cursor, and what a mark of a fall does.
+// Tooltips: the texts of changes under the cursor, and the use of a fall's mark.
 bool LearningChart::viewportEvent(QEvent* event) {
   if (event->type() == QEvent::Leave) {
     mouseY_.reset();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is drawn around the curves: grid, axes, marks of falls, the list at the right, and what the cursor reads.
+// All that is drawn around the curves: grid, axes, marks of falls, the list at the right, and the cursor's reading.
 #include <algorithm>
 #include <cmath>
 
@@ -25,7 +25,7 @@ double lineHeight(const QFont& font) {
   return std::ceil(QFontMetricsF(font).height());
 }
 
-/// With as many decimals as a step between two numbers needs.
+/// A number with as many decimals as the step between two numbers needs.
 QString axisText(double value, double step) {
   const int decimals = step >= 1 ? 0 : static_cast<int>(std::ceil(-std::log10(step) - 1e-9));
   return toText(decimals == 0 ? countText(value) : fixedText(value, decimals));
@@ -114,7 +114,7 @@ void LearningChart::drawTests(QPainter& p, const Theme& t) const {
   }
 }
 
-/// A click replays the nearest that is kept, so a mark answers where one is not farther off than a pixel.
+/// A click replays the nearest kept fall, so a mark answers only if a kept fall is within kApart.
 std::vector<LearningChart::FallMark> LearningChart::fallMarks() const {
   constexpr double kApart = 2;  // [px]
   const RunCurve& live = life_.curves().live();
@@ -158,7 +158,7 @@ QString LearningChart::nameOf(const Run& run) const {
                                        : tr("run %1: %2").arg(run.curve->number).arg(name);
 }
 
-/// The list needs so much at the right, in both charts the same, or their time axes would not line up.
+/// The width of the list at the right. Both charts have the same, or their time axes would not line up.
 double LearningChart::listWidth() const {
   constexpr double kLeast = 56, kMostShare = 0.38;
   const QFont font = textFont(kText, 500);
@@ -179,7 +179,7 @@ QString LearningChart::testsName() const {
   return tr("greedy tests");
 }
 
-/// Ordered by what the runs have come to at the end of what is shown.
+/// Ordered by the values of the runs at the end of the shown part, the highest first.
 std::vector<LearningChart::Item> LearningChart::items() const {
   std::vector<Item> list;
   for (const Run& run : runs()) {
@@ -190,7 +190,7 @@ std::vector<LearningChart::Item> LearningChart::items() const {
   return list;
 }
 
-/// Numbers of falls stand at the ends of their curves, as far as they have room; names, whose curves meet, at the top.
+/// Numbers of falls stand at the ends of their curves, if there is room. Names stand at the top: their curves meet.
 void LearningChart::drawList(QPainter& p, const Theme& t) const {
   const std::vector<Item> list = items();
   const double h = lineHeight(textFont(kText, 500)), last = plot_.bottom() - h / 2;

@@ -68,7 +68,7 @@ std::string LearningChart::asCsv() const {
   std::string csv = fmt::format("life,policy,{},{}\n", life_.task().stepTime ? "minutes" : "episode",
                                 shows_ == Shows::Falls ? "falls" : "average_reward");
   std::size_t life = list.size() - (secondCurve() ? 2 : 1);
-  if (life_.curves().live().points.empty()) ++life;  // the newest of those before is 1 all the same
+  if (life_.curves().live().points.empty()) ++life;  // the newest earlier life has the number 1 in any case
   for (const Run& run : list) {
     const std::string name = run.kind == Run::Kind::Live     ? "0"
                              : run.kind == Run::Kind::Second ? "second"
@@ -82,7 +82,7 @@ std::string LearningChart::asCsv() const {
   return csv;
 }
 
-/// Of each column of pixels the first, the least, the greatest and the last point; all where they are few.
+/// Draws the first, the least, the greatest and the last point of each column of pixels; all points if they are few.
 void LearningChart::drawPiece(std::size_t index, const std::vector<CurvePoint>& piece, const QPen& pen, bool fromZero) {
   while (series_.size() <= index) {
     series_.push_back(new QLineSeries);
@@ -116,7 +116,7 @@ void LearningChart::drawPiece(std::size_t index, const std::vector<CurvePoint>& 
   series_[index]->setPen(pen);
 }
 
-/// Outwards to grid lines, as many as have room with their numbers.
+/// Extends the range to grid lines; there are as many lines as have room with their numbers.
 void LearningChart::roundRange(double least, double most) {
   const double lines = std::clamp(std::floor(plot_.height() / (1.2 * QFontMetricsF(textFont(11)).height())), 2.0, 5.0);
   yStep_ = niceAbove((most - least) / (lines + 1e-4));
@@ -127,8 +127,8 @@ void LearningChart::roundRange(double least, double most) {
   yMost_ = high() * yStep_;
 }
 
-/// From 0 to what the curves and the greedy tests have come to, as far as the task's returns go; a little more, so that
-/// no curve lies on the frame.
+/// From 0 to the values of the curves and the greedy tests, within the task's returns; and a little more, so that no
+/// curve lies on the frame.
 void LearningChart::chooseRewards() {
   const Task& task = life_.task();
   double least = 0, most = 0;
@@ -175,7 +175,7 @@ void LearningChart::setSecond(RunningLife* second) {
   refresh();
 }
 
-/// nullptr: there is none, or it has no episode yet.
+/// The second learner's curve; nullptr: there is none, or it has no episode yet.
 const RunCurve* LearningChart::secondCurve() const {
   return second_ && !second_->curves().live().points.empty() ? &second_->curves().live() : nullptr;
 }
@@ -205,7 +205,7 @@ void LearningChart::refresh() {
   const Theme& t = themeOf(*this);
   setBackgroundBrush(t.panel);
   chooseRanges();
-  constexpr std::size_t kMostPieces = 24;  // of one curve: policies are not changed oftener by hand
+  constexpr std::size_t kMostPieces = 24;  // per curve: nobody changes the policy more often by hand
   std::size_t used = 0;
   for (const Run& run : runs()) {
     const bool earlier = run.kind == Run::Kind::Earlier;
@@ -213,7 +213,7 @@ void LearningChart::refresh() {
       QColor colour = policyLook(run.curve->pieces[i].policy, t).colour;
       if (earlier) colour.setAlphaF(0.55f);
       QPen pen(colour, earlier ? 1.25 : 2);
-      if (run.curve->agent == "sarsa-2q") pen.setDashPattern({5, 2.5});  // the dash says the learning rule
+      if (run.curve->agent == "sarsa-2q") pen.setDashPattern({5, 2.5});  // the dash shows the learning rule
       const bool fromZero = shows_ == Shows::Falls && i == 0 && run.curve->points.front().episode == 1;
       drawPiece(used++, run.curve->pieces[i].points, pen, fromZero);
     }
@@ -222,7 +222,7 @@ void LearningChart::refresh() {
   viewport()->update();
 }
 
-/// Charts that stand one above the other share one axis; moved, floating or with a tab in front each has its own.
+/// Charts that stand one above the other share one axis. If one is moved, floats or is behind a tab, each has its own.
 bool LearningChart::hasTimeAxis() const {
   if (exporting_ || !below_ || !below_->isVisible() || below_->window() != window()) return true;
   constexpr int kHeader = 80;  // [px] between the two at most
@@ -231,7 +231,7 @@ bool LearningChart::hasTimeAxis() const {
          its.top() > mine.bottom() + kHeader;
 }
 
-/// Where the panels stand is known when they have been laid out: then the plot may have other room.
+/// The places of the panels are known only after their layout: then the plot may get another size.
 void LearningChart::paintEvent(QPaintEvent* event) {
   if (withAxis_ != hasTimeAxis()) QMetaObject::invokeMethod(this, &LearningChart::refresh, Qt::QueuedConnection);
   Painted::paintEvent(event);

@@ -25,8 +25,8 @@ struct Theme;
 
 /// One chart. Qt Charts draws the curves; grid, axes, marks and the list at the right are drawn here, because the
 /// chart's own axes have a hyphen for the minus sign and do not line up from chart to chart. Wheel, a drag, + and −
-/// magnify the time axis, Home or a double click shows all of it; the cursor, the mouse's or, by the arrows, the
-/// keyboard's, reads the curve that is nearest.
+/// magnify the time axis, Home or a double click shows all of it; the cursor (moved by the mouse or
+/// the arrow keys) reads the nearest curve.
 class LearningChart final : public Painted<QChartView>, public CsvSource {
   Q_OBJECT
 
@@ -36,29 +36,29 @@ class LearningChart final : public Painted<QChartView>, public CsvSource {
                 QWidget* parent = nullptr);
   QSize sizeHint() const override { return scaled({440, shows_ == Shows::Falls ? 152 : 168}); }
   QSize minimumSizeHint() const override { return scaled({240, 100}); }
-  /// The chart that may stand below this one and bears the numbers of the time axis for both while it does.
+  /// The chart that may stand below this one; while it does, it shows the numbers of the time axis for both.
   void setBelow(const QWidget* below) { below_ = below; }
   /// A second learner's curve beside this one's (nullptr: none), while it lives.
   void setSecond(RunningLife* second);
   void prepareExport(bool exporting) override;
-  /// A row a point of what is kept: life (0 the one that runs, 1 the one before …), policy, x, value.
+  /// One row per point that is kept: life (0: the present one, 1: the one before it, …), policy, x, value.
   std::string asCsv() const override;
   void fillMenu(QMenu& menu) override;
 
-  /// A run as the charts show it: the one that runs, the second learner's, or one of those before.
+  /// A run in the charts: the present life, the second learner's, or an earlier life.
   struct Run {
     const RunCurve* curve;
     enum class Kind { Live, Second, Earlier } kind;
   };
   std::vector<Run> runs() const;
-  /// A line of the list at the right: a run, and its value at the end of what is shown.
+  /// A line of the list at the right: a run, and its value at the end of the shown part.
   struct Item {
     Run run;
     double value;
     QString text;
   };
   std::vector<Item> items() const;
-  /// What the cursor reads: "3.25 min: 187.3, TRL, live"; empty: nothing.
+  /// The reading of the cursor: "3.25 min: 187.3, TRL, live"; empty: none.
   QString reading() const;
   /// Where marks of falls are drawn [px], and whether a click there replays one.
   struct FallMark {
@@ -102,7 +102,7 @@ class LearningChart final : public Painted<QChartView>, public CsvSource {
   QString testsName() const;
   QString valueText(double value) const;
   QString timeText(double time) const;
-  /// The last state up to a time; nullptr: the curve begins behind it.
+  /// The last point up to a time; nullptr: the curve begins later.
   const CurvePoint* stateAt(const RunCurve& curve, double time) const;
 
   void drawAxes(QPainter& p, const Theme& t) const;
@@ -118,16 +118,16 @@ class LearningChart final : public Painted<QChartView>, public CsvSource {
   QString textOf(const Change& change) const;
   const RunCurve* secondCurve() const;
   void drawFallMarks(QPainter& p, const Theme& t) const;
-  /// A dot a greedy test, which the average does not hold.
+  /// One dot per greedy test; the average reward does not contain these tests.
   void drawTests(QPainter& p, const Theme& t) const;
   void drawList(QPainter& p, const Theme& t) const;
   void drawCursor(QPainter& p, const Theme& t) const;
 
-  /// What the cursor is at.
+  /// The run and the point at the cursor.
   struct Read {
     Run run;
     CurvePoint point;
-    std::size_t index;  // of runs()
+    std::size_t index;  // index in runs()
   };
   std::optional<Read> read() const;
   void moveCursor(int steps);
@@ -148,11 +148,11 @@ class LearningChart final : public Painted<QChartView>, public CsvSource {
   QPointer<RunningLife> second_;
   const QWidget* below_ = nullptr;
   bool exporting_ = false, ring_ = false, withAxis_ = false;
-  std::vector<QLineSeries*> series_;  // one a piece, earlier lives first; those not needed are empty
+  std::vector<QLineSeries*> series_;  // one per piece, earlier lives first; unused ones are empty
   QRectF plot_;
   double yLeast_ = 0, yMost_ = 1, yStep_ = 1;
-  std::optional<double> mouseY_;             // of the cursor, where the mouse moves it [px]
-  std::optional<std::size_t> readRun_;       // of runs(), where the keyboard chose one
+  std::optional<double> mouseY_;             // y of the cursor while the mouse moves it [px]
+  std::optional<std::size_t> readRun_;       // index in runs(), if the keyboard chose a run
   std::optional<double> pressed_, dragged_;  // a part is being selected [px]
 };
 

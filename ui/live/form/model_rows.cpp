@@ -20,7 +20,7 @@ namespace {
 
 constexpr int kField = 104;  // [px]
 
-/// What a model may be wrong about: all of its numbers that take effect with the next episode.
+/// The parameters that a model may have wrong: all its numbers that take effect with the next episode.
 std::vector<Parameter> modelParameters(const RunningLife& life) {
   std::vector<Parameter> list;
   for (const auto& entry : life.configuration().parameters.all()) {
@@ -30,7 +30,7 @@ std::vector<Parameter> modelParameters(const RunningLife& life) {
   return list;
 }
 
-/// As many digits as say it to a thousandth, with a true minus.
+/// The value, exact to a thousandth, with a true minus.
 QString shownText(double value) {
   QString text = QString::number(value, 'g', 4);
   if (!text.contains('e') && std::abs(value) >= 1000) text = toText(fixedText(value, 0));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where simulation and reality differ: a row a parameter, with its value in each. Rows that are alike are not shown;
-// one that is to differ is looked for by name and added.
+// The differences between simulation and reality: one row per parameter, with its value in each. Parameters with equal
+// values are not shown; a person finds one by name and adds it.
 #pragma once
 
 #include <QWidget>
@@ -31,13 +31,13 @@ class ModelRows final : public QWidget {
   Result<Configuration> model(Side side) const;
 
  Q_SIGNALS:
-  /// A value of the simulation was typed: it is no scenario any more.
+  /// A value of the simulation was typed: the values are no scenario any more.
   void simulationTyped();
 
  private:
   struct Row {
     Parameter parameter;
-    double simulation, reality;  ///< exact, while what is shown is rounded
+    double simulation, reality;  ///< exact; the shown values are rounded
     QLabel* name = nullptr;      ///< made when the row is first shown
     QLineEdit *first = nullptr, *second = nullptr;
   };

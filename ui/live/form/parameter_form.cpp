@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kRoomForMore = 860;  // [px] from this height on the second rank of parameters is shown as well
 
-/// "POLICY", and when a change of what stands below takes effect, if not at once.
+/// "POLICY", and, if changes of the parameters below do not take effect at once, when they do.
 class SectionHead final : public Painted<> {
  public:
   SectionHead(const QString& title, const QString& tag, bool caution, bool first, QWidget* parent)
@@ -182,7 +182,7 @@ void ParameterForm::refresh() {
   const std::set<std::string> inForce(keys.begin(), keys.end());
   for (const Section& section : sections_)
     for (const auto& [parameter, place, row] : section.rows) {
-      if (!row || !c.parameters.find(row->key())) continue;  // its rows are those of the task before
+      if (!row || !c.parameters.find(row->key())) continue;  // the rows still belong to the task before
       row->show(c.parameters.get(row->key()), life_.base(row->key()), life_.changedAt(row->key()));
       row->setInForce(inForce.contains(row->key()) ? c.names.policy : "");
     }

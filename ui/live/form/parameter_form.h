@@ -39,7 +39,7 @@ class ParameterForm final : public QScrollArea {
   struct Row {
     Parameter parameter;
     QVBoxLayout* place;
-    ParameterRow* row = nullptr;  // made when it is first shown: a robot has a hundred that few people ask for
+    ParameterRow* row = nullptr;  // made when first shown: a robot has a hundred rows that few people need
   };
   struct Section {
     QWidget* head;

@@ -109,7 +109,7 @@ QString ParameterRow::textOf(double value) const {
 
 void ParameterRow::show(double value, double base, std::optional<std::int64_t> changedAt) {
   if (value == base) changedAt.reset();
-  // Something else may stand there now: typed, or a slider that was moved to where it must not be.
+  // The row may show another value now: a typed one, or a slider at a position that is not allowed.
   const bool moved = number_ && (number_->isModified() || slider_->value() != sliderAt(value));
   if (shown_ && !moved && value == value_ && base == base_ && changedAt == changedAt_) return;
   shown_ = true;
@@ -165,7 +165,7 @@ void ParameterRow::numberTyped() {
   if (!number_->isModified()) return;
   number_->setModified(false);
   const std::string text = number_->text().trimmed().toStdString();
-  Parameter named = parameter_;  // the form speaks of "Exploration", not of policy.epsilon
+  Parameter named = parameter_;  // the form says "Exploration", not policy.epsilon
   named.key = parameter_.title;
   const Result<double> value = parseValue(named, text);
   if (value) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One parameter in the form: marker, name and symbol, slider, number, unit; once changed, Reset, whose tooltip says
-// since when and what the default is. A row is always as high as it was: nothing below it moves.
+// One parameter in the form: marker, name and symbol, slider, number, unit; after a change, Reset, whose tooltip
+// says since when, and the default. The height of a row never changes, so nothing below it moves.
 #pragma once
 
 #include <QTimer>
@@ -24,18 +24,18 @@ class ParameterRow final : public Painted<> {
   Q_OBJECT
 
  public:
-  /// `policy`: whose marker stands before the name, or empty.
+  /// The marker of `policy` stands before the name; empty: no marker.
   ParameterRow(const Parameter& parameter, const std::string& policy, QWidget* parent = nullptr);
 
   const std::string& key() const { return parameter_.key; }
-  /// Shows a value, what Reset goes back to, and since which step it holds, if it was changed.
+  /// Shows a value, the value of Reset, and, if it was changed, the step of the change.
   void show(double value, double base, std::optional<std::int64_t> changedAt);
   /// The policy in force, if it uses the parameter, else empty: then the marker is its own policy's, and open.
   void setInForce(const std::string& policy);
-  /// Says for a while, in place of the name, why a value was refused: a few words, and the whole sentence to those who
-  /// point at it or listen.
+  /// Shows for a while, in place of the name, why a value was refused: a few words, and the whole sentence in the
+  /// tooltip and for screen readers.
   void tellRefused(const QString& words, const QString& sentence);
-  /// What it says now of a value that was refused; empty: nothing.
+  /// The words about a refused value that are shown now; empty: none.
   const QString& refusal() const { return refusal_; }
 
  Q_SIGNALS:
@@ -79,7 +79,7 @@ class ParameterRow final : public Painted<> {
   QString refusal_;
   QTimer forget_;
   std::optional<double> pressedAt_;  // [px] where a drag of the number began
-  double dragFrom_ = 0.0;            // [slider steps] that it began with
+  double dragFrom_ = 0.0;            // slider position where the drag began [slider steps]
   bool dragging_ = false;
 };
 

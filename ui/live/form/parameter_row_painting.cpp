@@ -58,7 +58,7 @@ void ParameterRow::layOut() {
   const double unitWidth = symbolWidth(textFont(11), toText(parameter_.unit)) + 4;
   const int unit = std::max(kUnit, static_cast<int>(std::ceil(unitWidth)));
   const int right = w - unit - 2;
-  // Reset has the place of the marker, or, where there is one, that of the unit, which no policy's parameter has.
+  // Reset stands in the marker's place. A policy's parameter has a marker but no unit: there it takes the unit's place.
   place(*reset_, {policy_.empty() ? 0 : w - kReset, (kRow - kReset) / 2, kReset, kReset});
   if (choice_) {
     place(*choice_, {w / 2, 1, w - w / 2 - (policy_.empty() ? 0 : kReset + 2), kRow - 2});
@@ -86,8 +86,8 @@ bool ParameterRow::eventFilter(QObject* watched, QEvent* event) {
   return QWidget::eventFilter(watched, event);
 }
 
-// A press on a number that is not being edited begins a drag: the whole range is as long as a hand moves; with Shift,
-// ten times as fine. A press that goes nowhere is a click, and edits.
+// A press on a number that is not being edited begins a drag: kRange pixels are the whole range; with Shift, a tenth of
+// it. A press without a move is a click, and edits.
 bool ParameterRow::dragged(QMouseEvent* event) {
   constexpr double kRange = 250, kClick = 3;  // [px]
   const double x = event->globalPosition().x();
@@ -114,13 +114,13 @@ bool ParameterRow::dragged(QMouseEvent* event) {
 
 void ParameterRow::paintName(QPainter& p) const {
   const Theme& t = themeOf(*this);
-  const double end = slider_ ? placeOf(*slider_).x() + 2 : placeOf(*choice_).x() - 4;  // of the room for words
+  const double end = slider_ ? placeOf(*slider_).x() + 2 : placeOf(*choice_).x() - 4;  // room for words ends
   const double left = kName, room = end - left;
   const QString symbol = toText(parameter_.symbol);
   QFont font = textFont(13);
   QString title = toText(parameter_.label.empty() ? parameter_.title : parameter_.label);
   const auto width = [&] { return QFontMetricsF(font).horizontalAdvance(title); };
-  // "Stance knee k̇" rather than "Stance knee ra…": the symbol says what the last word did.
+  // "Stance knee k̇" rather than "Stance knee ra…": the symbol stands for the last word.
   if (!symbol.isEmpty() && width() > room && title.contains(' ')) title = title.section(' ', 0, -2);
   const double beside = symbol.isEmpty() ? 0 : 5 + symbolWidth(textFont(13), symbol);
   if (width() + beside > room) font = textFont(11);

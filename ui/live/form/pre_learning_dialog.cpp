@@ -27,7 +27,7 @@ namespace surefoot {
 
 namespace {
 constexpr int kNumberField = 104, kTable = 132;  // [px]
-constexpr QSize kRoomy(620, 580);                // [px] what it asks for
+constexpr QSize kRoomy(620, 580);                // [px] size that the dialog asks for
 constexpr int kScreenEdge = 48;                  // [px] of the screen kept clear: the title bar
 // Without an average reward: as long as the walkers of the laboratory pre-learn; in a task without a clock.
 constexpr double kMinutes = 120;
@@ -155,7 +155,7 @@ void PreLearningDialog::makePool(QGridLayout* grid) {
   connect(table_, &QTableWidget::itemActivated, this, &PreLearningDialog::transfer);
 }
 
-/// What it says and what can be done, below what scrolls.
+/// The message and the buttons, below the part that scrolls.
 void PreLearningDialog::makeFoot(QVBoxLayout* column) {
   words_ = new QLabel;
   words_->setWordWrap(true);

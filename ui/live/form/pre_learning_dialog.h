@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// "Pre-learn, then transfer": where the model differs between simulation and reality, a pool of Q-functions learned on
-// the first, and the life on the second that begins with one of them. It fits every screen: what is too long scrolls.
+// "Pre-learn, then transfer": the differences between simulation and reality, a pool of Q-functions learned in the
+// simulation, and a life in reality that begins with one of them. It fits every screen: long contents scroll.
 #pragma once
 
 #include <QDialog>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The menus in the header of the value maps: quantity, axes, the other variables, the range of the colours. Where there
-// is no room for them they are one menu, "Map", with the same four in it.
+// The menus in the header of the value maps: quantity, axes, the other variables, the range of the colours. If there
+// is no room for them, one menu "Map" holds all four.
 #pragma once
 
 #include <QWidget>
@@ -19,7 +19,7 @@ class MapBar final : public QWidget, public Folding {
 
  public:
   explicit MapBar(QWidget* parent = nullptr);
-  /// Shows what is chosen for a task; `live` fills in the numbers.
+  /// Shows the choice for a task; `live` gives the numbers.
   void show(const MapChoice& choice, const Task& task, std::span<const double> live);
   void fold(int room) override;
 
@@ -40,7 +40,7 @@ class MapBar final : public QWidget, public Folding {
   void addOther(QMenu& menu, std::size_t variable);
 
   MapChoice choice_;
-  Task task_;  // a copy: the one in the session goes with its world
+  Task task_;  // a copy: the session's task is deleted with its world
   std::vector<double> live_;
   QToolButton *quantity_, *axes_, *others_, *range_, *all_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a value map shows: which quantity, over which two state variables, and what is done with the others.
+// The contents of a value map: a quantity, the two state variables of its axes, and how the others are treated.
 #pragma once
 
 #include <QString>
@@ -19,31 +19,31 @@ enum class Projection { Mean, Least, Most };
 
 struct MapChoice {
   MapQuantity quantity = MapQuantity::BestAction;
-  Action action = 0;  ///< of OneAction; of GreedyAction the action variable, where an action is a combination
+  Action action = 0;  ///< OneAction: the action. GreedyAction: the action variable, if actions are combinations
   int x = 0, y = 1;
-  std::vector<Across> across;  ///< one a state variable; those of the axes do not matter
-  std::vector<double> fixed;   ///< their values, where they are fixed
+  std::vector<Across> across;  ///< one per state variable; entries of the two axes are ignored
+  std::vector<double> fixed;   ///< one value per state variable, for the fixed ones
   Projection projection = Projection::Mean;
-  bool locked = true;  ///< the colours span what rewards allow; else what the map shows now
+  bool locked = true;  ///< the colours span all possible returns; false: the values on the map
 
-  /// Begins anew for a task.
+  /// Sets the usual choice for a task.
   void fit(const Task& task);
   /// Whether the task has all that was chosen.
   bool suits(const Task& task) const;
   bool isAxis(std::size_t variable) const { return static_cast<int>(variable) == x || static_cast<int>(variable) == y; }
   /// The slice through a live state.
   MapSlice slice(std::span<const double> live) const;
-  /// The quantity, projected over the variables that are; NaN (never visited) counts only if it is everywhere.
+  /// The quantity, projected over the Projected variables; the result is NaN (never visited) only if all values are.
   ValueMap::Quantity projected(const Task& task, ValueMap::Quantity quantity) const;
 };
 
-/// "α", or the title where there is no symbol.
+/// "α", or the title if there is no symbol.
 QString symbolOf(const StateVariable& variable);
 /// "pole angle α [rad]"
 QString axisTitleOf(const StateVariable& variable);
-/// "1.50", or what the action is called.
+/// "1.50", or the name of the action.
 QString actionNameOf(const Task& task, std::size_t action);
-/// How many values the layer of the greedy action can have, and what one of them is called.
+/// The number of values on the map of the greedy action, and the name of one of them.
 std::size_t greedyValues(const MapChoice& choice, const Task& task);
 QString greedyNameOf(const MapChoice& choice, const Task& task, std::size_t value);
 /// "best action", "torque 1.50", …

@@ -46,12 +46,12 @@ const StateVariable& variableOf(const Task& task, int axis) {
   return task.state[static_cast<std::size_t>(axis)];
 }
 
-/// Values that a map shows of a variable of whole numbers.
+/// How many values of a variable of whole numbers a map shows.
 int valuesOf(const StateVariable& v) {
   return std::max(1, static_cast<int>(std::lround(v.viewHigh - v.viewLow)));
 }
 
-/// Cells along a variable: one a value, where it has few.
+/// Cells along a variable: one per value, if it has few values.
 int cellsOf(const StateVariable& v, int most, int coarseness) {
   if (v.whole && valuesOf(v) <= most) return valuesOf(v);
   return std::max(1, most / coarseness);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One heat map of a quantity over two state variables (or one: a strip), in whole cells, with its colour bar. A
-// variable of whole numbers has a cell a value.
+// variable of whole numbers has one cell per value.
 #pragma once
 
 #include <QImage>
@@ -19,7 +19,7 @@ class QPainter;
 
 namespace surefoot {
 
-/// How numbers become colours, and which numbers stand at the bar.
+/// How numbers become colours, and the numbers at the colour bar.
 struct MapScale {
   enum class Kind { Diverging, Viridis, Positive, Steps };
   Kind kind = Kind::Diverging;
@@ -30,14 +30,14 @@ struct MapScale {
   double valueAt(double position) const;
 };
 
-/// Which slice of the state space: two axes, the other variables fixed. One axis twice: there is no other.
+/// A slice of the state space: two axes, the other variables fixed. The same axis twice: the task has only one.
 struct MapSlice {
   int xAxis = 0, yAxis = 1;
   bool strip() const { return xAxis == yAxis; }
   std::vector<double> at;  ///< a whole state; its entries of the two axes do not matter
 };
 
-/// What is drawn over a map.
+/// The marks that are drawn over a map.
 struct MapMarks {
   std::span<const double> live;    ///< state of the world: a ring, with a crosshair if it is large
   std::span<const double> cursor;  ///< state that is looked at: a crosshair of its own
@@ -49,8 +49,8 @@ class ValueMap {
   /// NaN: never visited, hatched.
   using Quantity = std::function<double(std::span<const double> state)>;
 
-  /// Evaluates the quantity at the centre of each of cells × cells; of fewer, larger ones where that would hold the
-  /// window up (hundreds of actions, many projected variables); of one a value along a variable of whole numbers.
+  /// Evaluates the quantity at the centres of cells × cells. Cells are fewer and larger if this would block the window
+  /// (hundreds of actions, many projected variables). A variable of whole numbers has one cell per value.
   void evaluate(const Task& task, const MapSlice& slice, int cells, const Quantity& quantity);
   /// Least and greatest value; nothing if every cell was never visited.
   std::optional<std::pair<double, double>> range() const;
@@ -75,13 +75,13 @@ class ValueMap {
   int columns() const { return columns_; }
   int rows() const { return rows_; }
 
-  /// What stands for "never visited".
+  /// The hatching for "never visited".
   static void drawHatching(QPainter& painter, const QRectF& where, const Theme& theme);
   /// Draws a bar with numbers, or with `names` at its steps, at its right.
   static void drawBar(QPainter& painter, const QRectF& bar, const MapScale& scale, const Theme& theme,
                       std::span<const double> numbers, std::span<const QString> names = {}, double room = 1e9);
 
-  /// The live state and the cursor, on everything else.
+  /// The live state and the cursor, drawn over everything else.
   void drawMarks(QPainter& painter, const QRectF& square, const Theme& theme, const Task& task,
                  const MapMarks& marks) const;
 
@@ -96,7 +96,7 @@ class ValueMap {
 
   std::vector<double> values_;  // [row][column], the uppermost row first
   int columns_ = 0, rows_ = 0;
-  bool whole_ = false;  // both axes have a cell a value
+  bool whole_ = false;  // both axes have one cell per value
   int coarseness_ = 1;
   QImage image_;
   MapSlice slice_;

@@ -36,7 +36,7 @@ ValueMaps::ValueMaps(RunningLife& life, Looking& looking, QWidget* parent)
   });
 }
 
-// Values come ten times a second, the world moves sixty times: the ring goes with the world.
+// Values come ten times per second, the world moves sixty times: the ring moves with the world.
 void ValueMaps::followLive() {
   constexpr int kEvery = 30;  // [ms]
   if (!isVisible() || !any_ || looking_.shown().state == drawn_) return;
@@ -78,7 +78,7 @@ MapScale ValueMaps::scaleOf(const ValueMap& map) const {
   }
   double low = task.lowestReturn, high = task.highestReturn;
   if (!choice_.locked && range) {
-    // What is next to nothing beside the other side has next to no colour.
+    // A side that is very small beside the other side gets almost no colour.
     constexpr double kLeast = 0.05;
     std::tie(low, high) = *range;
     const double least = kLeast * std::max(std::abs(low), std::abs(high));

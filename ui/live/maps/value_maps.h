@@ -29,9 +29,9 @@ class ValueMaps final : public Painted<>, public CsvSource {
 
   const MapChoice& choice() const { return choice_; }
   void setChoice(const MapChoice& choice);
-  /// What is under the cursor, or fixed, in words; empty: nothing.
+  /// The state under the cursor, or the fixed state, in words; empty: none.
   QString spoken() const;
-  /// What is outlined: tiles that an update there would reach; empty: the features have none.
+  /// A text about the outlined tiles, which an update there would reach; empty: the features have no tiles.
   QString reached() const;
   std::string asCsv() const override;
 
@@ -86,7 +86,7 @@ class ValueMaps final : public Painted<>, public CsvSource {
   QRectF areaOf(const QRectF& square) const;
   QString title() const;
   void drawAxes(QPainter& painter, const Geometry& geometry, const Theme& theme) const;
-  /// The values are on both sides of the threshold, so that a contour is drawn.
+  /// Whether values lie on both sides of the threshold; only then a contour is drawn.
   bool thresholdCuts() const;
   void drawThresholdNote(QPainter& painter, const Geometry& geometry, const Theme& theme) const;
   void drawTitles(QPainter& painter, const Geometry& geometry, const Theme& theme) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of ValueMaps for the state that is looked at: keys, words and what is drawn there.
+// The part of ValueMaps for the examined state: keys, words and drawing.
 #include <QAccessible>
 #include <QKeyEvent>
 #include <QPainter>
@@ -15,7 +15,7 @@
 
 namespace surefoot {
 
-// The arrows are the program's shortcuts; with the focus on the map they are the cursor's.
+// The arrow keys are shortcuts of the program; while the map has the focus they move its cursor.
 bool ValueMaps::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     const int key = static_cast<QKeyEvent*>(event)->key();
@@ -132,7 +132,7 @@ void ValueMaps::drawFootprints(QPainter& p, const Geometry& g, const Theme& t) c
   p.restore();
 }
 
-/// What is under the cursor, over the half of the map where the cursor is not.
+/// The text about the state under the cursor, over the half of the map without the cursor.
 void ValueMaps::drawReading(QPainter& p, const Geometry& g, const Theme& t) const {
   const QString words = spoken();
   if (words.isEmpty()) return;

@@ -15,7 +15,7 @@ namespace surefoot {
 
 namespace {
 
-/// Numbers at an axis, as many as can be read: from the first, so far apart.
+/// Numbers at an axis, as many as can be read: the first one, and the step between two.
 struct Ticks {
   double first, step;
   int decimals;
@@ -37,7 +37,7 @@ QString fitted(const QFont& font, const StateVariable& v, double room) {
 
 }  // namespace
 
-/// 1, 10², 10⁴: equal steps from 1 to the end, as many as there are lines for.
+/// 1, 10², 10⁴: equal steps from 1 to the end, at most as many as `lines`.
 std::vector<double> powersOfTen(double end, double lines) {
   const int decades = static_cast<int>(std::lround(std::log10(end)));
   int step = 1;
@@ -105,7 +105,7 @@ bool ValueMaps::thresholdCuts() const {
   return range && life_.threshold() < range->second && (life_.threshold() >= range->first || big_.anyNeverVisited());
 }
 
-/// What the contour is, or that there is none; as long as there is room for.
+/// Explains the contour, or says that there is none; the text is as long as the room allows.
 void ValueMaps::drawThresholdNote(QPainter& p, const Geometry& g, const Theme& t) const {
   if (!valued() || life_.configuration().names.policy != "trl" || !big_.range()) return;
   p.setFont(textFont(11));
@@ -123,7 +123,7 @@ void ValueMaps::drawThresholdNote(QPainter& p, const Geometry& g, const Theme& t
   }
 }
 
-/// What each map shows.
+/// The title of each map.
 void ValueMaps::drawTitles(QPainter& p, const Geometry& g, const Theme& t) const {
   const bool parts = split() && valued();
   const auto write = [&](double x, double y, const QString& name, const QString& note, double right) {
@@ -171,7 +171,7 @@ void ValueMaps::drawBigBar(QPainter& p, const Geometry& g, const Theme& t) const
   ValueMap::drawBar(p, g.bigBar, bigScale_, t, numbers, names, g.bigBarRoom);
   if (!valued() || life_.configuration().names.policy != "trl") return;
   const double share = bigScale_.position(life_.threshold());
-  if (share < 0 || share > 1) return;  // the note at the title says where it is
+  if (share < 0 || share > 1) return;  // the note at the title says where the threshold is
   const double y = g.bigBar.bottom() - share * g.bigBar.height();
   p.setPen(QPen(t.ink, 2));
   p.drawLine(QPointF(g.bigBar.left() - 1, y), QPointF(g.bigBar.right() + 1, y));

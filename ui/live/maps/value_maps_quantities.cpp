@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of ValueMaps that says what its maps show.
+// The part of ValueMaps for the quantities of its maps.
 #include <algorithm>
 
 #include "ui/live/maps/value_maps.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Something that was seen before, in the head of the world: play or stop, the moment, back to live. Takes no room while
+// The controls of a playback, in the head of the world: play or stop, the moment, back to live. They take no room while
 // the world is live.
 #pragma once
 

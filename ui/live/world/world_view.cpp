@@ -14,7 +14,7 @@
 namespace surefoot {
 
 namespace {
-constexpr double kJump = 0.05;  // the tip does not move that far in a frame [m]: the trail starts afresh
+constexpr double kJump = 0.05;  // [m]; after a larger move of the tip in one frame the trail starts anew
 }  // namespace
 
 WorldView::WorldView(RunningLife& life, Looking& looking, QWidget* parent)
@@ -63,9 +63,9 @@ double WorldView::floorLevel() const {
   return height() - band_ + pan_.y();
 }
 
-/// Lines are as thick as the picture is large, and as the texts are.
+/// The thickness of lines grows with the picture and with the texts.
 double WorldView::strokes() const {
-  constexpr double kUsual = 240;  // height of what is drawn [px]
+  constexpr double kUsual = 240;  // height of the drawn scene [px]
   return textScale() * std::clamp(pixelsPerMetre() / zoom_ * scene_.height / kUsual, 0.4, 1.0);
 }
 
@@ -82,7 +82,7 @@ QPointF WorldView::toPixel(Point p) const {
 void WorldView::wheelEvent(QWheelEvent* event) {
   const double before = zoom_;
   zoom_ = std::clamp(zoom_ * std::pow(1.0015, event->angleDelta().y()), 0.3, 6.0);
-  // What lies under the cursor stays there.
+  // The point under the cursor stays under it.
   const QPointF anchor(width() / 2.0, height() - band_), at = mouseAt(*event) - anchor;
   pan_ = at - (at - pan_) * (zoom_ / before);
   update();
@@ -119,7 +119,7 @@ void WorldView::mouseReleaseEvent(QMouseEvent* event) {
   hand_.reset();
 }
 
-// The ring is for those who walk by keys; a click or the start of the program needs none.
+// The ring is for people who use Tab; a click or the start of the program needs none.
 void WorldView::focusInEvent(QFocusEvent* event) {
   ring_ = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;
   QWidget::focusInEvent(event);

@@ -30,10 +30,10 @@ class WorldView final : public Painted<> {
   /// Somebody holds the body with the mouse.
   bool held() const { return hand_.has_value(); }
   void fit();  ///< the zoom that shows everything
-  /// Another world that is shown beside this one, in the same size (nullptr: none); "First" or "Second": which of the
-  /// two this one is, told above it with what acts here.
+  /// Another world that is shown beside this one, in the same size (nullptr: none). `which` is "First" or "Second",
+  /// this world's name in the caption, which also shows the policy and agent.
   void setBeside(WorldView* other, const QString& which);
-  double pixelsPerMetre() const;  ///< of what is drawn
+  double pixelsPerMetre() const;  ///< the scale of the picture
 
  protected:
   void paintEvent(QPaintEvent*) override;
@@ -67,12 +67,12 @@ class WorldView final : public Painted<> {
   QString which_;
   Scene scene_;
   std::vector<ReadOut> readOuts_;
-  int ownColumns_ = 1, columns_ = 1;  // of the read-outs: that there is room for, that there are
+  int ownColumns_ = 1, columns_ = 1;  // columns of read-outs: with room, and in use
   double readOutsHeight_ = 0;         // [px]
-  double band_ = 0;                   // height of all below the floor, where nobody has moved the picture [px]
+  double band_ = 0;                   // height of all below the floor while the picture is not moved [px]
   double fit_ = 0;                    // [px/m]
   bool ring_ = false;
-  double camera_ = 0;                        // what stands in the middle [m]
+  double camera_ = 0;                        // x in the middle of the picture [m]
   static constexpr std::size_t kTrail = 14;  // frames
   std::deque<Point> trail_;
   double zoom_ = 1.0;

@@ -21,23 +21,23 @@ namespace {
 
 // [px], with texts of the usual size
 constexpr double kScale = 46;          // from the floor down: metre scale, and which leg stands
-constexpr double kNoScale = 20;        // … where there is neither
+constexpr double kNoScale = 20;        // … with neither of them
 constexpr double kReadOut = 22;        // height of a row of read-outs
 constexpr double kUnderReadOuts = 20;  // from the last one's baseline to the bottom edge
 constexpr double kHeadroom = 28;       // above the highest thing drawn
-constexpr double kCaption = 26;        // of two worlds: what acts in this one
-constexpr double kSide = 24;           // beside the widest
+constexpr double kCaption = 26;        // with two worlds: the caption with this world's policy and agent
+constexpr double kSide = 24;           // beside the widest scene
 constexpr double kMostScale = 1700;    // [px/m]
 constexpr double kGap = 6;             // between symbol, value and unit [px]
 
-/// Room for the value: it stands still while its digits change.
+/// Room for the value, wide enough that it does not move while its digits change.
 double valueWidth(const ReadOut& r) {
   const QString widest = r.decimals > 0 ? QStringLiteral("−00.") + QString(r.decimals, '0') : QStringLiteral("−000");
   return std::max(symbolWidth(textFont(13, 500), widest),
                   symbolWidth(textFont(13, 500), toText(fixedText(r.value, r.decimals))));
 }
 
-/// Up to its number's right edge.
+/// The distance from the left end of a read-out to the right edge of its number.
 double numberEdge(const ReadOut& r) {
   return symbolWidth(textFont(13), toText(r.symbol)) + kGap + valueWidth(r);
 }
@@ -48,7 +48,7 @@ double readOutWidth(const ReadOut& r) {
 
 }  // namespace
 
-/// As many read-outs in a row as fit with their units; the scale by which everything can be seen, words too.
+/// Finds how many read-outs with units fit in a row, and the scale at which all is visible, also the words.
 void WorldView::measure() {
   readOuts_ = life_.environment().readOuts(looking_.shown().pose);
   const double k = textScale();
@@ -64,7 +64,7 @@ void WorldView::measure() {
 
   fit_ = std::min(kMostScale, (height() - band_ - captionHeight() - k * kHeadroom) / scene_.height);
   if (scene_.width > 0) fit_ = std::min(fit_, (width() - 2 * kSide) / scene_.width);
-  const double least = 0.5 * fit_;  // then words move in from the edge
+  const double least = 0.5 * fit_;  // below this scale, words move in from the edge instead
   for (const Shape& shape : scene_.shapes) {
     const auto* label = std::get_if<Label>(&shape);
     if (!label || label->align == 0 || label->halo) continue;
@@ -99,7 +99,7 @@ void WorldView::drawGhost(QPainter& p, const Theme& t) const {
   Scene ghost;
   life_.environment().draw(pose, ghost);
   p.setOpacity(0.28);
-  const double dx = scene_.focus.x - ghost.focus.x;  // it stands where the body stands
+  const double dx = scene_.focus.x - ghost.focus.x;  // the ghost stands where the body stands
   ScenePainter painter(
       p, t, false,
       [&](Point at) {
@@ -119,7 +119,7 @@ void WorldView::paintEvent(QPaintEvent*) {
   if (scene_.shapes.empty()) return;
   measure();
   p.setRenderHint(QPainter::Antialiasing);
-  p.save();  // however near one looks, the read-outs stay free
+  p.save();  // at any zoom, the read-outs stay free
   p.setClipRect(QRectF(0, captionHeight(), width(), height() - readOutsHeight_ - captionHeight()));
   drawPicture(p, t);
   p.restore();
@@ -180,7 +180,7 @@ void WorldView::drawTrail(QPainter& p, const Theme& t) const {
   }
 }
 
-/// Of two worlds: which one it is, and what acts in it.
+/// With two worlds, the caption says which one this is, and shows its policy and agent.
 void WorldView::drawCaption(QPainter& p, const Theme& t) const {
   if (captionHeight() == 0) return;
   const double k = textScale(), baseline = 18 * k;
@@ -209,7 +209,7 @@ void WorldView::drawReadOuts(QPainter& p, const Theme& t) const {
     p.setFont(textFont(13));
     p.setPen(t.quiet);
     drawSymbol(p, x, y, toText(r.symbol));
-    double edge = 0, most = column;  // numbers that stand under each other share their right edge
+    double edge = 0, most = column;  // numbers in one column share their right edge
     for (int j = i % columns_; j < n; j += columns_) {
       const ReadOut& other = readOuts_[static_cast<std::size_t>(j)];
       edge = std::max(edge, numberEdge(other));
