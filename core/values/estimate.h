@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An estimate q̂ with everything that it learns with: features, weights, eligibility trace, step size. The agent chooses
-// the target of learning. Thesis, eq. 2.4, 2.8 to 2.10; Sutton & Barto 2018, section 12.7.
+// An estimate q̂ with everything that it learns with: features, weights, eligibility trace, step size. The agent
+// chooses the target of learning. Thesis, eq. 2.4, 2.8 to 2.10; Sutton & Barto 2018, section 12.7.
 #pragma once
 
 #include <algorithm>
