@@ -175,6 +175,26 @@ TEST(RewardSplit, SendsEveryTermItsWay) {
   set("split.by", 1);  // the sum by its sign
   EXPECT_EQ(split(o).positive, 99);
   EXPECT_EQ(split(o).negative, 0);
+  o.terms = {0, -100, -1};
+  o.reward = -101;
+  EXPECT_EQ(split(o).positive, 0);
+  EXPECT_EQ(split(o).negative, -101);
+}
+
+TEST(Sarsa2Q, TracesOfTheNegativePartAreNumberedBehindThoseOfThePositive) {
+  auto agent = sarsa2q({}, {}, RewardSplit(task().rewardTerms));
+  Stream1e5 policy;
+  agent->setPolicy(policy);
+  Random unused(1);
+  agent->start(std::vector{0.1, 0.2}, unused);
+  agent->step(Outcome{}, std::vector{0.7, -0.6}, unused);
+  std::vector<Eligibility> z;
+  agent->eligibility(z);
+  ASSERT_FALSE(z.empty());
+  const std::uint64_t weights = values({}, 7).weightCount();
+  const auto ofNegative = std::count_if(z.begin(), z.end(), [&](const Eligibility& e) { return e.weight >= weights; });
+  EXPECT_EQ(2 * static_cast<std::size_t>(ofNegative), z.size()) << "as many as of the positive part";
+  for (const Eligibility& e : z) EXPECT_LT(e.weight, 2 * weights);
 }
 
 }  // namespace surefoot

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <numeric>
 
 #include "core/basics/random.h"
 #include "core/features/tile_coder.h"
@@ -111,6 +112,17 @@ TEST(HashedTileCoder, AFullTableSharesSlotsAndCountsIt) {
   }
   EXPECT_EQ(coder.occupied(), 5000u);
   EXPECT_GT(coder.failedLookUps(), 20'000);
+}
+
+TEST(HashedTileCoder, LookingForAFreeSlotGoesOnAtTheFrontOfTheTable) {
+  constexpr int kSlots = 50;  // fewer than are looked at
+  static_assert(kSlots < HashedTileCoder::kMostProbes);
+  HashedTileCoder coder = coderWith(taskOf(2, 4), kSlots);
+  std::vector<std::uint64_t> tiles(kSlots);
+  std::iota(tiles.begin(), tiles.end(), 1u);
+  const Status s = coder.setTiles(tiles);
+  EXPECT_TRUE(s) << s.error().message;
+  EXPECT_EQ(coder.occupied(), 50u);
 }
 
 TEST(HashedTileCoder, TooMuchMemoryIsRefusedWithTheNumber) {

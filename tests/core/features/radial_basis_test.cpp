@@ -65,6 +65,22 @@ TEST(RadialBasis, SumsToOneInAnyNumberOfDimensions) {
   }
 }
 
+TEST(RadialBasis, TheFactorMultipliesEveryWidth) {
+  const Task task = gaussianTask({variable(0, 10, 1), variable(0, 4, 2)});
+  RadialBasis::Settings settings(task);
+  settings.width = {0.5, 0.25};
+  settings.widthScale = 2;
+  const auto twice = RadialBasis::create(task, settings);
+  ASSERT_TRUE(twice) << twice.error().message;
+  const RadialBasis wide = mapFor(task, {1.0, 0.5});
+  RadialBasis::Active a, b;
+  const std::vector<double> state{5.25, 1.1};
+  twice->find(state, a);
+  wide.find(state, b);
+  ASSERT_EQ(a.count, b.count);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(a.count); ++k) EXPECT_EQ(a.value[k], b.value[k]);
+}
+
 // What tile coding cannot do (thesis, section 6.5): the same centres with a wide or a narrow reach.
 TEST(RadialBasis, WidthAndSpacingAreSetApart) {
   const Task task = gaussianTask({variable(0, 10, 1)});

@@ -2,6 +2,9 @@
 #include "core/files/whole_file.h"
 
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -37,6 +40,18 @@ TEST_F(WholeFileTest, AppearsWithItsWholeContent) {
   std::ifstream in(path("a.csv"));
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), "one\ntwo\n");
   EXPECT_EQ(files(), 1);
+}
+
+// The system takes the first thousand bytes, then refuses: what was taken is no file.
+TEST_F(WholeFileTest, AWriteThatIsCutShortIsNoSuccess) {
+  const auto writeLimited = [&] {
+    signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{1000, 1000};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    _exit(writeWhole("file", path("a.csv"), std::string(5000, 'x')) ? 1 : 0);
+  };
+  EXPECT_EXIT(writeLimited(), testing::ExitedWithCode(0), "");
+  EXPECT_FALSE(std::filesystem::exists(path("a.csv")));
 }
 
 TEST_F(WholeFileTest, WithoutCommitNothingIsLeft) {

@@ -78,6 +78,27 @@ void expectItSaysItsNumber(const RuleOfThumb& rule) {
 
 }  // namespace
 
+// n* is the mean of the successes while it learned; those after the end of learning give the upper limit.
+TEST(RuleOfThumb, CountsSuccessesWhileItLearnedAndAfterwardsApart) {
+  const Registry registry = fullRegistry();
+  const auto c = configure(registry, {}, {});
+  ASSERT_TRUE(c) << c.error().message;
+  const auto life = lifeOf(registry, *c);
+  const LifeTotals& t = life->log().totals();
+  for (int i = 0; i < 300'000 && t.successesAfter < 20; ++i) life->step();
+  ASSERT_GE(t.successesAfter, 20);
+  const auto rule = ruleOfThumbOf(*life);
+  ASSERT_TRUE(rule);
+  const auto mean = [](std::int64_t steps, std::int64_t episodes) {
+    return static_cast<double>(steps) / static_cast<double>(episodes);
+  };
+  const double during = mean(t.successSteps - t.successStepsAfter, t.successes - t.successesAfter);
+  EXPECT_DOUBLE_EQ(rule->transitions, during);
+  ASSERT_TRUE(rule->lower && rule->upper);
+  EXPECT_DOUBLE_EQ(*rule->lower, ruleOfThumb(0.98, during, 200, 0));
+  EXPECT_DOUBLE_EQ(*rule->upper, ruleOfThumb(0.98, mean(t.successStepsAfter, t.successesAfter), 200, 0));
+}
+
 // In every task, after enough of a life; where there is no rule, a sentence says why.
 TEST(RuleOfThumb, ItsFormulaGivesItsNumberInEveryTask) {
   const Registry registry = fullRegistry();

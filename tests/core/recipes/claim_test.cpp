@@ -41,6 +41,8 @@ TEST(Claim, AValueAgreesIfTheIntervalReachesTheThesissNumberByATenth) {
 TEST(Claim, AReductionNeedsSignSignificanceAndSize) {
   EXPECT_EQ(verdict("reduction", {{"thesis", -45}, {"conditions", kHalf}}), Verdict::Agrees);
   EXPECT_EQ(verdict("reduction", {{"thesis", 45}, {"conditions", kHalf}}), Verdict::Differs);
+  EXPECT_EQ(verdict("reduction", {{"thesis", 80}, {"at_least", 45}, {"conditions", kHalf}}), Verdict::Differs)
+      << "large enough, in the other direction";
   EXPECT_EQ(verdict("reduction", {{"thesis", -5}, {"conditions", kSame}}), Verdict::Differs) << "not significant";
   const Judgement size = judged("reduction", {{"thesis", -80}, {"conditions", kHalf}});
   EXPECT_EQ(size.verdict, Verdict::Differs);
@@ -67,6 +69,40 @@ TEST(Claim, AnOrderHoldsInNearlyAllResamples) {
   EXPECT_EQ(verdict("pairs", {{"pairs", pairs({{"half", "reference"}, {"TRL 50", "TRL 0"}})}}), Verdict::Agrees);
   EXPECT_EQ(verdict("pairs", {{"pairs", pairs({{"half", "reference"}, {"TRL 0", "TRL 50"}})}}), Verdict::Differs);
   EXPECT_EQ(verdict("pairs", {{"pairs", pairs({{"half", "reference"}, {"same", "reference"}})}}), Verdict::Undecided);
+}
+
+TEST(Claim, WithinLivesNeedsMoreThanTheMean) {
+  const auto verdictOf = [](double most) {  // the differences of lives lie between −10 and `most`
+    Evidence e = condition("a", 100);
+    for (std::size_t i = 0; i < e.lives.size(); ++i) e.lives[i].during = {100, i % 2 == 0 ? 90 : 100 + most};
+    const auto j = judge(
+        kRegistry,
+        {.id = "X1",
+         .kind = "within-lives",
+         .says = "",
+         .arguments = {{"measure", "success_during"}, {"other", "failure_during"}, {"conditions", Json::array({"a"})}}},
+        {e}, 1);
+    EXPECT_TRUE(j) << j.error().message;
+    return j->verdict;
+  };
+  EXPECT_EQ(verdictOf(12), Verdict::Undecided) << "the mean is 1, its interval reaches below 0";
+  EXPECT_EQ(verdictOf(60), Verdict::Agrees);
+}
+
+TEST(Claim, NotLongerIsUndecidedWhereAQuarterMoreIsPossible) {
+  const auto verdictOf = [](double scatter) {
+    std::vector<Evidence> evidence = {condition("reference", 100), condition("a", 100, "reference")};
+    for (Evidence& e : evidence)
+      for (std::size_t i = 0; i < e.lives.size(); ++i)
+        e.lives[i].minutes = 2 + scatter * (static_cast<double>(i % 5) - 2);
+    const auto j = judge(
+        kRegistry, {.id = "X1", .kind = "not-longer", .says = "", .arguments = {{"conditions", Json::array({"a"})}}},
+        evidence, 1);
+    EXPECT_TRUE(j) << j.error().message;
+    return j->verdict;
+  };
+  EXPECT_EQ(verdictOf(0.1), Verdict::Agrees);
+  EXPECT_EQ(verdictOf(0.8), Verdict::Undecided);
 }
 
 TEST(Claim, OtherKinds) {
