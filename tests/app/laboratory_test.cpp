@@ -191,7 +191,9 @@ TEST_F(LaboratoryCommands, AWrongRecipeIsRefusedInASentence) {
   refuse("[[figure]]\nname = \"f\"\nkind = \"pie\"\n", {"figure f", "pie"});
   refuse("[[figure]]\nname = \"../f\"\nkind = \"bars\"\n", {"slash"});
   refuse("[[figure]]\nname = \"f\"\nkind = \"bars\"\ncolour = 3\n", {"colour"});
-  refuse("[[figure]]\nname = \"f\"\nkind = \"bars\"\nconditions = [\"b\"]\n", {"no condition fits"});
+  refuse("[[figure]]\nname = \"f\"\nkind = \"bars\"\nconditions = [\"b\"]\n",
+         {"figure f", "conditions", "none is called \"b\""});
+  EXPECT_FALSE(std::filesystem::exists(file("out"))) << "it is told before a life is lived";
   refuse("[[claim]]\nid = \"X\"\nkind = \"value\"\nthesis = 3\nconditions = [\"b\"]\n", {"claim X", "b"});
   refuse("[[claim]]\nkind = \"value\"\n", {"id"});
   refuse("[claim]\nid = \"X\"\n", {"claim", "[[claim]]"});
