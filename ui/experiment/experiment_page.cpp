@@ -20,7 +20,7 @@
 #include "ui/experiment/figures/condition_name.h"
 #include "ui/experiment/plan_editor.h"
 #include "ui/experiment/plans/plan_chooser.h"
-#include "ui/session/running_life.h"
+#include "ui/running/running_life.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"

@@ -10,7 +10,7 @@
 #include "core/laboratory/laboratory_thread.h"
 #include "core/recipes/figure.h"
 #include "core/recipes/thesis_verdicts.h"
-#include "ui/session/background.h"
+#include "ui/support/background.h"
 
 namespace surefoot {
 

@@ -6,7 +6,7 @@
 #include <functional>
 
 #include "core/plans/plan.h"
-#include "ui/session/background.h"
+#include "ui/support/background.h"
 
 class QLabel;
 class QPlainTextEdit;

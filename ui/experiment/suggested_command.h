@@ -4,7 +4,7 @@
 
 #include <QString>
 
-#include "ui/session/running_life.h"
+#include "ui/running/running_life.h"
 
 namespace surefoot {
 

@@ -11,7 +11,7 @@
 #include "ui/controls/combo.h"
 #include "ui/live/compared_falls.h"
 #include "ui/live/rival.h"
-#include "ui/session/run_names.h"
+#include "ui/running/run_names.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"

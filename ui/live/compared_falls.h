@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "ui/session/run_curves.h"
+#include "ui/running/run_curves.h"
 
 namespace surefoot {
 

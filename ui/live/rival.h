@@ -9,8 +9,8 @@
 #include <functional>
 #include <map>
 
-#include "ui/session/background.h"
 #include "ui/session/session.h"
+#include "ui/support/background.h"
 
 class QDialog;
 

@@ -9,8 +9,8 @@
 #include "ui/controls/combo.h"
 #include "ui/controls/slider.h"
 #include "ui/live/run_bar.h"
+#include "ui/running/running_life.h"
 #include "ui/session/editing.h"
-#include "ui/session/running_life.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
 

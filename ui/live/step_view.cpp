@@ -6,8 +6,8 @@
 
 #include "core/text/text.h"
 #include "ui/live/maps/map_choice.h"
-#include "ui/session/looking.h"
-#include "ui/session/running_life.h"
+#include "ui/running/looking.h"
+#include "ui/running/running_life.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
 

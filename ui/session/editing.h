@@ -5,8 +5,8 @@
 #include <QObject>
 #include <string>
 
+#include "ui/running/running_life.h"
 #include "ui/session/history.h"
-#include "ui/session/running_life.h"
 
 namespace surefoot {
 

@@ -10,9 +10,9 @@
 #include <memory>
 #include <vector>
 
+#include "ui/running/looking.h"
+#include "ui/running/running_life.h"
 #include "ui/session/kept_life.h"
-#include "ui/session/looking.h"
-#include "ui/session/running_life.h"
 
 namespace surefoot {
 

@@ -5,9 +5,9 @@
 #include <memory>
 #include <optional>
 
-#include "ui/session/known_life.h"
-#include "ui/session/looking.h"
-#include "ui/session/run_curves.h"
+#include "ui/running/known_life.h"
+#include "ui/running/looking.h"
+#include "ui/running/run_curves.h"
 
 namespace surefoot {
 

@@ -51,14 +51,11 @@ void LifeFiles::save(SavedAs what, const std::string& path, Then then) {
   life_.visit([this, what, path, then = std::move(then), began = life_.began(), now = life_.configuration(),
                of = life_.number()](const Life& life) {
     const Status status = write(life, began, now, what, path);
-    QMetaObject::invokeMethod(
-        this,
-        [this, then, status, of, written = LifeProgress{life.log().totals().episodes, life.steps()}] {
-          written_.reset();
-          if (of == life_.number()) written_ = written;
-          then(status);
-        },
-        Qt::QueuedConnection);
+    calls_.post([this, then, status, of, written = LifeProgress{life.log().totals().episodes, life.steps()}] {
+      written_.reset();
+      if (of == life_.number()) written_ = written;
+      then(status);
+    });
   });
 }
 
@@ -67,8 +64,7 @@ void LifeFiles::saveKept(const KeptLife& kept, const std::string& path, Then the
                now = kept.known.configuration](const Life&) {
     const Status status = aside && aside->life ? write(*aside->life, began, now, SavedAs::Session, path)
                                                : Status(Error{"The life is not kept any more."});
-    QMetaObject::invokeMethod(
-        this, [then, status] { then(status); }, Qt::QueuedConnection);
+    calls_.post([then, status] { then(status); });
   });
 }
 

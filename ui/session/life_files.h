@@ -7,6 +7,7 @@
 #include <string>
 
 #include "ui/session/new_lives.h"
+#include "ui/support/call_queue.h"
 
 namespace surefoot {
 
@@ -35,6 +36,7 @@ class LifeFiles final : public QObject {
   RunningLife& life_;
   NewLives& newLives_;
   std::optional<LifeProgress> written_;
+  CallQueue calls_;  // of the learner's thread
 };
 
 }  // namespace surefoot

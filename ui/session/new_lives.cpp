@@ -176,7 +176,7 @@ void NewLives::carryOver(const std::string& key, double value, Then then) {
   };
   life_.visit([this, work, fit](const Life& life) {  // a copy of the learned values
     work->from = life.agent().values().clone();
-    QMetaObject::invokeMethod(this, fit, Qt::QueuedConnection);
+    calls_.post(fit);
   });
 }
 

@@ -10,9 +10,9 @@
 #include <optional>
 #include <string>
 
-#include "ui/session/background.h"
+#include "ui/running/running_life.h"
 #include "ui/session/history.h"
-#include "ui/session/running_life.h"
+#include "ui/support/background.h"
 
 namespace surefoot {
 
@@ -70,6 +70,7 @@ class NewLives final : public QObject {
   RunningLife& life_;
   History& history_;
   Background background_;
+  CallQueue calls_;  // of the learner's thread
 };
 
 }  // namespace surefoot

@@ -49,24 +49,21 @@ void QPool::start(Configuration simulation, int pool) {
         for (int i = 0; i < pool && !interrupted; ++i) {
           auto one = preLearn(registry, simulation, i, interrupted);
           if (interrupted) return;
-          QMetaObject::invokeMethod(
-              this,
-              [this, run, one = std::move(one)]() mutable {
-                if (one)
-                  take(std::move(*one), run);
-                else if (run == run_)
-                  Q_EMIT refused(toText(one.error().message));
-              },
-              Qt::QueuedConnection);
+          calls_.post([this, run, one] {
+            if (one)
+              take(*one, run);
+            else if (run == run_)
+              Q_EMIT refused(toText(one.error().message));
+          });
         }
       },
       [] {});
   Q_EMIT changed();
 }
 
-void QPool::take(PreLearned one, std::uint64_t run) {
+void QPool::take(const PreLearned& one, std::uint64_t run) {
   if (run != run_) return;
-  pool_.push_back(std::move(one));
+  pool_.push_back(one);
   Q_EMIT changed();
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/experiment/configuration.h"
-#include "ui/session/background.h"
+#include "ui/support/background.h"
 
 namespace surefoot {
 
@@ -41,12 +41,13 @@ class QPool final : public QObject {
   void refused(const QString& sentence);
 
  private:
-  void take(PreLearned one, std::uint64_t run);
+  void take(const PreLearned& one, std::uint64_t run);
 
   const Registry& registry_;
   std::vector<PreLearned> pool_;
   int asked_ = 0;
   std::uint64_t run_ = 0;  // number of the run; results of an earlier run are ignored
+  CallQueue calls_;        // of the background's thread: destroyed after it
   Background background_;
 };
 

@@ -2,12 +2,12 @@
 // All data of the window, in parts for the things that people do. A panel gets only the parts that it needs.
 #pragma once
 
+#include "ui/running/looking.h"
+#include "ui/running/running_life.h"
 #include "ui/session/editing.h"
 #include "ui/session/history.h"
 #include "ui/session/life_files.h"
-#include "ui/session/looking.h"
 #include "ui/session/new_lives.h"
-#include "ui/session/running_life.h"
 
 namespace surefoot {
 

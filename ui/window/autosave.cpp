@@ -6,9 +6,9 @@
 #include <QDir>
 #include <algorithm>
 
+#include "ui/running/running_life.h"
 #include "ui/session/history.h"
 #include "ui/session/life_files.h"
-#include "ui/session/running_life.h"
 
 namespace surefoot {
 

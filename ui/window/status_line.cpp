@@ -6,7 +6,7 @@
 
 #include "core/life/rule_of_thumb.h"
 #include "core/text/text.h"
-#include "ui/session/running_life.h"
+#include "ui/running/running_life.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
 

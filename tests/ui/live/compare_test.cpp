@@ -13,7 +13,7 @@
 #include "ui/live/compared_falls.h"
 #include "ui/live/live_page.h"
 #include "ui/live/rival.h"
-#include "ui/session/beginning.h"
+#include "ui/running/beginning.h"
 #include "ui/window/status_line.h"
 
 namespace surefoot {

@@ -8,7 +8,7 @@
 #include "core/plans/plan.h"
 #include "core/register/register.h"
 #include "tests/ui/window_setup.h"
-#include "ui/session/background.h"
+#include "ui/support/background.h"
 
 namespace surefoot {
 

@@ -3,8 +3,8 @@
 
 #include <QPainter>
 
-#include "ui/session/looking.h"
-#include "ui/session/running_life.h"
+#include "ui/running/looking.h"
+#include "ui/running/running_life.h"
 #include "ui/style/colour_map.h"
 #include "ui/style/symbol_text.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/session/running_life.h"
+#include "ui/running/running_life.h"
 #include "ui/style/round_numbers.h"
 
 namespace surefoot {

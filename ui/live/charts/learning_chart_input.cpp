@@ -9,9 +9,9 @@
 
 #include "core/text/text.h"
 #include "ui/live/charts/learning_charts.h"
+#include "ui/running/looking.h"
+#include "ui/running/running_life.h"
 #include "ui/session/history.h"
-#include "ui/session/looking.h"
-#include "ui/session/running_life.h"
 #include "ui/style/symbol_text.h"
 
 namespace surefoot {

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "ui/live/charts/learning_charts.h"
+#include "ui/running/looking.h"
+#include "ui/running/running_life.h"
 #include "ui/session/history.h"
-#include "ui/session/looking.h"
-#include "ui/session/running_life.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
 #include "ui/support/plain_text.h"

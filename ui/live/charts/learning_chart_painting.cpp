@@ -5,10 +5,10 @@
 
 #include "core/text/text.h"
 #include "ui/live/charts/learning_charts.h"
+#include "ui/running/looking.h"
+#include "ui/running/run_names.h"
+#include "ui/running/running_life.h"
 #include "ui/session/history.h"
-#include "ui/session/looking.h"
-#include "ui/session/run_names.h"
-#include "ui/session/running_life.h"
 #include "ui/style/round_numbers.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"

@@ -12,9 +12,9 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/running/looking.h"
+#include "ui/running/running_life.h"
 #include "ui/session/history.h"
-#include "ui/session/looking.h"
-#include "ui/session/running_life.h"
 #include "ui/style/round_numbers.h"
 #include "ui/style/theme.h"
 

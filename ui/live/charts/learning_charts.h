@@ -9,7 +9,7 @@
 
 #include "core/life/fall.h"
 #include "ui/live/charts/chart_span.h"
-#include "ui/session/run_curves.h"
+#include "ui/running/run_curves.h"
 #include "ui/style/painted.h"
 #include "ui/support/exporting.h"
 

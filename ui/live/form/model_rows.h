@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/parameters.h"
-#include "ui/session/running_life.h"
+#include "ui/running/running_life.h"
 
 class QComboBox;
 class QGridLayout;

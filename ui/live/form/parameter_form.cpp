@@ -6,9 +6,9 @@
 #include <set>
 
 #include "ui/live/form/parameter_row.h"
+#include "ui/running/running_life.h"
 #include "ui/session/editing.h"
 #include "ui/session/history.h"
-#include "ui/session/running_life.h"
 #include "ui/style/icons.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"

@@ -9,8 +9,8 @@
 #include <tuple>
 
 #include "core/text/text.h"
-#include "ui/session/looking.h"
-#include "ui/session/running_life.h"
+#include "ui/running/looking.h"
+#include "ui/running/running_life.h"
 #include "ui/style/round_numbers.h"
 
 namespace surefoot {

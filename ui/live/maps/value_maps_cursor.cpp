@@ -9,8 +9,8 @@
 #include "core/features/tile_layout.h"
 #include "core/text/text.h"
 #include "ui/live/maps/value_maps.h"
-#include "ui/session/looking.h"
-#include "ui/session/running_life.h"
+#include "ui/running/looking.h"
+#include "ui/running/running_life.h"
 #include "ui/style/symbol_text.h"
 
 namespace surefoot {

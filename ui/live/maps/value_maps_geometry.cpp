@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "ui/live/maps/value_maps.h"
-#include "ui/session/looking.h"
-#include "ui/session/running_life.h"
+#include "ui/running/looking.h"
+#include "ui/running/running_life.h"
 #include "ui/style/symbol_text.h"
 
 namespace surefoot {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "ui/live/maps/value_maps.h"
-#include "ui/session/looking.h"
-#include "ui/session/running_life.h"
+#include "ui/running/looking.h"
+#include "ui/running/running_life.h"
 
 namespace surefoot {
 

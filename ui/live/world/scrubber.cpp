@@ -7,7 +7,7 @@
 
 #include "ui/controls/link_button.h"
 #include "ui/controls/slider.h"
-#include "ui/session/looking.h"
+#include "ui/running/looking.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
 

@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "ui/controls/preferences.h"
-#include "ui/session/looking.h"
-#include "ui/session/running_life.h"
+#include "ui/running/looking.h"
+#include "ui/running/running_life.h"
 #include "ui/style/symbol_text.h"
 #include "ui/support/keyboard.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/session/run_names.h"
+#include "ui/running/run_names.h"
 
 #include <vector>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/session/playback.h"
+#include "ui/running/playback.h"
 
 #include <QObject>
 #include <algorithm>

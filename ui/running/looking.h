@@ -11,9 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "ui/session/playback.h"
-#include "ui/session/running_life.h"
-#include "ui/session/viewer.h"
+#include "ui/running/playback.h"
+#include "ui/running/running_life.h"
+#include "ui/running/viewer.h"
 
 namespace surefoot {
 

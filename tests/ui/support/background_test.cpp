@@ -14,7 +14,7 @@
 #include "ui/experiment/experiment.h"
 #include "ui/experiment/experiment_page.h"
 #include "ui/experiment/plan_editor.h"
-#include "ui/session/background.h"
+#include "ui/support/background.h"
 
 namespace surefoot {
 

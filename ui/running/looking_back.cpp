@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "ui/controls/preferences.h"
-#include "ui/session/looking.h"
+#include "ui/running/looking.h"
 
 namespace surefoot {
 

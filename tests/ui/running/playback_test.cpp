@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Falls replayed, the last minutes looked at again, a second learner, and the panels that explain.
-#include "ui/session/playback.h"
+#include "ui/running/playback.h"
 
 #include <QAbstractItemModel>
 #include <QPushButton>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/session/run_curves.h"
+#include "ui/running/run_curves.h"
 
 #include <algorithm>
 

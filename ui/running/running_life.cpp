@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/session/running_life.h"
+#include "ui/running/running_life.h"
 
 #include <algorithm>
 #include <cassert>
@@ -8,7 +8,7 @@
 
 #include "core/schedule.h"
 #include "core/text/text.h"
-#include "ui/session/beginning.h"
+#include "ui/running/beginning.h"
 
 namespace surefoot {
 

@@ -4,8 +4,8 @@
 #include <tuple>
 #include <utility>
 
-#include "ui/session/beginning.h"
-#include "ui/session/running_life.h"
+#include "ui/running/beginning.h"
+#include "ui/running/running_life.h"
 
 namespace surefoot {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/session/background.h"
+#include "ui/support/background.h"
 
 #include "core/basics/guarded_call.h"
 
@@ -33,8 +33,7 @@ void Background::run(std::shared_ptr<Job> job) {
   thread_ = std::thread([this, job] {
     job->trouble = QString::fromStdString(troubleOf([&] { job->work(job->interrupted); }));
     job->done.set_value();
-    QMetaObject::invokeMethod(
-        this, [this, job] { finished(job); }, Qt::QueuedConnection);
+    calls_.post([this, job] { finished(job); });
   });
 }
 

@@ -14,6 +14,8 @@
 #include <string>
 #include <thread>
 
+#include "ui/support/call_queue.h"
+
 namespace surefoot {
 
 class Background final : public QObject {
@@ -48,6 +50,7 @@ class Background final : public QObject {
   void finished(const std::shared_ptr<Job>& job);
 
   std::shared_ptr<Job> running_, next_;
+  CallQueue calls_;
   std::thread thread_;
 };
 

@@ -12,8 +12,8 @@
 
 #include "core/experiment/configuration.h"
 #include "core/live/learner_thread.h"
-#include "ui/session/known_life.h"
-#include "ui/session/run_curves.h"
+#include "ui/running/known_life.h"
+#include "ui/running/run_curves.h"
 
 namespace surefoot {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/session/beginning.h"
+#include "ui/running/beginning.h"
 
 #include <filesystem>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/session/viewer.h"
+#include "ui/running/viewer.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/session/looking.h"
+#include "ui/running/looking.h"
 
 #include <algorithm>
 #include <cassert>

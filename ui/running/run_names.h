@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/registry.h"
-#include "ui/session/run_curves.h"
+#include "ui/running/run_curves.h"
 
 namespace surefoot {
 
