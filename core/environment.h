@@ -42,11 +42,15 @@ struct ActionVariable {
   double resolution = 1.0;  ///< default number of tiles per unit: actions that are near share what they learn
 };
 
-/// A measure of an episode besides reward and falls, for example the distance walked. It is summed over episodes.
+/// A measure of an episode besides reward and falls, for example the distance walked. Logs, results, stores, tables and
+/// plans take it from here.
 struct TaskMeasure {
+  /// What it is for a whole life: a value of all its episodes.
+  enum class OfALife { Sum, Mean, Last, Largest };
   std::string key{};    ///< "distance"
   std::string title{};  ///< "distance"
   std::string unit{};   ///< "m"
+  OfALife ofALife = OfALife::Sum;
 };
 
 /// Everything that is known of a task before it starts.

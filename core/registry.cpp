@@ -13,4 +13,15 @@ Error unknownName(std::string_view what, std::string_view name, const std::vecto
                            near.empty() ? "" : fmt::format(", did you mean {}", near), joinWords(names, "or"))};
 }
 
+std::vector<TaskMeasure> taskMeasuresOf(const Registry& registry, const std::set<std::string>& environments) {
+  std::vector<TaskMeasure> all;
+  for (const EnvironmentEntry& entry : registry.environments) {
+    if (!environments.contains(entry.name)) continue;
+    const auto environment = entry.make();
+    for (const TaskMeasure& m : environment->task().measures)
+      if (!measureAt(all, m.key)) all.push_back(m);
+  }
+  return all;
+}
+
 }  // namespace surefoot

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -79,5 +80,8 @@ Result<const Entry*> findEntry(const std::vector<Entry>& entries, std::string_vi
   }
   return unknownName(what, name, names);
 }
+
+/// The measures of the tasks of some environments, each key once. Names that are not registered have none.
+std::vector<TaskMeasure> taskMeasuresOf(const Registry& registry, const std::set<std::string>& environments);
 
 }  // namespace surefoot

@@ -20,7 +20,7 @@ int experimentCommand(const Registry& registry, const ExperimentRequest& request
 int reproduceCommand(const Registry& registry, const ReproduceRequest& request);
 int exportCommand(const ExportRequest& request);
 int mergeCommand(const MergeRequest& request);
-int statisticsCommand(const StatisticsRequest& request);
+int statisticsCommand(const Registry& registry, const StatisticsRequest& request);
 int replayCommand(const Registry& registry, const ReplayRequest& request);
 
 /// Prints "surefoot: …" to standard error and returns the exit code of the error.

@@ -6,11 +6,11 @@
 
 namespace surefoot {
 
-int statisticsCommand(const StatisticsRequest& request) {
+int statisticsCommand(const Registry& registry, const StatisticsRequest& request) {
   if (request.store.empty()) return fail({"STORE: the store of results is needed."});
   const auto store = Store::open(request.store, &watchForInterrupt());
   if (!store) return fail(store.error());
-  const auto findings = findingsOf(*store);
+  const auto findings = findingsOf(registry, *store);
   if (!findings) return fail(findings.error());
   tellNote(*store);
   if (request.csv) return print(findingsAsCsv(*findings));

@@ -9,6 +9,7 @@
 
 #include "core/basics/typed_json.h"
 #include "core/experiment/configuration_json.h"
+#include "core/life/life_measures.h"
 #include "core/statistics/statistics.h"
 #include "core/store/store.h"
 #include "core/version.h"
@@ -149,12 +150,12 @@ std::string resultAsTable(const Configuration& c, const std::vector<LifeResult>&
     return count > 0 ? static_cast<double>(sum) / static_cast<double>(count) : std::nan("");
   };
   const std::string variant = c.names.scenario.empty() ? c.names.preset : c.names.scenario;
-  std::string text = fmt::format("{}{}{}, {}, {}, {}, seed {}: {} {}\n", c.names.environment,
-                                 variant.empty() ? "" : " ", variant, c.names.agent, c.names.features, c.names.policy,
-                                 c.seed, lives.size(), lives.size() == 1 ? "life" : "lives, mean ± 95 % interval");
-  const auto row = [&](const char* name, const std::string& value) {
-    text += fmt::format("  {:<28}{}\n", name, value);
-  };
+  const std::string head =
+      fmt::format("{}{}{}, {}, {}, {}, seed {}: {} {}\n", c.names.environment, variant.empty() ? "" : " ", variant,
+                  c.names.agent, c.names.features, c.names.policy, c.seed, lives.size(),
+                  lives.size() == 1 ? "life" : "lives, mean ± 95 % interval");
+  std::vector<std::pair<std::string, std::string>> rows;
+  const auto row = [&rows](const std::string& name, std::string value) { rows.emplace_back(name, std::move(value)); };
   row("falls", column([](const LifeResult& r) { return static_cast<double>(r.totals.falls); }, 1));
   row("episodes", column([](const LifeResult& r) { return static_cast<double>(r.totals.episodes); }, 1));
   row("average reward, last 80",
@@ -163,26 +164,23 @@ std::string resultAsTable(const Configuration& c, const std::vector<LifeResult>&
       column([&](const LifeResult& r) { return ratio(r.totals.successSteps, r.totals.successes); }, 1));
   row("transitions of a failure",
       column([&](const LifeResult& r) { return ratio(r.totals.failureSteps, r.totals.failures); }, 1));
-  for (const auto& [name, title] : {std::pair{"falls_per_hour", "falls an hour"},
-                                    {"distance", "distance [m]"},
-                                    {"net_footsteps", "net footsteps"},
-                                    {"energy", "energy [J]"},
-                                    {"greedy_distance", "greedy: distance [m]"},
-                                    {"greedy_falls", "greedy: falls a test"},
-                                    {"walks_after", "walks after [min]"}}) {
-    if (lives[0].taskMeasures.empty()) break;
-    row(title, column(
-                   [name = name](const LifeResult& r) {
-                     for (const NamedValue& m : measuresOf(r))
-                       if (m.name == name) return m.value;
-                     return std::nan("");
-                   },
-                   1));
-  }
+  for (const LifeMeasure& measure : lifeMeasures(lives[0].taskMeasures))
+    row(measure.titleWithUnit(), column(
+                                     [&measure](const LifeResult& r) {
+                                       for (const NamedValue& m : measuresOf(r))
+                                         if (m.name == measure.name) return m.value;
+                                       return std::nan("");
+                                     },
+                                     1));
   row("simulated minutes", column([](const LifeResult& r) { return r.simulatedSeconds / 60.0; }, 2));
   row("steps per CPU-second",
       column([](const LifeResult& r) { return static_cast<double>(r.steps) / r.cpuSeconds; }, 0));
   if (lives.size() == 1) row("hash", fmt::format("{:016x}", lives[0].hash));
+
+  std::size_t widest = 26;
+  for (const auto& [name, value] : rows) widest = std::max(widest, name.size());
+  std::string text = head;
+  for (const auto& [name, value] : rows) text += fmt::format("  {:<{}}  {}\n", name, widest, value);
   return text;
 }
 

@@ -39,7 +39,7 @@ Result<std::vector<Evidence>> runAndRead(const Registry& registry, const Plan& p
     return Error{fmt::format("interrupted; {} of {} lives are in {}, and the same command goes on.", result->livesThere,
                              result->livesPlanned, path),
                  ErrorKind::Interrupted};
-  return readEvidence(*store);
+  return readEvidence(registry, *store);
 }
 
 Result<std::vector<Judgement>> judgeAll(const Registry& registry, const Recipe& recipe,

@@ -2,10 +2,12 @@
 #include "core/experiment/experiment.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/basics/cpu_time.h"
 #include "core/experiment/meter.h"
 #include "core/experiment/work_pool.h"
+#include "core/life/life_measures.h"
 
 namespace surefoot {
 
@@ -36,7 +38,10 @@ std::vector<NamedValue> measuresOf(const LifeResult& r) {
   std::vector<NamedValue> all;
   const double hours = r.simulatedSeconds / 3600.0;
   if (r.taskMeasures.empty()) return all;
-  for (std::size_t m = 0; m < r.taskMeasures.size(); ++m) all.push_back({r.taskMeasures[m].key, r.totals.measures[m]});
+  for (std::size_t m = 0; m < r.taskMeasures.size(); ++m) {
+    const double value = valueOfALife(r.taskMeasures[m], r.totals.measures[m], r.totals.episodes);
+    if (std::isfinite(value)) all.push_back({r.taskMeasures[m].key, value});
+  }
   if (hours > 0) all.push_back({"falls_per_hour", static_cast<double>(r.totals.falls) / hours});
   if (r.greedyTests.empty()) return all;
 

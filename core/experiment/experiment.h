@@ -43,9 +43,7 @@ struct NamedValue {
   std::string name;
   double value = 0.0;
 };
-/// The task's measures over a whole life: the sums by their keys; the means over the last ten greedy tests as
-/// greedy_KEY, greedy_reward, greedy_falls; walks_after, the simulated minutes up to the first test in which the robot
-/// walked; falls_per_hour, where the task has a clock. Measures that a life does not have are left out.
+/// The values of lifeMeasures(); measures that a life does not have, as without a clock or a greedy test, are left out.
 std::vector<NamedValue> measuresOf(const LifeResult& result);
 
 struct RunOptions {

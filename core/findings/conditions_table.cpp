@@ -32,8 +32,9 @@ std::string pText(const Comparison& c) {
 
 ConditionsTable conditionsTable(const Findings& findings, const std::vector<Evidence>& evidence,
                                 const std::vector<std::string>& measures) {
-  ConditionsTable table{.heads = {"condition", "lives", measureTitle("falls"), "change, % (95 %)", "p"}, .rows = {}};
-  for (const std::string& measure : measures) table.heads.push_back(measureTitle(measure));
+  ConditionsTable table{.heads = {"condition", "lives", measureTitle("falls", evidence), "change, % (95 %)", "p"},
+                        .rows = {}};
+  for (const std::string& measure : measures) table.heads.push_back(measureTitle(measure, evidence));
   for (std::size_t i = 0; i < findings.conditions.size(); ++i) {
     const Finding& f = findings.conditions[i];
     const auto& c = f.comparison;

@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 
 #include "core/basics/typed_json.h"
 #include "core/files/limited_json.h"
 #include "core/life/greedy_trial.h"
+#include "core/life/life_measures.h"
 
 namespace surefoot {
 
@@ -51,25 +53,13 @@ constexpr NamedMeasure kMeasures[] = {
      [](const LifeMeasures& l) { return l.firstTransitions; }},
     {"walks", "lives that walk", walks}};
 
-/// Measures that a task may have besides (measuresOf).
-constexpr std::pair<const char*, const char*> kOwnMeasures[] = {
-    {"falls_per_hour", "falls an hour"},
-    {"distance", "distance of a life [m]"},
-    {"net_footsteps", "net footsteps of a life"},
-    {"energy", "energy of a life [J]"},
-    {"greedy_falls", "falls of a greedy test, last 10"},
-    {"greedy_distance", "distance of a greedy test, last 10 [m]"},
-    {"greedy_net_footsteps", "net footsteps of a greedy test, last 10"},
-    {"greedy_energy", "energy of a greedy test, last 10 [J]"},
-    {"greedy_reward", "reward of a greedy test, last 10"},
-    {"walks_after", "time to the first greedy walk [min]"}};
-
 }  // namespace
 
-Result<std::vector<Evidence>> readEvidence(const Store& store) {
+Result<std::vector<Evidence>> readEvidence(const Registry& registry, const Store& store) {
   auto records = readConditions(store);
   if (!records) return records.error();
   std::vector<Evidence> all;
+  std::map<std::string, std::vector<TaskMeasure>> tasks;  // by environment: making one takes time
   for (ConditionRecord& record : *records) {
     Evidence e{.record = std::move(record), .averages = {}, .end = {}, .lives = {}, .pool = {}, .configuration = {}};
     e.averages = meanAverageRewards(e.record);
@@ -78,23 +68,35 @@ Result<std::vector<Evidence>> readEvidence(const Store& store) {
     e.untilOtherEnds = resampledUntilEnd(e.record, e.end);
     e.configuration = parseJson(e.record.condition.configuration);
     if (e.configuration.contains("pre_learning")) e.pool = jsonText(e.configuration["pre_learning"]);
+    const std::string environment = textIn(e.configuration, "environment");
+    const auto [task, fresh] = tasks.try_emplace(environment);
+    if (fresh) task->second = taskMeasuresOf(registry, {environment});
+    e.taskMeasures = task->second;
     all.push_back(std::move(e));
   }
   return all;
 }
 
-std::vector<std::string> measureNames() {
+std::vector<std::string> measureNames(const std::vector<TaskMeasure>& task) {
   std::vector<std::string> names;
   for (const NamedMeasure& m : kMeasures) names.emplace_back(m.name);
-  for (const auto& [name, title] : kOwnMeasures) names.emplace_back(name);
+  for (const LifeMeasure& m : lifeMeasures(task)) names.push_back(m.name);
   return names;
 }
 
-std::string measureTitle(std::string_view measure) {
+std::vector<TaskMeasure> taskMeasuresOf(std::span<const Evidence> evidence) {
+  std::vector<TaskMeasure> all;
+  for (const Evidence& e : evidence)
+    for (const TaskMeasure& m : e.taskMeasures)
+      if (!measureAt(all, m.key)) all.push_back(m);
+  return all;
+}
+
+std::string measureTitle(std::string_view measure, std::span<const Evidence> evidence) {
   for (const NamedMeasure& m : kMeasures)
     if (measure == m.name) return m.title;
-  for (const auto& [name, title] : kOwnMeasures)
-    if (measure == name) return title;
+  for (const LifeMeasure& m : lifeMeasures(taskMeasuresOf(evidence)))
+    if (measure == m.name) return m.titleWithUnit();
   return std::string(measure);
 }
 
@@ -103,8 +105,8 @@ std::vector<double> valuesOf(const Evidence& evidence, std::string_view measure)
   for (const NamedMeasure& m : kMeasures)
     if (measure == m.name)
       for (const LifeMeasures& l : evidence.lives) values.push_back(m.of(l));
-  for (const auto& [name, title] : kOwnMeasures)
-    if (measure == name)
+  for (const LifeMeasure& m : lifeMeasures(evidence.taskMeasures))
+    if (measure == m.name)
       for (const LifeMeasures& l : evidence.lives) values.push_back(own(l, measure));
   return values;
 }

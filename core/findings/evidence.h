@@ -3,9 +3,11 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string_view>
 
 #include "core/findings/uncertain_end.h"
+#include "core/registry.h"
 
 namespace surefoot {
 
@@ -14,8 +16,9 @@ struct Evidence {
   std::vector<double> averages;    ///< A(k); [k − 1]
   std::optional<std::size_t> end;  ///< end of learning
   std::vector<LifeMeasures> lives;
-  std::string pool;              ///< which Q-functions its lives began with; empty: none
-  nlohmann::json configuration;  ///< as the store has it
+  std::string pool;                         ///< which Q-functions its lives began with; empty: none
+  nlohmann::json configuration;             ///< as the store has it
+  std::vector<TaskMeasure> taskMeasures{};  ///< of its environment
   /// From resampledUntilEnd; empty if no resample of the lives gives another end.
   std::map<std::string, std::vector<double>, std::less<>> untilOtherEnds{};
 
@@ -24,15 +27,17 @@ struct Evidence {
 };
 
 /// The evidence of all conditions of a store, in order.
-Result<std::vector<Evidence>> readEvidence(const Store& store);
+Result<std::vector<Evidence>> readEvidence(const Registry& registry, const Store& store);
 
 /// The names of the measures of a life: falls, minutes, all_falls, end_performance, average_reward, success_during,
 /// success_after, failure_during, failure_after, first_transitions, walks (0 or 1: more than kWalkDistance on the mean
-/// of the last ten greedy tests, at most half of which fall); and what a task may measure itself (measuresOf).
-std::vector<std::string> measureNames();
+/// of the last ten greedy tests, at most half of which fall); and what follows from the task's own (lifeMeasures).
+std::vector<std::string> measureNames(const std::vector<TaskMeasure>& task);
+/// The measures of the tasks of all these conditions.
+std::vector<TaskMeasure> taskMeasuresOf(std::span<const Evidence> evidence);
 /// The title of a measure for people: "distance of a life [m]".
-std::string measureTitle(std::string_view measure);
-/// One value per life; NaN where a life has none. Empty for an unknown name.
+std::string measureTitle(std::string_view measure, std::span<const Evidence> evidence);
+/// One value per life; NaN where a life has none. Empty for a name that the task does not have.
 std::vector<double> valuesOf(const Evidence& evidence, std::string_view measure);
 
 /// Values of lives, grouped by the Q-functions that the lives began with; values that are not finite are left out.

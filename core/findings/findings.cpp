@@ -111,10 +111,10 @@ Comparison compare(const Evidence& reference, const Evidence& other, std::vector
 
 }  // namespace
 
-Result<Findings> findingsOf(const Store& store) {
+Result<Findings> findingsOf(const Registry& registry, const Store& store) {
   auto plan = store.plan();
   if (!plan) return plan.error();
-  const auto evidence = readEvidence(store);
+  const auto evidence = readEvidence(registry, store);
   if (!evidence) return evidence.error();
   return findingsOf(std::move(*plan), *evidence);
 }

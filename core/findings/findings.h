@@ -53,7 +53,7 @@ struct Findings {
 /// The same store always gives the same findings.
 Findings findingsOf(StoredPlan plan, const std::vector<Evidence>& evidence);
 /// The findings of a whole store.
-Result<Findings> findingsOf(const Store& store);
+Result<Findings> findingsOf(const Registry& registry, const Store& store);
 
 /// "−45.0 (−55.1 … −32.0)", as a table says it: per cent, or where the reference has no falls the difference in falls.
 std::string changeText(const Comparison& comparison, int decimals);

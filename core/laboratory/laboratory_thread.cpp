@@ -13,10 +13,10 @@ constexpr auto kFirstLook = std::chrono::seconds(1);
 constexpr int kShareOfLooks = 10;  // measuring takes at most this part of the time: 1/kShareOfLooks
 }  // namespace
 
-Result<LabView> viewOf(const Store& store) {
+Result<LabView> viewOf(const Registry& registry, const Store& store) {
   auto plan = store.plan();
   if (!plan) return plan.error();
-  auto evidence = readEvidence(store);
+  auto evidence = readEvidence(registry, store);
   if (!evidence) return evidence.error();
   LabView view{.evidence = std::move(*evidence), .findings = {}};
   view.findings = findingsOf(std::move(*plan), view.evidence);
@@ -56,7 +56,7 @@ std::string LaboratoryThread::trouble() const {
 }
 
 void LaboratoryThread::look(const Store& store) {
-  auto view = viewOf(store);
+  auto view = viewOf(registry_, store);
   const std::lock_guard lock(mutex_);
   if (view)
     view_ = std::make_shared<const LabView>(std::move(*view));

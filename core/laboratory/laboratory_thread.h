@@ -20,7 +20,7 @@ struct LabView {
 };
 
 /// Reads a whole store.
-Result<LabView> viewOf(const Store& store);
+Result<LabView> viewOf(const Registry& registry, const Store& store);
 
 /// All calls belong to one thread, the window's.
 class LaboratoryThread {

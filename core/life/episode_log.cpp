@@ -19,6 +19,28 @@ void Hash64::add(std::string_view text) {
   for (const char c : text) add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
 }
 
+EpisodeLog::EpisodeLog(bool keepRows, const std::vector<TaskMeasure>& measures) : keepRows_(keepRows) {
+  for (std::size_t m = 0; m < measures.size(); ++m) ofALife_[m] = measures[m].ofALife;
+}
+
+namespace {
+
+/// The value for a life that goes on with an episode of value `next`.
+double together(TaskMeasure::OfALife what, double before, double next, bool first) {
+  switch (what) {
+    case TaskMeasure::OfALife::Sum:
+    case TaskMeasure::OfALife::Mean:
+      break;
+    case TaskMeasure::OfALife::Last:
+      return next;
+    case TaskMeasure::OfALife::Largest:
+      return first ? next : std::max(before, next);
+  }
+  return before + next;
+}
+
+}  // namespace
+
 const EpisodeRow& EpisodeLog::finish(Ending ending, std::int64_t lifeSteps, double bestReturn,
                                      std::span<const double> measures) {
   recent_[static_cast<std::size_t>(totals_.episodes % kAverageOver)] = current_.reward;
@@ -41,7 +63,8 @@ const EpisodeRow& EpisodeLog::finish(Ending ending, std::int64_t lifeSteps, doub
   last_.ending = ending;
   last_.averageReward = sum / static_cast<double>(count);
   std::copy(measures.begin(), measures.end(), last_.measures.begin());
-  for (std::size_t m = 0; m < measures.size(); ++m) totals_.measures[m] += measures[m];
+  for (std::size_t m = 0; m < measures.size(); ++m)
+    totals_.measures[m] = together(ofALife_[m], totals_.measures[m], measures[m], totals_.episodes == 1);
   totals_.highestReward = std::max(totals_.highestReward, last_.highest);
   current_ = {};
   end_.add(last_.episode, last_.averageReward, lifeSteps, bestReturn);

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/basics/types.h"
+#include "core/environment.h"
 #include "core/files/archive.h"
 #include "core/life/end_of_learning.h"
 
@@ -45,13 +45,13 @@ class Hash64 {
   std::uint64_t state_ = 0x5375'7265'666f'6f74ULL;
 };
 
-/// Sums over a whole life; episodes cut by the end of the life are not counted.
+/// Counts and sums over a whole life; episodes cut by the end of the life are not counted.
 struct LifeTotals {
   std::int64_t episodes = 0, falls = 0, successes = 0, failures = 0;
   std::int64_t successSteps = 0, failureSteps = 0;         ///< transitions of the successful and of the failed episodes
   std::int64_t successesAfter = 0, successStepsAfter = 0;  ///< successes after learning ended; their transitions
-  EpisodeMeasures measures{};
-  double highestReward = kNoReward;  ///< highest reward of one transition
+  EpisodeMeasures measures{};                              ///< TaskMeasure::ofALife; of a mean: the sum
+  double highestReward = kNoReward;                        ///< highest reward of one transition
 };
 
 class EpisodeLog {
@@ -59,7 +59,7 @@ class EpisodeLog {
   static constexpr int kAverageOver = 80;  ///< episodes (thesis, section 4.2.1)
 
   /// `keepRows`: rows() holds every episode. Otherwise memory does not grow with the life.
-  explicit EpisodeLog(bool keepRows = false) : keepRows_(keepRows) {}
+  explicit EpisodeLog(bool keepRows = false, const std::vector<TaskMeasure>& measures = {});
 
   /// One transition of the episode in hand.
   void add(const Outcome& outcome) {
@@ -92,6 +92,7 @@ class EpisodeLog {
 
  private:
   bool keepRows_;
+  std::array<TaskMeasure::OfALife, kMaxMeasures> ofALife_{};
   EpisodeRow current_, last_;
   LifeTotals totals_;
   std::array<double, kAverageOver> recent_{};  // a ring of total rewards

@@ -22,7 +22,7 @@ Life::Life(LifeParts parts, Random world, Random policy, LifeLimits limits, bool
       worldRandom_(world),
       policyRandom_(policy),
       limits_(limits),
-      log_(keepRows),
+      log_(keepRows, environment_->task().measures),
       tester_(std::move(parts.tests), parts.testSeed) {
   agent_->setPolicy(*policy_);
   beginEpisode();

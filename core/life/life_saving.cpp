@@ -23,7 +23,7 @@ Life::Life(LifeParts parts, LifeLimits limits, bool keepRows, Archive& archive)
       worldRandom_(0),
       policyRandom_(0),
       limits_(limits),
-      log_(keepRows),
+      log_(keepRows, environment_->task().measures),
       changes_(std::move(parts.changes)),
       tester_(std::move(parts.tests), parts.testSeed),
       keepInputs_(true) {

@@ -78,7 +78,7 @@ bool differs(const Evidence& e, const std::vector<Evidence>& all, const std::str
 
 void addBars(Figure& figure, const FigureSpec& spec, const Chosen& chosen, const std::vector<Evidence>& all) {
   figure.bars = true;
-  figure.yTitle = measureTitle(spec.measure);
+  figure.yTitle = measureTitle(spec.measure, all);
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     const Evidence& e = *chosen[i];
     figure.labels.push_back(e.name());
@@ -100,11 +100,11 @@ std::string titleOf(const Registry& registry, const Evidence& e, const std::stri
   return p.title + (p.symbol.empty() ? "" : " " + p.symbol) + (p.unit.empty() ? "" : " [" + p.unit + "]");
 }
 
-Status addAgainst(const Registry& registry, Figure& figure, const FigureSpec& spec, const Chosen& chosen) {
+Status addAgainst(const Registry& registry, Figure& figure, const FigureSpec& spec, const Chosen& chosen,
+                  const std::vector<Evidence>& all) {
   figure.xTitle = titleOf(registry, *chosen[0], spec.along);
-  figure.yTitle = measureTitle(spec.measure);
-  FigureSeries series{
-      .name = measureTitle(spec.measure), .policy = policyOf(*chosen[0]), .x = {}, .y = {}, .marked = {}};
+  figure.yTitle = measureTitle(spec.measure, all);
+  FigureSeries series{.name = figure.yTitle, .policy = policyOf(*chosen[0]), .x = {}, .y = {}, .marked = {}};
   std::map<double, const Evidence*> inOrder;
   for (const Evidence* e : chosen) {
     const double x = parameterOf(*e, spec.along);
@@ -140,7 +140,7 @@ Result<Figure> makeFigure(const Registry& registry, const FigureSpec& spec, cons
     if (wanted && !e.lives.empty()) chosen.push_back(&e);
   }
   if (chosen.empty()) return Error{fmt::format("figure {}: no condition fits.", spec.name)};
-  if (const Status s = checkFigure(spec); !s) return s.error();
+  if (const Status s = checkFigure(spec, measureNames(taskMeasuresOf(evidence))); !s) return s.error();
   if (!needsLives(spec.kind)) return makeLiveFigure(registry, spec, chosen);
 
   Figure figure{.name = spec.name, .title = spec.title, .xTitle = {}, .yTitle = {}, .labels = {}, .series = {}};
@@ -149,7 +149,7 @@ Result<Figure> makeFigure(const Registry& registry, const FigureSpec& spec, cons
     addCurves(figure, spec.kind, chosen);
   else if (spec.kind == "bars")
     addBars(figure, spec, chosen, evidence);
-  else if (const Status s = addAgainst(registry, figure, spec, chosen); !s)
+  else if (const Status s = addAgainst(registry, figure, spec, chosen, evidence); !s)
     return s.error();
   describeSeries(figure, chosen);
   return figure;

@@ -59,8 +59,8 @@ Result<Figure> makeLiveFigure(const Registry& registry, const FigureSpec& spec,
 
 bool needsLives(const std::string& kind);
 
-/// Whether kind and measure exist; the error names the ones that do.
-Status checkFigure(const FigureSpec& spec);
+/// Whether kind and measure exist; the error names the ones that do. `measures`: from measureNames().
+Status checkFigure(const FigureSpec& spec, const std::vector<std::string>& measures);
 
 /// One row per point: series, x, value, low, high, and for bars thesis; for a picture shape, x, y.
 std::string figureAsCsv(const Figure& figure);

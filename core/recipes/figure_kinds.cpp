@@ -42,7 +42,7 @@ bool needsLives(const std::string& kind) {
   return !k || k->needs != FigureKind::Needs::Nothing;
 }
 
-Status checkFigure(const FigureSpec& spec) {
+Status checkFigure(const FigureSpec& spec, const std::vector<std::string>& measures) {
   const FigureKind* kind = kindOf(spec.kind);
   if (!kind) {
     std::vector<std::string> names;
@@ -50,7 +50,6 @@ Status checkFigure(const FigureSpec& spec) {
     return Error{
         fmt::format("figure {}: kind: there is no \"{}\"; it takes {}.", spec.name, spec.kind, joinWords(names, "or"))};
   }
-  const auto measures = measureNames();
   if (kind->needs == FigureKind::Needs::Measure &&
       std::find(measures.begin(), measures.end(), spec.measure) == measures.end())
     return Error{fmt::format("figure {}: measure: there is no \"{}\"; it takes {}.", spec.name, spec.measure,

@@ -115,7 +115,7 @@ Verdict Judge::withinLives() {
   std::vector<Verdict> verdicts;
   for (const Evidence* e : conditions_) {
     const auto a = valuesOf(*e, measure_), b = valuesOf(*e, other);
-    if (b.empty()) complain("other", fmt::format("it takes {}", joinWords(measureNames(), "or")));
+    if (b.empty()) complain("other", fmt::format("it takes {}", joinWords(measureNames(e->taskMeasures), "or")));
     std::vector<double> differences;
     for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) differences.push_back(b[i] - a[i]);
     const Interval i = intervalOf(estimateOf(differences, unitsOf(e->record)));

@@ -108,8 +108,13 @@ Status checkNamed(const Recipe& recipe, const std::vector<std::string>& patterns
   return Done{};
 }
 
-Status checkMeasures(const Json& arguments) {
-  const auto measures = measureNames();
+std::set<std::string> environmentsOf(const Plan& plan) {
+  std::set<std::string> names;
+  for (const Condition& c : plan.conditions) names.insert(c.configuration.names.environment);
+  return names;
+}
+
+Status checkMeasures(const Json& arguments, const std::vector<std::string>& measures) {
   for (const char* key : {"measure", "other"})
     if (arguments.contains(key) && std::find(measures.begin(), measures.end(), arguments[key]) == measures.end())
       return Error{
@@ -117,7 +122,7 @@ Status checkMeasures(const Json& arguments) {
   return Done{};
 }
 
-Status readFigures(const Json& blocks, Recipe& recipe) {
+Status readFigures(const Json& blocks, const std::vector<std::string>& measures, Recipe& recipe) {
   static const Keys kKeys = {{"name", Takes::Text},        {"title", Takes::Text},   {"kind", Takes::Text},
                              {"conditions", Takes::Texts}, {"measure", Takes::Text}, {"along", Takes::Text},
                              {"q", Takes::Numbers},        {"state", Takes::Numbers}};
@@ -137,7 +142,7 @@ Status readFigures(const Json& blocks, Recipe& recipe) {
     for (const Json& number : partOf(block, "state")) figure.state.push_back(number);
     if (figure.name.empty() || figure.name.find_first_of("/\\") != std::string::npos)
       return wrong("figure", figure.name, "a name is needed, without a slash.");
-    if (const Status s = checkFigure(figure); !s) return s;
+    if (const Status s = checkFigure(figure, measures); !s) return s;
     if (const Status s = checkNamed(recipe, figure.conditions); !s)
       return wrong("figure", figure.name, s.error().message);
     if (!names.insert(figure.name).second)
@@ -147,7 +152,7 @@ Status readFigures(const Json& blocks, Recipe& recipe) {
   return Done{};
 }
 
-Status readClaims(const Json& blocks, Recipe& recipe) {
+Status readClaims(const Json& blocks, const std::vector<std::string>& measures, Recipe& recipe) {
   static const Keys kKeys = {{"id", Takes::Text},
                              {"kind", Takes::Text},
                              {"says", Takes::Text},
@@ -185,7 +190,7 @@ Status readClaims(const Json& blocks, Recipe& recipe) {
     block.erase("calibrated");
     claim.arguments = std::move(block);
     if (const Status s = checkKind(claim); !s) return s;
-    for (const Status& s : {checkMeasures(claim.arguments), checkNamed(recipe, patternsOf(claim))})
+    for (const Status& s : {checkMeasures(claim.arguments, measures), checkNamed(recipe, patternsOf(claim))})
       if (!s) return wrong("claim", id, s.error().message);
     recipe.claims.push_back(std::move(claim));
   }
@@ -208,15 +213,17 @@ Result<Recipe> parseRecipe(const Registry& registry, const std::string& text, co
                 .claims = {}};
   for (const Json& shown : (*blocks)["shows"])
     if (shown.is_string()) recipe.shows.push_back(shown);
-  const auto measures = measureNames();
+  const auto measures = measureNames(taskMeasuresOf(registry, environmentsOf(recipe.plan)));
   for (const Json& column : (*blocks)["table"]) {
     const std::string measure = column.is_string() ? column.get<std::string>() : jsonText(column);
     if (std::find(measures.begin(), measures.end(), measure) == measures.end())
       return planError(path, 0, fmt::format("table: there is no measure \"{}\".", measure));
     recipe.table.push_back(measure);
   }
-  if (const Status s = readFigures((*blocks)["figure"], recipe); !s) return planError(path, 0, s.error().message);
-  if (const Status s = readClaims((*blocks)["claim"], recipe); !s) return planError(path, 0, s.error().message);
+  if (const Status s = readFigures((*blocks)["figure"], measures, recipe); !s)
+    return planError(path, 0, s.error().message);
+  if (const Status s = readClaims((*blocks)["claim"], measures, recipe); !s)
+    return planError(path, 0, s.error().message);
   return recipe;
 }
 

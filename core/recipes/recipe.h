@@ -15,7 +15,7 @@ namespace surefoot {
 struct Recipe {
   std::string name;                ///< name of its file
   std::vector<std::string> shows;  ///< "4.4", "table 4.2"
-  std::vector<std::string> table;  ///< names from measureNames()
+  std::vector<std::string> table;  ///< names from measureNames(), for the plan's tasks
   Plan plan;
   std::vector<FigureSpec> figures;
   std::vector<Claim> claims;

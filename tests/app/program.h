@@ -30,8 +30,8 @@ inline std::string contentOf(const std::string& file) {
 inline Finished surefoot(const std::string& arguments) {
   const Folder folder;
   const std::string out = folder.file("out"), err = folder.file("err");
-  const std::string command = std::string("env -u DISPLAY -u WAYLAND_DISPLAY ") + SUREFOOT_PROGRAM + " " + arguments +
-                              " >" + out + " 2>" + err + " </dev/null";
+  const std::string command = std::string("env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM ") + SUREFOOT_PROGRAM +
+                              " " + arguments + " >" + out + " 2>" + err + " </dev/null";
   const int status = std::system(command.c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), contentOf(out), contentOf(err)};
 }

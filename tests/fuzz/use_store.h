@@ -75,18 +75,18 @@ inline void changeValues(const std::string& path, Bytes bytes) {
 }
 
 /// Everything that reads a store. True: it was taken.
-inline bool readAll(const std::string& path) {
+inline bool readAll(const Registry& registry, const std::string& path) {
   const auto store = Store::open(path);
   if (!store) return false;
   static_cast<void>(static_cast<bool>(store->contentHash()));
-  const auto findings = findingsOf(*store);
+  const auto findings = findingsOf(registry, *store);
   if (!findings) return false;
   static_cast<void>(findingsAsTable(*findings) + findingsAsCsv(*findings) + findingsAsLatex(*findings) +
                     findingsAsJson(*findings).dump());
   return true;
 }
 
-inline bool useStore(const std::string& bytes) {
+inline bool useStore(const Registry& registry, const std::string& bytes) {
   if (bytes.empty()) return false;
   const std::string path = "/dev/shm/surefoot-fuzz-" + std::to_string(getpid()) + ".sqlite";
   unlink(path.c_str());
@@ -96,7 +96,7 @@ inline bool useStore(const std::string& bytes) {
     makeSmallStore(path);
     changeValues(path, Bytes(std::string_view(bytes).substr(1)));
   }
-  const bool taken = readAll(path);
+  const bool taken = readAll(registry, path);
   for (const char* rest : {"", "-wal", "-shm", "-journal", "-lock"}) unlink((path + rest).c_str());
   return taken;
 }

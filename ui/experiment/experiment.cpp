@@ -2,9 +2,12 @@
 #include "ui/experiment/experiment.h"
 
 #include <algorithm>
+#include <cctype>
+#include <set>
 
 #include "core/basics/typed_json.h"
 #include "core/files/limited_json.h"
+#include "core/life/life_measures.h"
 #include "ui/style/symbol_text.h"
 
 namespace surefoot {
@@ -23,7 +26,8 @@ Experiment::Experiment(const Registry& registry, std::vector<PlanSource> sources
 }
 
 std::vector<FigureSpec> Experiment::standardFigures(const StoredPlan& plan) const {
-  const auto figure = [](const char* name, const char* title, const char* kind, const char* measure = "falls") {
+  const auto figure = [](const std::string& name, const std::string& title, const char* kind,
+                         const std::string& measure = "falls") {
     return FigureSpec{.name = name,
                       .title = title,
                       .kind = kind,
@@ -40,16 +44,16 @@ std::vector<FigureSpec> Experiment::standardFigures(const StoredPlan& plan) cons
       figure("cumulative-falls", "Cumulative falls", "cumulative-falls"),
       figure("learning-time", "Learning time", "bars", "minutes"),
       figure("end-performance", "Falls per episode at the end", "bars", "end_performance")};
-  const bool walks = std::any_of(plan.conditions.begin(), plan.conditions.end(), [&](const StoredCondition& c) {
+  std::set<std::string> environments;
+  for (const StoredCondition& c : plan.conditions) {
     const auto configuration = parseJson(c.configuration);
-    if (!configuration.is_object()) return false;
-    const auto entry = findEntry(registry_.environments, "environment", textIn(configuration, "environment"));
-    return entry && measureAt((*entry)->make()->task().measures, "distance").has_value();
-  });
-  if (!walks) return figures;
-  figures.push_back(figure("distance", "Distance of a life", "bars", "distance"));
-  figures.push_back(figure("greedy-distance", "Distance of a greedy test at the end", "bars", "greedy_distance"));
-  figures.push_back(figure("greedy-footsteps", "Net footsteps of a greedy test", "bars", "greedy_net_footsteps"));
+    if (configuration.is_object()) environments.insert(textIn(configuration, "environment"));
+  }
+  for (const LifeMeasure& m : lifeMeasures(taskMeasuresOf(registry_, environments))) {
+    std::string title = m.title;
+    title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+    figures.push_back(figure(m.name, title, "bars", m.name));
+  }
   return figures;
 }
 

@@ -48,7 +48,7 @@ Result<Experiment::Opened> Experiment::prepareStore(const std::string& path,
                                                     const std::atomic<bool>& interrupted) const {
   const auto store = Store::open(path, &interrupted);
   if (!store) return store.error();
-  auto view = viewOf(*store);
+  auto view = viewOf(registry_, *store);
   if (!view) return view.error();
   const auto lives = store->lives();
   if (!lives) return lives.error();

@@ -21,6 +21,7 @@ Evidence evidenceOf(const std::string& name, const std::vector<double>& falls, b
     e.lives.push_back(life);
   }
   e.configuration = nlohmann::json::object();
+  if (robot) e.taskMeasures = {{"distance", "distance", "m"}};
   e.record.lives.resize(falls.size());
   e.record.episodes.resize(falls.size());
   return e;

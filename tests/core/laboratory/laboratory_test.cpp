@@ -204,7 +204,7 @@ TEST_F(LaboratoryTest, WhatIsNoStoreIsRefused) {
 TEST_F(LaboratoryTest, FindingsCompareWithTheReference) {
   Store store = make("s");
   run(store, {.jobs = 2});
-  const auto findings = findingsOf(store);
+  const auto findings = findingsOf(registry, store);
   ASSERT_TRUE(findings) << findings.error().message;
   ASSERT_EQ(findings->conditions.size(), 3u);
   EXPECT_TRUE(findings->complete);
@@ -220,7 +220,7 @@ TEST_F(LaboratoryTest, FindingsCompareWithTheReference) {
   EXPECT_GE(none.comparison->holm, none.comparison->p());
   EXPECT_FALSE(reference.end) << "lives of 18 seconds never end";
   EXPECT_FALSE(reference.warnings.empty());
-  EXPECT_EQ(findingsAsJson(*findings).dump(), findingsAsJson(*findingsOf(store)).dump());
+  EXPECT_EQ(findingsAsJson(*findings).dump(), findingsAsJson(*findingsOf(registry, store)).dump());
 }
 
 }  // namespace surefoot

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/life/episode_log.h"
+#include "core/life/life_measures.h"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace surefoot {
 
@@ -42,6 +45,38 @@ TEST(EpisodeLog, HashTellsAnyTwoLogsApart) {
   a.finish(Ending::Terminal, 1);
   b.finish(Ending::Terminal, 1);
   EXPECT_NE(a.hash().value(), b.hash().value());
+}
+
+// What a measure is for a whole life stands where it is declared.
+TEST(EpisodeLog, AMeasureOfALifeIsASumAMeanTheLastOrTheLargest) {
+  using OfALife = TaskMeasure::OfALife;
+  const std::vector<TaskMeasure> measures = {{"way", "way", "m", OfALife::Sum},
+                                             {"torque", "torque", "N m", OfALife::Mean},
+                                             {"height", "height", "m", OfALife::Last},
+                                             {"tilt", "tilt", "rad", OfALife::Largest}};
+  EpisodeLog log(false, measures);
+  const auto ofALife = [&](std::size_t m) {
+    return valueOfALife(measures[m], log.totals().measures[m], log.totals().episodes);
+  };
+  EXPECT_EQ(ofALife(0), 0.0);
+  for (const std::size_t m : {1u, 2u, 3u}) EXPECT_TRUE(std::isnan(ofALife(m))) << "no episode yet";
+  const double episodes[][4] = {{1, 2, 3, -5}, {10, 4, 1, -2}, {100, 9, 2, -3}};
+  for (const auto& episode : episodes) log.finish(Ending::Terminal, 1, kInfinity, episode);
+  EXPECT_EQ(ofALife(0), 111.0);
+  EXPECT_EQ(ofALife(1), 5.0);
+  EXPECT_EQ(ofALife(2), 2.0);
+  EXPECT_EQ(ofALife(3), -2.0) << "of three below 0, the largest";
+}
+
+TEST(LifeMeasures, EveryMeasureOfATaskHasItsNamesAndTitles) {
+  EXPECT_TRUE(lifeMeasures({}).empty());
+  std::vector<std::string> titles;
+  for (const LifeMeasure& m : lifeMeasures({{"torque", "torque", "N m", TaskMeasure::OfALife::Mean}}))
+    titles.push_back(m.name + ": " + m.titleWithUnit());
+  EXPECT_EQ(titles, (std::vector<std::string>{"falls_per_hour: falls an hour", "torque: mean torque of a life [N m]",
+                                              "greedy_torque: torque of a greedy test, last 10 [N m]",
+                                              "greedy_reward: reward of a greedy test, last 10",
+                                              "greedy_falls: falls of a greedy test, last 10"}));
 }
 
 }  // namespace surefoot

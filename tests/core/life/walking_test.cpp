@@ -182,7 +182,7 @@ TEST(Walking, MeasuresAreKeptInTheStoreAndFoundByTheLaboratory) {
   ASSERT_TRUE(before);
   ASSERT_EQ(before->size(), 2u);
   EXPECT_EQ((*before)[0].steps, 1500) << "a minute of 25 steps a second";
-  const auto evidence = readEvidence(*store);
+  const auto evidence = readEvidence(registry, *store);
   ASSERT_TRUE(evidence) << evidence.error().message;
   for (const char* measure : {"distance", "net_footsteps", "falls_per_hour", "greedy_distance", "greedy_falls"}) {
     const auto values = valuesOf((*evidence)[0], measure);

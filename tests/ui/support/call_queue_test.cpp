@@ -6,6 +6,7 @@
 
 #include <QEventLoop>
 #include <QTest>
+#include <atomic>
 #include <memory>
 #include <thread>
 #include <vector>
@@ -34,13 +35,21 @@ TEST(CallQueue, CallsInOrderOnTheThreadThatOwnsIt) {
 TEST(CallQueue, ACallWithAnEventLoopDoesNotHoldUpTheNext) {
   CallQueue calls;
   QEventLoop loop;
+  std::atomic<bool> first = false;
   bool second = false;
-  calls.post([&] { loop.exec(); });
   calls.post([&] {
-    second = true;
-    loop.quit();
+    first = true;
+    loop.exec();
+  });
+  std::thread other([&] {
+    while (!first) std::this_thread::yield();
+    calls.post([&] {
+      second = true;
+      loop.quit();
+    });
   });
   EXPECT_TRUE(QTest::qWaitFor([&] { return second && !loop.isRunning(); }));
+  other.join();
 }
 
 TEST(CallQueue, WhatIsLeftIsDroppedWithTheQueue) {
