@@ -5,6 +5,7 @@
 #include <QWheelEvent>
 
 #include "ui/style/painted.h"
+#include "ui/style/policy_look.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
 #include "ui/support/plain_text.h"

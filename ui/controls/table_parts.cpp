@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/text/text.h"
+#include "ui/style/policy_look.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"

@@ -7,6 +7,7 @@
 #include "core/text/text.h"
 #include "ui/experiment/experiment.h"
 #include "ui/experiment/figures/condition_name.h"
+#include "ui/style/policy_look.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
 #include "ui/support/counted.h"

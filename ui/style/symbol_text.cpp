@@ -108,28 +108,4 @@ void drawSymbol(QPainter& painter, const QRectF& where, Qt::Alignment alignment,
   drawSymbol(painter, x, where.center().y() + (metrics.ascent() - metrics.descent()) / 2, text);
 }
 
-void drawMarker(QPainter& painter, QPointF c, const PolicyLook& look, bool filled) {
-  painter.save();
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.translate(c);
-  painter.scale(textScale(), textScale());
-  painter.setPen(QPen(look.colour, 1.5));
-  painter.setBrush(filled ? QBrush(look.colour) : QBrush(Qt::NoBrush));
-  switch (look.marker) {
-    case Marker::Circle:
-      painter.drawEllipse(QPointF(), 3.5, 3.5);
-      break;
-    case Marker::Square:
-      painter.drawRect(QRectF(-3, -3, 6, 6));
-      break;
-    case Marker::Triangle:
-      painter.drawPolygon(QPolygonF({{-4, 3}, {0, -4}, {4, 3}}));
-      break;
-    case Marker::Diamond:
-      painter.drawPolygon(QPolygonF({{-4, 0}, {0, -4}, {4, 0}, {0, 4}}));
-      break;
-  }
-  painter.restore();
-}
-
 }  // namespace surefoot

@@ -20,9 +20,6 @@ void drawSymbol(QPainter& painter, double x, double y, const QString& text);
 /// Draws the text in a rectangle, aligned as Qt::AlignLeft, AlignHCenter or AlignRight, centred vertically.
 void drawSymbol(QPainter& painter, const QRectF& where, Qt::Alignment alignment, const QString& text);
 
-/// A policy's marker in a circle of about 4 px around the point; filled: in force.
-void drawMarker(QPainter& painter, QPointF centre, const PolicyLook& look, bool filled);
-
 /// How many times larger than usual texts are.
 inline double textScale() {
   return textFont(100).pixelSize() / 100.0;

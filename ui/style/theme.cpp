@@ -27,6 +27,8 @@ const Theme& lightTheme() {
                            .trlStrong = 0x007A5A,
                            .softmax = 0x8A4FD0,
                            .greedy = 0x8C939D,
+                           .otherPolicy = 0xB0447E,
+                           .anotherPolicy = 0x7A5230,
                            .fall = 0xD55E00,
                            .fallText = 0xC04F00};
   return theme;
@@ -49,6 +51,8 @@ const Theme& darkTheme() {
                            .trlStrong = 0x2DB88C,
                            .softmax = 0x9C7CF0,
                            .greedy = 0x8C939D,
+                           .otherPolicy = 0xE08FBE,
+                           .anotherPolicy = 0xC79A6B,
                            .fall = 0xF0783A,
                            .fallText = 0xF0783A};
   return theme;
@@ -118,13 +122,6 @@ QFont textFont(int pixels, int weight) {
   font.setPixelSize(pixels);
   font.setWeight(static_cast<QFont::Weight>(weight));
   return font;
-}
-
-PolicyLook policyLook(std::string_view policy, const Theme& t) {
-  if (policy == "epsilon-greedy") return {t.epsilonGreedy, Marker::Circle};
-  if (policy == "trl") return {t.trl, Marker::Triangle};
-  if (policy == "softmax") return {t.softmax, Marker::Square};
-  return {t.greedy, Marker::Diamond};
 }
 
 }  // namespace surefoot

@@ -7,7 +7,6 @@
 #include <QFont>
 #include <QPalette>
 #include <QString>
-#include <string_view>
 
 class QApplication;
 class QWidget;
@@ -18,6 +17,7 @@ struct Theme {
   bool dark;
   QColor paper, panel, fill, ink, quiet, hairline, outline, track, accent, caution;
   QColor epsilonGreedy, trl, trlStrong, softmax, greedy;  // trlStrong carries white text
+  QColor otherPolicy, anotherPolicy;                      // of policies without a colour of their own
   QColor fall, fallText;
 };
 
@@ -36,13 +36,5 @@ void applyAppearance(QApplication& application, Appearance appearance);
 /// Text in a weight of 400 (normal) or 500 (medium); sizes in px: 13 text, 11 axes and notes, 24 the fall counter. For
 /// a ScaledPainter; standard widgets take scaledFont() (ui/scale.h).
 QFont textFont(int pixels, int weight = 400);
-
-/// How a policy looks everywhere. Names that are not known look like greedy.
-enum class Marker { Circle, Triangle, Square, Diamond };
-struct PolicyLook {
-  QColor colour;
-  Marker marker;
-};
-PolicyLook policyLook(std::string_view policy, const Theme& theme);
 
 }  // namespace surefoot

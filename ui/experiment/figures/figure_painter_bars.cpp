@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ui/experiment/figures/figure_painter.h"
+#include "ui/style/policy_look.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
 #include "ui/support/counted.h"

@@ -6,6 +6,7 @@
 #include "ui/running/looking.h"
 #include "ui/running/running_life.h"
 #include "ui/style/colour_map.h"
+#include "ui/style/policy_look.h"
 #include "ui/style/symbol_text.h"
 
 namespace surefoot {

@@ -12,6 +12,7 @@
 #include "ui/running/running_life.h"
 #include "ui/session/editing.h"
 #include "ui/style/colour_map.h"
+#include "ui/style/policy_look.h"
 #include "ui/style/round_numbers.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"

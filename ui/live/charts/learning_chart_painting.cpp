@@ -9,6 +9,7 @@
 #include "ui/running/run_names.h"
 #include "ui/running/running_life.h"
 #include "ui/session/history.h"
+#include "ui/style/policy_look.h"
 #include "ui/style/round_numbers.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"

@@ -15,6 +15,7 @@
 #include "ui/running/looking.h"
 #include "ui/running/running_life.h"
 #include "ui/session/history.h"
+#include "ui/style/policy_look.h"
 #include "ui/style/round_numbers.h"
 #include "ui/style/theme.h"
 

@@ -12,6 +12,7 @@
 #include "ui/controls/slider.h"
 #include "ui/live/form/parameter_row.h"
 #include "ui/style/icons.h"
+#include "ui/style/policy_look.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
 

@@ -9,6 +9,7 @@
 #include "ui/live/world/world_view.h"
 #include "ui/running/looking.h"
 #include "ui/running/running_life.h"
+#include "ui/style/policy_look.h"
 #include "ui/style/round_numbers.h"
 #include "ui/style/scene_painter.h"
 #include "ui/style/symbol_text.h"
