@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/basics/expects.h"
 #include "core/text/number_text.h"
 #include "core/text/text.h"
 
@@ -109,7 +110,7 @@ Parameters::Entry* Parameters::entry(std::string_view key) {
 
 double Parameters::get(std::string_view key) const {
   const Entry* entry = find(key);
-  assert(entry && "a key that no component declares");
+  expects(entry, "a key that a component declares");
   return entry->value;
 }
 

@@ -13,7 +13,7 @@
 #include "app/requests/requests.h"
 #include "core/basics/typed_json.h"
 #include "core/files/whole_file.h"
-#include "core/saved/resample.h"
+#include "core/saved/carry_over.h"
 
 namespace surefoot {
 
@@ -52,7 +52,7 @@ int resampleCommand(const Registry& registry, const ResampleRequest& request) {
   if (!file) return fail(file.error());
 
   const std::atomic<bool>& interrupted = watchForInterrupt();
-  const ResampleError error = resample(old->values(), **agent, old->task(), &interrupted);
+  const CarriedError error = carryOver(old->values(), **agent, old->task(), &interrupted);
   if (interrupted) return fail({"interrupted; nothing is written.", ErrorKind::Interrupted});
   if (!std::isfinite(error.rms))
     return fail({"the function cannot be fitted in this representation; take more tiles or more memory."});

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "core/basics/expects.h"
 #include "core/files/json_difference.h"
 #include "core/text/text.h"
 
@@ -26,6 +27,7 @@ Result<AnyFeatures> any(Result<F> features) {
 Result<AnyFeatures> makeFeatures(const Task& task, const std::string& features, const RepresentationSettings& s) {
   if (features == "table") return any(Table::create(task));
   if (features == "radial-basis") return any(RadialBasis::create(task, s.gaussians));
+  expects(features == "tile-coder", "the names of feature maps were checked before");
   if (s.tiles.memory > 0) return any(HashedTileCoder::create(task, s.tiles));
   return any(TileCoder::create(task, s.tiles));
 }

@@ -96,8 +96,8 @@ class Sarsa2Q final : public Agent {
  private:
   /// A′ ~ π(·|S′) on Q⁺ + Q⁻.
   Action choose(std::span<const double> state, Random& random) {
-    positive_.look(state, qPositive_);
-    negative_.look(state, qNegative_);
+    positive_.arrive(state, qPositive_);
+    negative_.arrive(state, qNegative_);
     for (std::size_t a = 0; a < q_.size(); ++a) q_[a] = qPositive_[a] + qNegative_[a];
     policy_->probabilities(q_, pi_);
     return sample(pi_, random);

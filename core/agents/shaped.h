@@ -91,7 +91,7 @@ class ShapedAgent final : public Agent {
  private:
   double lookAt(std::span<const double> state) {
     double next = 0.0;
-    potential_.look(state, std::span(&next, 1));
+    potential_.arrive(state, std::span(&next, 1));
     return next;
   }
   /// Adds F to the outcome, and learns V; `next` is V(S′).

@@ -84,7 +84,7 @@ class TdControl final : public Agent {
  private:
   /// A′ ~ π(·|S′); leaves q̂(S′, ·) in q_ and π(·|S′) in pi_.
   Action choose(std::span<const double> state, Random& random) {
-    estimate_.look(state, q_);
+    estimate_.arrive(state, q_);
     policy_->probabilities(q_, pi_);
     return sample(pi_, random);
   }

@@ -8,7 +8,6 @@
 
 #include <array>
 #include <bit>
-#include <cassert>
 #include <cstdint>
 
 namespace surefoot {

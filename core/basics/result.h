@@ -3,7 +3,6 @@
 // files, numbers in a form. A programmer's error is an assertion instead.
 #pragma once
 
-#include <cassert>
 #include <string>
 #include <utility>
 #include <variant>

@@ -7,7 +7,7 @@
 
 namespace surefoot {
 
-void Meter::read(const Life& life) {
+void Meter::update(const Life& life) {
   const auto part = [](std::int64_t reached, std::int64_t limit) {
     return static_cast<double>(reached) / static_cast<double>(limit);
   };
@@ -35,7 +35,7 @@ void live(Life& life, std::int64_t steps, const WorkPool& pool, Meter& meter) {
   while (!life.finished() && life.steps() < steps && !pool.stopping() && !pool.paused()) {
     const std::int64_t batch = std::min(kBatch, steps - life.steps());
     for (std::int64_t i = 0; i < batch && !life.finished(); ++i) life.step();
-    meter.read(life);
+    meter.update(life);
   }
 }
 

@@ -25,7 +25,7 @@ struct alignas(64) Meter {
   std::atomic<double> share{0.0};
   std::atomic<bool> done{false};
 
-  void read(const Life& life);
+  void update(const Life& life);
 };
 
 Progress sum(const std::vector<Meter>& meters);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/features/tile_grid.h"
+#include "core/basics/expects.h"
 
 #include <fmt/format.h>
 
 #include <array>
 #include <bit>
-#include <cassert>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -52,7 +52,7 @@ template <class Number>
 Result<TileGrid<Number>> TileGrid<Number>::create(const Task& task, const TileSettings& settings, double mostTiles) {
   TileGrid grid;
   const int n = grid.tilings_ = settings.tilings;
-  assert(!task.state.empty() && task.state.size() <= kMaxStateVariables);
+  expects(!task.state.empty() && task.state.size() <= kMaxStateVariables, "a task has a state");
   double stride = n;  // tiles along the dimensions so far, of all tilings
   for (std::size_t d = 0; d < task.state.size(); ++d) {
     const StateVariable& v = task.state[d];

@@ -47,7 +47,7 @@ class Keeper {
 void liveWhole(Life& life, Meter& meter, const WorkPool& pool, std::chrono::duration<double> every,
                const std::function<void()>& keep) {
   Keeper keeper(life, every, keep);
-  meter.read(life);
+  meter.update(life);
   while (!life.finished()) {
     live(life, life.steps() + kStretch, pool, meter);
     if (life.finished()) return;

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cassert>
 #include <limits>
 
 #include "core/life/rule_of_thumb.h"

@@ -3,8 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <cassert>
-
+#include "core/basics/expects.h"
 #include "core/experiment/configuration_json.h"
 #include "core/life/lives_version.h"
 #include "core/saved/q_file.h"
@@ -121,7 +120,7 @@ TensorFile checkpointOf(const Life& life, const Configuration& configuration, bo
                        {"changes", changesAsJson(life.changes())}};
   Archive archive = Archive::writer(file);
   life.save(archive);
-  assert(archive.good());
+  expects(archive.good(), "a life can be saved");
   seal(file);
   return file;
 }

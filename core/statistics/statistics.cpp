@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/statistics/statistics.h"
+#include "core/basics/expects.h"
 
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
-#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -143,7 +143,7 @@ std::optional<Interval> differenceInterval(Sample a, Sample b) {
 }
 
 std::optional<TestResult> pairedTest(Sample a, Sample b) {
-  assert(a.size() == b.size());
+  expects(a.size() == b.size(), "pairs have two values each");
   std::vector<double> differences(a.size());
   for (std::size_t i = 0; i < a.size(); ++i) differences[i] = b[i] - a[i];
   if (!scatters(differences)) return std::nullopt;
@@ -213,7 +213,7 @@ std::optional<double> effectSize(Sample a, Sample b) {
 }
 
 std::optional<double> rankCorrelation(Sample a, Sample b) {
-  assert(a.size() == b.size());
+  expects(a.size() == b.size(), "pairs have two values each");
   if (a.size() < 2) return std::nullopt;
   const auto ra = ranksOf(a), rb = ranksOf(b);
   const double middle = (count(a) + 1) / 2;
@@ -261,7 +261,7 @@ double changeInPerCent(double before, double after) {
 }
 
 double quantileOfSorted(Sample sorted, double q) {
-  assert(!sorted.empty());
+  expects(!sorted.empty(), "no value has no quantile");
   const double place = q * (count(sorted) - 1);
   const auto below = static_cast<std::size_t>(place);
   const std::size_t above = std::min(below + 1, sorted.size() - 1);

@@ -55,14 +55,14 @@ class Estimate {
   /// z_k of the weights that have a trace, written behind what is in `z` already; weights count from `first` on.
   void eligibility(std::vector<Eligibility>& z, std::uint64_t first) const;
 
-  // One step of learning: look at S′, choose A′ from what is seen, learn about (S, A), go to S′. Hot.
+  // One step of learning: arrive at S′, choose A′, learn about (S, A), go on from S′. Hot.
 
   void clearTrace() {
     deferred_.clear(values_.weights());
     plain_.clear(values_.weights());
   }
-  /// Looks at the next state; q ← q̂(S′, ·).
-  void look(std::span<const double> state, std::span<double> q) {
+  /// S′ is this state: counts it, claims its features where a table is hashed; q ← q̂(S′, ·).
+  void arrive(std::span<const double> state, std::span<double> q) {
     statesOutside_ += values_.claim(state, xNext()) == Cover::Edge;
     values_.values(xNext(), q);
   }

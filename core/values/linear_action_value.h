@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <functional>
 #include <memory>
@@ -17,6 +16,7 @@
 #include <vector>
 
 #include "core/action_value.h"
+#include "core/basics/expects.h"
 #include "core/basics/random.h"
 #include "core/features/feature_map.h"
 #include "core/files/archive.h"
@@ -209,7 +209,8 @@ class LinearActionValue final : public ActionValueFunction {
   /// This must be a clone of `other`. Rows that were not visited since the last copy are left as they are.
   void assign(const ActionValueFunction& other) override {
     const auto& same = dynamic_cast<const LinearActionValue&>(other);
-    assert(same.columns_ == columns_ && same.visits_.size() >= visits_.size() && !unsettled_.empty());
+    expects(same.columns_ == columns_ && same.visits_.size() >= visits_.size() && !unsettled_.empty(),
+            "only a clone takes over its original");
     if constexpr (ClaimingFeatureMap<F>)
       if (features_.occupied() != same.features_.occupied()) features_ = same.features_;
     grow();

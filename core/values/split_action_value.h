@@ -2,6 +2,7 @@
 // Q = Q⁺ + Q⁻ (thesis, eq. 6.4), for display: two linear estimates of different resolution as one function.
 #pragma once
 
+#include "core/basics/expects.h"
 #include "core/values/linear_action_value.h"
 
 namespace surefoot {
@@ -51,7 +52,7 @@ class SplitActionValue final : public ActionValueFunction {
   }
   void assign(const ActionValueFunction& other) override {
     const auto& same = dynamic_cast<const SplitActionValue&>(other);
-    assert(ownPositive_ && ownNegative_ && "only a clone has memory of its own");
+    expects(ownPositive_ && ownNegative_, "only a clone has memory of its own");
     ownPositive_->assign(*same.positive_);
     ownNegative_->assign(*same.negative_);
   }

@@ -4,11 +4,11 @@
 #pragma once
 
 #include <algorithm>
-#include <cassert>
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "core/basics/expects.h"
 #include "core/features/feature_map.h"
 
 namespace surefoot {
@@ -33,7 +33,7 @@ class WeightTable {
   std::size_t size() const { return weights_.size(); }
   /// Drops weights, or adds weights of 0 in the reserved room.
   void resize(std::size_t size) {
-    assert(size <= weights_.capacity());
+    expects(size <= weights_.capacity(), "weights grow within the reserved room");
     weights_.resize(size);
   }
   void set(std::size_t k, double w) { weights_[k] = {w, 0.0}; }

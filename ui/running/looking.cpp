@@ -2,7 +2,8 @@
 #include "ui/running/looking.h"
 
 #include <algorithm>
-#include <cassert>
+
+#include "core/basics/expects.h"
 
 namespace surefoot {
 
@@ -32,7 +33,7 @@ void Looking::makeViewer() {
   const Configuration& c = life_.configuration();
   auto environment = makeEnvironment(life_.registry(), c);
   auto policy = makePolicy(life_.registry(), c.names.policy, c.parameters);
-  assert(environment && policy);
+  expects(environment && policy, "the configuration was checked before");
   viewer_ =
       std::make_unique<Viewer>(std::move(*environment), std::move(*policy), deriveSeed(c.seed, 0, Stream::Viewer));
 }

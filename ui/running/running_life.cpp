@@ -2,10 +2,10 @@
 #include "ui/running/running_life.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <new>
 
+#include "core/basics/expects.h"
 #include "core/schedule.h"
 #include "core/text/text.h"
 #include "ui/running/beginning.h"
@@ -32,7 +32,7 @@ RunningLife::RunningLife(const Registry& registry, Configuration configuration, 
       keepRows_(keepRows) {
   known_ = knownAs(registry, configuration, configuration);
   auto life = makeLifeToRun(registry_, configuration, keepRows);
-  assert(life && "the configuration was checked before");
+  expects(static_cast<bool>(life), "the configuration was checked before");
   known_.bytes = (*life)->agent().values().bytes();
   curves_.setBegan(beginningOf(known_.began));
   learner_ = std::make_unique<LearnerThread>(std::move(*life));
@@ -57,7 +57,7 @@ KnownLife knownAs(const Registry& registry, Configuration now, Configuration beg
 
 void RunningLife::makeEnvironmentAnew() {
   auto environment = makeEnvironment(registry_, known_.configuration);
-  assert(environment && "the configuration was checked before");
+  expects(static_cast<bool>(environment), "the configuration was checked before");
   environment_ = std::move(*environment);
 }
 

@@ -4,8 +4,8 @@
 #include <chrono>
 #include <new>
 
+#include "core/saved/carry_over.h"
 #include "core/saved/q_file.h"
-#include "core/saved/resample.h"
 
 namespace surefoot {
 
@@ -151,7 +151,7 @@ Result<TensorFile> fitted(const Registry& registry, const CarriedOver& work, con
   try {
     auto agent = (*entry)->make({task, work.to.names.features, work.to.parameters, 0});
     if (!agent) return agent.error();
-    resample(*work.from, **agent, task, &interrupted);
+    carryOver(*work.from, **agent, task, &interrupted);
     return qFileOf(**agent, task, work.to, Json{{"carried_over", true}});
   } catch (const std::bad_alloc&) {
     return Error{"There is not enough memory for this; take fewer tiles or tilings."};

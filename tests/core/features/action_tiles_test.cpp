@@ -98,13 +98,13 @@ TEST_P(ManyActions, LearningIsThatOfThePlainSlowEvaluation) {
   Random random(3);
   std::vector<double> q(25);
   double x = random.uniform(-1, 1);
-  estimate.look(std::vector{x}, q);
+  estimate.arrive(std::vector{x}, q);
   estimate.go();
   for (int step = 0; step < 2000; ++step) {
     const int a = static_cast<int>(random.uniform(0, 25));
     const double reward = random.uniform(-1, 1), next = random.uniform(-1, 1);
     const double delta = reward + 0.9 * slow(next, a) - slow(x, a);
-    estimate.look(std::vector{next}, q);
+    estimate.arrive(std::vector{next}, q);
     for (int b = 0; b < 25; ++b) ASSERT_NEAR(q[static_cast<std::size_t>(b)], slow(next, b), 1e-9) << step;
     estimate.learn(a, reward, 0.9 * q[static_cast<std::size_t>(a)], 0.9, {});
     for (auto& [k, z] : trace) z = z * 0.9 * 0.8 < 0.01 ? 0 : z * 0.9 * 0.8;

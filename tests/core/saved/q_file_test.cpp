@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/saved/q_file.h"
 
+#include "core/saved/carry_over.h"
 #include "core/saved/checkpoint.h"
 #include "core/saved/journal.h"
-#include "core/saved/resample.h"
 #include "tests/core/experiment/test_setup.h"
 
 namespace surefoot {
@@ -282,9 +282,9 @@ TEST(Resample, CarriesTheFunctionOver) {
   const ActionValueFunction& from = life->agent().values();
   const auto error = [&](const std::vector<Assignment>& assignments) {
     const auto to = lifeOf(r, pendulumConfiguration(r, "epsilon-greedy", assignments));
-    return resample(from, const_cast<Agent&>(to->agent()), life->environment().task());
+    return carryOver(from, const_cast<Agent&>(to->agent()), life->environment().task());
   };
-  const ResampleError same = error({}), coarse = error({{"features.scale", "0.5"}});
+  const CarriedError same = error({}), coarse = error({{"features.scale", "0.5"}});
   EXPECT_LT(same.rms, 0.1) << "of values from −100 to 200";
   EXPECT_GT(coarse.rms, 5 * same.rms);
   EXPECT_LT(coarse.rms, 10.0);

@@ -11,7 +11,7 @@ namespace surefoot {
 
 /// How far the new function is from the old one: over new states, drawn uniformly from the range of the state, and over
 /// the visited states among them.
-struct ResampleError {
+struct CarriedError {
   double rms = 0.0, largest = 0.0, rmsVisited = 0.0;
   std::int64_t visited = 0, states = 0;
 };
@@ -20,7 +20,7 @@ struct ResampleError {
 /// several passes with shrinking steps. Each estimate of the two is fitted to its counterpart; visits go along.
 /// Deterministic. The two must have the same actions and the same estimates.
 /// `interrupted`, set by anyone, ends it early.
-ResampleError resample(const ActionValueFunction& from, Agent& to, const Task& task,
+CarriedError carryOver(const ActionValueFunction& from, Agent& to, const Task& task,
                        const std::atomic<bool>* interrupted = nullptr);
 
 }  // namespace surefoot

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/saved/resample.h"
+#include "core/saved/carry_over.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,10 +29,10 @@ std::size_t featuresOf(const ActionValueFunction& f) {
   return most;
 }
 
-ResampleError errorBetween(const ActionValueFunction& a, const ActionValueFunction& b, const Task& task) {
+CarriedError errorBetween(const ActionValueFunction& a, const ActionValueFunction& b, const Task& task) {
   Random random(2);
   std::vector<double> state(task.state.size()), qa(task.actions.size()), qb(qa.size());
-  ResampleError error;
+  CarriedError error;
   error.states = kCheck;
   double squares = 0.0, squaresVisited = 0.0;
   for (int i = 0; i < kCheck; ++i) {
@@ -56,7 +56,7 @@ ResampleError errorBetween(const ActionValueFunction& a, const ActionValueFuncti
 
 }  // namespace
 
-ResampleError resample(const ActionValueFunction& from, Agent& to, const Task& task,
+CarriedError carryOver(const ActionValueFunction& from, Agent& to, const Task& task,
                        const std::atomic<bool>* interrupted) {
   std::vector<Layer> layers = {Layer::Sum};
   if (from.split()) layers = {Layer::Positive, Layer::Negative};
