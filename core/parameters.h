@@ -140,10 +140,4 @@ class Parameters {
   std::vector<Entry> entries_;
 };
 
-/// The known word nearest to `word` by edit distance, or "" if none is near.
-std::string nearestWord(std::string_view word, const std::vector<std::string>& known);
-
-/// "a, b and c".
-std::string joinWords(const std::vector<std::string>& words, std::string_view last = "and");
-
 }  // namespace surefoot

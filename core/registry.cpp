@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/text/text.h"
+#include "core/text/words.h"
 
 namespace surefoot {
 

@@ -8,6 +8,7 @@
 #include "core/formulas.h"
 #include "core/glossary.h"
 #include "core/text/number_text.h"
+#include "core/text/words.h"
 
 namespace surefoot {
 

@@ -9,6 +9,7 @@
 #include "app/commands/stored_function.h"
 #include "app/requests/requests.h"
 #include "core/basics/typed_json.h"
+#include "core/text/words.h"
 
 namespace surefoot {
 

@@ -6,6 +6,7 @@
 #include "app/requests/requests.h"
 #include "core/experiment/task_description.h"
 #include "core/text/number_text.h"
+#include "core/text/words.h"
 
 namespace surefoot {
 

@@ -13,6 +13,7 @@
 #include "core/plans/plan_time.h"
 #include "core/recipes/recipe.h"
 #include "core/text/text.h"
+#include "core/text/words.h"
 
 namespace surefoot {
 

@@ -9,6 +9,7 @@
 #include "app/requests/laboratory_line.h"
 #include "app/requests/requests.h"
 #include "core/text/text.h"
+#include "core/text/words.h"
 #include "core/version.h"
 
 namespace surefoot {

@@ -11,6 +11,7 @@
 #include "app/requests/requests.h"
 #include "core/recipes/recipe.h"
 #include "core/text/text.h"
+#include "core/text/words.h"
 
 namespace surefoot {
 

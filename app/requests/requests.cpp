@@ -7,6 +7,7 @@
 
 #include "core/text/number_text.h"
 #include "core/text/text.h"
+#include "core/text/words.h"
 
 namespace surefoot {
 

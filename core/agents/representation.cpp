@@ -6,6 +6,7 @@
 #include "core/basics/expects.h"
 #include "core/files/json_difference.h"
 #include "core/text/text.h"
+#include "core/text/words.h"
 
 namespace surefoot {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// exp and cos with the same bits on every machine. The C library's own differs between processors with and without
+// exp, cos and sin with the same bits on every machine. The C library's own differs between processors with and without
 // fused multiply-add, and one differing bit in a probability sends two lives apart.
 #pragma once
 
@@ -48,9 +48,10 @@ inline double portableExp(double x) {
   return sum * powerOfTwo(k);
 }
 
-/// cos x for abs(x) up to a thousand or so, to about 1e-15: x reduced by multiples of ½π in two pieces, then the Taylor
-/// polynomials of degree 16 and 17 on ± ¼π (remainder < 1e-18).
-inline double portableCos(double x) {
+/// cos(x + quarters·½π) for abs(x) up to a thousand or so, to about 1e-15: x reduced by multiples of ½π in two pieces,
+/// then the Taylor polynomials of degree 16 and 17 on ± ¼π (remainder < 1e-18). Near a zero at x = 0 the relative error
+/// is as small, because the first piece is x itself.
+inline double portableCosTurned(double x, std::int64_t quarters) {
   constexpr double kTwoOverPi = 0.63661977236758134308;
   constexpr double kHalfPiHigh = 1.57079632673412561417e+00;  // 33 bits, so that k·kHalfPiHigh is exact
   constexpr double kHalfPiLow = 6.07710050650619224932e-11;
@@ -58,14 +59,21 @@ inline double portableCos(double x) {
   const auto kReal = static_cast<double>(k);
   const double r = (x - kReal * kHalfPiHigh) - kReal * kHalfPiLow;
   const double square = r * r;
-  const bool sine = (k & 1) != 0;  // cos(r + ½π) = −sin r
+  const std::int64_t quadrant = (k + quarters) & 3;
+  const bool sine = (quadrant & 1) != 0;  // cos(r + ½π) = −sin r
   double term = sine ? r : 1.0, sum = term;
   for (int n = sine ? 3 : 2; n <= 17; n += 2) {
     term *= -square / (n * (n - 1));
     sum += term;
   }
-  const std::int64_t quadrant = k & 3;
   return quadrant == 1 || quadrant == 2 ? -sum : sum;
+}
+
+inline double portableCos(double x) {
+  return portableCosTurned(x, 0);
+}
+inline double portableSin(double x) {
+  return portableCosTurned(x, 3);
 }
 
 }  // namespace surefoot

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A value, or one plain sentence that says why there is none. For everything that comes from outside: arguments,
-// files, numbers in a form. A programmer's error is an assertion instead.
+// files, numbers in a form. What the program itself guarantees is checked by expects() instead.
 #pragma once
 
 #include <string>

@@ -12,6 +12,7 @@
 #include "core/parameters.h"
 #include "core/text/number_text.h"
 #include "core/text/text.h"
+#include "core/text/words.h"
 
 namespace surefoot {
 

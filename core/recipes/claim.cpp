@@ -13,6 +13,7 @@
 #include "core/recipes/judge.h"
 #include "core/statistics/statistics_text.h"
 #include "core/text/text.h"
+#include "core/text/words.h"
 
 namespace surefoot {
 

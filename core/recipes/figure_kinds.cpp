@@ -7,6 +7,7 @@
 #include "core/findings/evidence.h"
 #include "core/parameters.h"
 #include "core/recipes/figure.h"
+#include "core/text/words.h"
 
 namespace surefoot {
 

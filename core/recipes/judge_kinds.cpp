@@ -11,6 +11,7 @@
 
 #include "core/parameters.h"
 #include "core/statistics/statistics_text.h"
+#include "core/text/words.h"
 
 namespace surefoot {
 

@@ -12,6 +12,7 @@
 #include "core/files/read_file.h"
 #include "core/plans/plan_file.h"
 #include "core/text/text.h"
+#include "core/text/words.h"
 
 namespace surefoot {
 

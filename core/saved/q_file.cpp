@@ -13,6 +13,7 @@
 #include "core/life/lives_version.h"
 #include "core/saved/q_file_tensors.h"
 #include "core/text/text.h"
+#include "core/text/words.h"
 #include "core/version.h"
 
 namespace surefoot {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/parameters.h"
+#include "core/text/words.h"
 
 #include <gtest/gtest.h>
 

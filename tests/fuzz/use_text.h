@@ -3,6 +3,7 @@
 // bytes, this must return.
 #pragma once
 
+#include "core/expression/compile.h"
 #include "core/files/limited_json.h"
 #include "core/recipes/recipe.h"
 #include "core/text/latex.h"
@@ -13,11 +14,29 @@
 
 namespace surefoot {
 
+/// Takes every name.
+class EveryName : public Vocabulary {
+ public:
+  Result<Quantity> find(std::string_view name, std::optional<std::string_view> argument) const override {
+    return Quantity{static_cast<int>((name.size() + argument.value_or("").size()) % 4)};
+  }
+  std::vector<std::string> names() const override { return {}; }
+  bool chance() const override { return true; }
+};
+
+inline void useExpression(const std::string& text) {
+  constexpr double kValues[] = {0.0, -1.5, 1e300, -kInfinity};
+  Random random(1);
+  for (const ValueKind wanted : {ValueKind::Number, ValueKind::Condition, ValueKind::Flag})
+    if (const auto compiled = compile(text, wanted, EveryName())) compiled->evaluate(kValues, &random);
+}
+
 inline void useText(const Registry& registry, const std::string& text) {
   static_cast<void>(parseJson(text));
   static_cast<void>(static_cast<bool>(parseRecipe(registry, text, "plan.toml", {})));
   static_cast<void>(static_cast<bool>(parseNumbers("--state", text)));
   static_cast<void>(static_cast<bool>(parseSeed("--seed", text)));
+  useExpression(text);
   const auto equals = text.find('=');
   auto usual = configure(registry, {}, {});
   if (usual && equals != text.npos)

@@ -30,6 +30,15 @@ TEST(PortableCos, AgreesWithTheLibrary) {
   EXPECT_EQ(portableCos(0.0), 1.0);
 }
 
+TEST(PortableSin, AgreesWithTheLibraryAlsoNearZero) {
+  for (double x = -50.0; x <= 50.0; x += 0.0137) EXPECT_NEAR(portableSin(x), std::sin(x), 4e-16) << x;
+  for (double x = 1e-300; x < 0.1; x *= 3.7) {
+    EXPECT_NEAR(portableSin(x) / std::sin(x), 1.0, 2 * std::numeric_limits<double>::epsilon()) << x;
+    EXPECT_EQ(portableSin(-x), -portableSin(x));
+  }
+  EXPECT_EQ(portableSin(0.0), 0.0);
+}
+
 // Subnormal numbers have no more than an absolute precision of 2^-1074.
 TEST(PortableExp, UnderflowsGradually) {
   for (double x = -745.0; x < -708.0; x += 0.37)
