@@ -102,7 +102,8 @@ class Environment : public Configurable {
   /// The state now; the view is valid until the next call. Hot.
   virtual std::span<const double> state() const = 0;
 
-  /// Task::measures of the episode up to now; valid until the next call.
+  /// The values of Task::measures for the episode up to now (a sum, a mean, a position …): all begin anew with reset()
+  /// and place(). Valid until the next call.
   virtual std::span<const double> measures() const { return {}; }
 
   /// Pushes the body to the right by an impulse [N s], between two steps; false: there is no body to push.

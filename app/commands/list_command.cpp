@@ -7,6 +7,7 @@
 #include "core/basics/typed_json.h"
 #include "core/formulas.h"
 #include "core/glossary.h"
+#include "core/recipes/figure.h"
 #include "core/text/number_text.h"
 #include "core/text/words.h"
 
@@ -106,6 +107,18 @@ std::string table(const Parameters& parameters) {
   return text;
 }
 
+std::string figureTable() {
+  std::string text = "figures of plans (kind = NAME)\n";
+  for (const FigureKind& kind : figureKinds()) text += fmt::format("  {:<22}{}\n", kind.name, kind.shows);
+  return text + "\n";
+}
+
+OrderedJson describeFigures() {
+  OrderedJson list = OrderedJson::array();
+  for (const FigureKind& kind : figureKinds()) list.push_back({{"name", kind.name}, {"shows", kind.shows}});
+  return list;
+}
+
 }  // namespace
 
 int listCommand(const Registry& r, const ListRequest& request) {
@@ -119,12 +132,13 @@ int listCommand(const Registry& r, const ListRequest& request) {
                               {"policies", describe(r.policies)},
                               {"presets", describe(r.presets)},
                               {"scenarios", describe(r.scenarios)},
+                              {"figures", describeFigures()},
                               {"parameters", list}};
     return print(jsonText(json, 2) + "\n");
   }
   return print(table("environments", r.environments) + table("features", r.features) + table("agents", r.agents) +
                table("policies", r.policies) + table("presets", r.presets) + table("scenarios", r.scenarios) +
-               table(parameters));
+               figureTable() + table(parameters));
 }
 
 }  // namespace surefoot

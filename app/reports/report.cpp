@@ -164,14 +164,16 @@ std::string resultAsTable(const Configuration& c, const std::vector<LifeResult>&
       column([&](const LifeResult& r) { return ratio(r.totals.successSteps, r.totals.successes); }, 1));
   row("transitions of a failure",
       column([&](const LifeResult& r) { return ratio(r.totals.failureSteps, r.totals.failures); }, 1));
+  const bool tested = lives[0].testEvery > 0;
   for (const LifeMeasure& measure : lifeMeasures(lives[0].taskMeasures))
-    row(measure.titleWithUnit(), column(
-                                     [&measure](const LifeResult& r) {
-                                       for (const NamedValue& m : measuresOf(r))
-                                         if (m.name == measure.name) return m.value;
-                                       return std::nan("");
-                                     },
-                                     1));
+    if (tested || !measure.ofGreedyTests)
+      row(measure.titleWithUnit(), column(
+                                       [&measure](const LifeResult& r) {
+                                         for (const NamedValue& m : measuresOf(r))
+                                           if (m.name == measure.name) return m.value;
+                                         return std::nan("");
+                                       },
+                                       1));
   row("simulated minutes", column([](const LifeResult& r) { return r.simulatedSeconds / 60.0; }, 2));
   row("steps per CPU-second",
       column([](const LifeResult& r) { return static_cast<double>(r.steps) / r.cpuSeconds; }, 0));

@@ -29,6 +29,7 @@ LifeResult summarise(const Life& life, int index, double cpuSeconds) {
   r.memory = life.agent().values().memoryUse();
   r.ruleOfThumb = ruleOfThumbOf(life);
   r.taskMeasures = life.environment().task().measures;
+  r.testEvery = life.environment().task().testEvery;
   r.greedyTests = life.greedyTests();
   r.rows = life.log().rows();
   return r;

@@ -32,6 +32,7 @@ struct LifeResult {
   bool changesLeftOut = false;  ///< there were more changes than these
   bool complete = false;        ///< a limit was reached; false: diverged or interrupted
   std::vector<TaskMeasure> taskMeasures;
+  int testEvery = 0;  ///< Task::testEvery
   std::vector<GreedyTest> greedyTests;
   std::vector<EpisodeRow> rows;  ///< only if asked for
 };

@@ -26,15 +26,15 @@ std::string titleOfALife(const TaskMeasure& m) {
 
 std::vector<LifeMeasure> lifeMeasures(const std::vector<TaskMeasure>& measures) {
   if (measures.empty()) return {};
-  std::vector<LifeMeasure> all = {{"falls_per_hour", "falls an hour", ""}};
-  for (const TaskMeasure& m : measures) all.push_back({m.key, titleOfALife(m) + " of a life", m.unit});
+  std::vector<LifeMeasure> all = {{"falls_per_hour", "falls an hour", "", false}};
+  for (const TaskMeasure& m : measures) all.push_back({m.key, titleOfALife(m) + " of a life", m.unit, false});
   const auto addGreedy = [&all](const std::string& key, const std::string& title, const std::string& unit) {
-    all.push_back({"greedy_" + key, title + " of a greedy test, last 10", unit});
+    all.push_back({"greedy_" + key, title + " of a greedy test, last 10", unit, true});
   };
   for (const TaskMeasure& m : measures) addGreedy(m.key, m.title, m.unit);
   addGreedy("reward", "reward", "");
   addGreedy("falls", "falls", "");
-  if (measureAt(measures, "distance")) all.push_back({"walks_after", "time to the first greedy walk", "min"});
+  if (measureAt(measures, "distance")) all.push_back({"walks_after", "time to the first greedy walk", "min", true});
   return all;
 }
 

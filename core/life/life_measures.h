@@ -10,9 +10,10 @@
 namespace surefoot {
 
 struct LifeMeasure {
-  std::string name;   ///< in files and plans: "greedy_distance"
-  std::string title;  ///< "distance of a greedy test, last 10"
-  std::string unit;   ///< "m"
+  std::string name;    ///< in files and plans: "greedy_distance"
+  std::string title;   ///< "distance of a greedy test, last 10"
+  std::string unit;    ///< "m"
+  bool ofGreedyTests;  ///< a life has it only if its task is tested
 
   /// "distance of a greedy test, last 10 [m]"
   std::string titleWithUnit() const { return unit.empty() ? title : title + " [" + unit + "]"; }

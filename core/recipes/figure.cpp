@@ -44,19 +44,26 @@ Curve settlingOf(const Evidence& e) {
 
 using Chosen = std::vector<const Evidence*>;
 
-void addCurves(Figure& figure, const std::string& kind, const Chosen& chosen) {
+/// A figure with a curve for each condition.
+struct CurveKind {
+  std::string_view name;
+  const char* xTitle;  ///< empty: the simulated time, or episodes where the task has no clock
+  const char* yTitle;
+  Curve (*of)(const Evidence& e);
+};
+
+constexpr CurveKind kCurveKinds[] = {
+    {"learning-curve", "", "average reward", [](const Evidence& e) { return learningCurve(e.record, kCurvePoints); }},
+    {"reward-against-falls", "falls", "average reward", [](const Evidence& e) { return rewardAgainstFalls(e.record); }},
+    {"cumulative-falls", "", "falls so far", [](const Evidence& e) { return cumulativeFalls(e.record, kCurvePoints); }},
+    {"settling", "episodes", "change in 250 episodes", settlingOf}};
+
+void addCurves(Figure& figure, const CurveKind& kind, const Chosen& chosen) {
   const bool clock = chosen[0]->record.condition.stepTime > 0;
-  figure.xTitle = kind == "reward-against-falls" ? "falls"
-                  : kind == "settling" || !clock ? "episodes"
-                                                 : "simulated time [min]";
-  figure.yTitle = kind == "cumulative-falls" ? "falls so far"
-                  : kind == "settling"       ? "change in 250 episodes"
-                                             : "average reward";
+  figure.xTitle = *kind.xTitle ? kind.xTitle : clock ? "simulated time [min]" : "episodes";
+  figure.yTitle = kind.yTitle;
   for (const Evidence* e : chosen) {
-    Curve curve = kind == "learning-curve"         ? learningCurve(e->record, kCurvePoints)
-                  : kind == "reward-against-falls" ? rewardAgainstFalls(e->record)
-                  : kind == "settling"             ? settlingOf(*e)
-                                                   : cumulativeFalls(e->record, kCurvePoints);
+    Curve curve = kind.of(*e);
     figure.series.push_back({e->name(), policyOf(*e), std::move(curve.x), std::move(curve.y), {}});
   }
 }
@@ -144,11 +151,14 @@ Result<Figure> makeFigure(const Registry& registry, const FigureSpec& spec, cons
   if (!needsLives(spec.kind)) return makeLiveFigure(registry, spec, chosen);
 
   Figure figure{.name = spec.name, .title = spec.title, .xTitle = {}, .yTitle = {}, .labels = {}, .series = {}};
-  const std::vector<std::string> curves = {"learning-curve", "reward-against-falls", "cumulative-falls", "settling"};
-  if (std::find(curves.begin(), curves.end(), spec.kind) != curves.end())
-    addCurves(figure, spec.kind, chosen);
+  const auto curve = std::find_if(std::begin(kCurveKinds), std::end(kCurveKinds),
+                                  [&](const CurveKind& k) { return k.name == spec.kind; });
+  if (curve != std::end(kCurveKinds))
+    addCurves(figure, *curve, chosen);
   else if (spec.kind == "bars")
     addBars(figure, spec, chosen, evidence);
+  else if (spec.kind != "against")
+    return Error{fmt::format("figure {}: nothing draws the kind {}.", spec.name, spec.kind)};
   else if (const Status s = addAgainst(registry, figure, spec, chosen, evidence); !s)
     return s.error();
   describeSeries(figure, chosen);

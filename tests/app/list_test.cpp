@@ -3,12 +3,13 @@
 
 namespace surefoot {
 
-TEST(List, JsonHasSevenArraysOfNamedObjects) {
+TEST(List, JsonHasEightArraysOfNamedObjects) {
   const Finished run = surefoot("list --json");
   ASSERT_EQ(run.code, 0);
   const auto json = nlohmann::json::parse(run.out);
-  EXPECT_EQ(json.size(), 7u);
-  for (const char* key : {"environments", "features", "agents", "policies", "presets", "scenarios", "parameters"}) {
+  EXPECT_EQ(json.size(), 8u);
+  for (const char* key :
+       {"environments", "features", "agents", "policies", "presets", "scenarios", "figures", "parameters"}) {
     ASSERT_TRUE(json.contains(key)) << key;
     EXPECT_FALSE(json[key].empty()) << key;
     for (const auto& entry : json[key]) EXPECT_TRUE(entry.at("name").is_string());

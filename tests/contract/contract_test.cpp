@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/glossary.h"
 #include "tests/core/experiment/test_setup.h"
 
 namespace surefoot {
@@ -52,6 +53,10 @@ TEST(Contract, EveryNameIsUniqueAndExplained) {
   expectGoodNames(r.policies);
   expectGoodNames(r.presets);
   expectGoodNames(r.scenarios);
+  const auto expectWords = [](const auto& entries) {  // Help › Words and `surefoot list`
+    for (const auto& e : entries) EXPECT_TRUE(wordOf(e.name)) << e.name << " has no word in core/glossary.cpp";
+  };
+  expectWords(r.environments), expectWords(r.features), expectWords(r.agents), expectWords(r.policies);
 }
 
 TEST(Contract, EveryParameterHasTitleHelpOriginAndADefaultInRange) {

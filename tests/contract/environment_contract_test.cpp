@@ -161,6 +161,24 @@ TEST(EnvironmentContract, PlacingPutsTheBodyThere) {
   }
 }
 
+// Measures are of one episode: what came before a placement is not in them.
+TEST(EnvironmentContract, MeasuresBeginAnewWithAPlacement) {
+  for (const EnvironmentEntry& entry : fullRegistry().environments) {
+    const auto walked = limited(entry), fresh = limited(entry);
+    if (walked->task().measures.empty()) continue;
+    Random random(9), other(10);
+    walked->reset(random);
+    fresh->reset(other);
+    const std::vector<double> begin(fresh->state().begin(), fresh->state().end());
+    for (int step = 0; step < 200; ++step)
+      if (walked->step(anyAction(*walked, random)).ending != Ending::None) walked->reset(random);
+    if (!walked->place(begin) || !fresh->place(begin)) continue;
+    for (std::size_t m = 0; m < walked->measures().size(); ++m)
+      EXPECT_NEAR(walked->measures()[m], fresh->measures()[m], 1e-9)
+          << entry.name << " " << walked->task().measures[m].key;
+  }
+}
+
 TEST(EnvironmentContract, APictureShowsThePose) {
   for (const EnvironmentEntry& entry : fullRegistry().environments) {
     const auto environment = limited(entry);
