@@ -113,7 +113,7 @@ void ConditionList::paintEvent(QPaintEvent*) {
                p.fontMetrics().elidedText(nameInGroup(c.name), Qt::ElideMiddle, static_cast<int>(room)));
     p.fillRect(QRectF(36, y + 26, right - 36, 2), t.track);
     if (c.lives > 0)
-      p.fillRect(QRectF(36, y + 26, (right - 36.0) * lives / c.lives, 2), lives == c.lives ? t.outline : t.ink);
+      p.fillRect(QRectF(36, y + 26, (right - 36.0) * lives / c.lives, 2), lives == c.lives ? t.quiet : t.ink);
     y += kRow;
   }
   p.fillRect(QRectF(kPadding, y + 6, right - kPadding, 1), t.hairline);

@@ -72,7 +72,7 @@ void FigurePanel::refresh() {
   }
   header_->setTitle(shownName(spec->title));
   const bool soFar = experiment_.view() && !experiment_.view()->findings.complete;
-  const QString what = spec->kind == "bars" ? tr("mean of a life, 95 % interval") : tr("mean of the lives, 95 % band");
+  const QString what = spec->kind == "bars" ? tr("mean and 95 % interval") : tr("mean and 95 % band");
   header_->setNote(soFar ? tr("so far · %1").arg(what) : what);
   experiment_.look(first_, *spec);
   if (const Figure* figure = experiment_.figureAt(*spec))

@@ -49,7 +49,7 @@ QString valueText(double value, int decimals) {
 
 FindingsTable::FindingsTable(Experiment& experiment, QWidget* parent) : QTableWidget(parent), experiment_(experiment) {
   setAccessibleName(tr("Results"));
-  setUpTable(*this, {tr("Condition"), tr("Lives"), tr("Falls"), tr("± 95 %"), tr("Change %"), tr("95 % interval"),
+  setUpTable(*this, {tr("Condition"), tr("Lives"), tr("Falls"), tr("± (95 %)"), tr("Change %"), tr("% (95 % interval)"),
                      tr("p ANOVA"), tr("p Holm"), tr("X"), tr("Time min"), tr("Thesis"), tr("Verdict")});
   horizontalHeaderItem(VerdictIs)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   connect(&experiment_, &Experiment::resultsChanged, this, &FindingsTable::refresh);
@@ -86,8 +86,14 @@ void FindingsTable::resizeEvent(QResizeEvent* event) {
 
 void FindingsTable::paintEvent(QPaintEvent* event) {
   QTableWidget::paintEvent(event);
-  if (rowCount() > 0) return;
   QPainter p(viewport());
+  if (rowCount() > 0) {  // a last row that is cut would show half its numbers
+    const int last = rowAt(viewport()->height() - 1);
+    const int top = last < 0 ? 0 : rowViewportPosition(last);
+    if (last > rowAt(0) && top + rowHeight(last) > viewport()->height())
+      p.fillRect(QRect(0, top, viewport()->width(), viewport()->height() - top), palette().base());
+    return;
+  }
   p.setPen(themeOf(*this).quiet);
   p.setFont(scaledFont(11));
   p.drawText(viewport()->rect(), Qt::AlignCenter, experiment_.whyNoResults());

@@ -112,7 +112,10 @@ void ScenePainter::operator()(const Arrow& arrow) const {
   p_.setPen(t_.ink);
   const QString text = QString::fromStdString(arrow.text);
   const double width = symbolWidth(p_.font(), text), height = QFontMetricsF(p_.font()).height();
-  const QRectF where((from.x() + to.x() - width) / 2, from.y() - 0.6 * head - 4 - height, width, height);
+  // Above the arrow, but not over what the arrow begins at.
+  const double middle = (from.x() + to.x() - width) / 2;
+  const double left = side > 0 ? std::max(middle, from.x() + 2) : std::min(middle, from.x() - 2 - width);
+  const QRectF where(left, from.y() - 0.6 * head - 4 - height, width, height);
   if (const QRectF place = free(where); !place.isNull()) drawSymbol(p_, place, Qt::AlignHCenter, text);
 }
 

@@ -22,6 +22,7 @@ const Theme& lightTheme() {
                            .track = 0xDDE0E4,
                            .accent = 0x0072B2,
                            .caution = 0x8A6100,
+                           .disabled = 0x8C939D,
                            .epsilonGreedy = 0x4A515B,
                            .trl = 0x009E73,
                            .trlStrong = 0x007A5A,
@@ -46,6 +47,7 @@ const Theme& darkTheme() {
                            .track = 0x3A4048,
                            .accent = 0x56B4E9,
                            .caution = 0xD9A93A,
+                           .disabled = 0x767E89,
                            .epsilonGreedy = 0xC3C9D1,
                            .trl = 0x2DB88C,
                            .trlStrong = 0x2DB88C,
@@ -86,7 +88,7 @@ QPalette paletteOf(const Theme& t) {
     p.setColor(role, t.hairline);
   p.setColor(QPalette::Shadow, t.outline);
   for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
-    p.setColor(QPalette::Disabled, role, t.outline);
+    p.setColor(QPalette::Disabled, role, t.disabled);
   return p;
 }
 

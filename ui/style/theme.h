@@ -15,7 +15,7 @@ namespace surefoot {
 
 struct Theme {
   bool dark;
-  QColor paper, panel, fill, ink, quiet, hairline, outline, track, accent, caution;
+  QColor paper, panel, fill, ink, quiet, hairline, outline, track, accent, caution, disabled;
   QColor epsilonGreedy, trl, trlStrong, softmax, greedy;  // trlStrong carries white text
   QColor otherPolicy, anotherPolicy;                      // of policies without a colour of their own
   QColor fall, fallText;

@@ -179,4 +179,33 @@ TEST(Figures, ProbabilitiesAreWrittenAsInPrint) {
   EXPECT_EQ(pText(std::nan("")), QString("–"));
 }
 
+/// A curve of 100 episodes, of which the first ones have other values.
+Figure curveThatBegins(std::initializer_list<double> beginning) {
+  Figure figure{.name = "a", .title = "a", .xTitle = "episodes", .yTitle = "reward", .labels = {}, .series = {}};
+  FigureSeries s{.name = "one", .policy = "trl", .x = {}, .y = {}, .marked = {}};
+  std::vector<double> values(beginning);
+  for (int k = static_cast<int>(values.size()) + 1; k <= 100; ++k) values.push_back(-100.0 - k);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    s.x.push_back(static_cast<double>(k + 1)), s.y.push_back({values[k], values[k], values[k]});
+  figure.series = {s};
+  return figure;
+}
+
+// The first episodes of a walk along a cliff are a hundred times as bad as all others.
+TEST(FigurePainter, ABadBeginningLeavesTheAxisWithAMark) {
+  const auto [low, high] = FigurePainter(curveThatBegins({-10'000, -9'000})).yRange();
+  EXPECT_LE(low, -200);
+  EXPECT_GE(low, -1000);
+  EXPECT_EQ(FigurePainter(curveThatBegins({-300, -200})).yRange().first, -300) << "as far as that, all is shown";
+  const auto below = [](const Figure& figure) {  // the mark stands below the axis
+    const QImage image = drawn(FigurePainter(figure), {760, 440});
+    int row = 0;
+    for (int y = 0; y < image.height(); ++y)
+      for (int x = 0; x < 300; ++x)
+        if (image.pixelColor(x, y) == lightTheme().trl) row = y;
+    return row;
+  };
+  EXPECT_GT(below(curveThatBegins({-10'000, -9'000})), below(curveThatBegins({-300, -200})) + 2);
+}
+
 }  // namespace surefoot

@@ -64,6 +64,7 @@ void FigurePainter::chooseRanges() {
       include(s.y[i].value);
       if (s.thesis) include(*s.thesis);
     }
+  if (!figure_.bars) leaveOutBeginning(right, low, high);
   // Intervals of two or three lives would squeeze everything else: they make the axis half as long again at the most.
   const double longest = 0.5 * std::max(high, -low);
   double lower = low, upper = high;
@@ -88,6 +89,18 @@ void FigurePainter::chooseRanges() {
   if (yMost_ <= yLeast_) yMost_ = yLeast_ + step;
   xMost_ = right > xLeast_ ? right : xLeast_ + 1;
   xFirst_ = xLeast_, xLast_ = xMost_;
+}
+
+// The first episodes of a curve may be so far below all others that nothing else could be seen: then the axis is that
+// of what comes after a tenth of it, and marks say where a curve leaves it.
+void FigurePainter::leaveOutBeginning(double right, double& low, double& high) const {
+  constexpr double kBeginning = 0.1, kSmall = 0.25;
+  double least = high, most = low;
+  for (const FigureSeries& s : figure_.series)
+    for (std::size_t i = 0; i < s.x.size(); ++i)
+      if (std::isfinite(s.y[i].value) && s.x[i] > xLeast_ + kBeginning * (right - xLeast_))
+        least = std::min(least, s.y[i].value), most = std::max(most, s.y[i].value);
+  if (least < most && most - least < kSmall * (high - low)) low = least, high = most;
 }
 
 QPointF FigurePainter::at(double x, double y, const QRectF& plot) const {

@@ -68,6 +68,7 @@ class FigurePainter {
   double headHeight(double width) const;
 
   void chooseRanges();
+  void leaveOutBeginning(double right, double& low, double& high) const;
   void paintGrid(QPainter& p, const Theme& t, const QRectF& plot) const;
   void paintTimeAxis(QPainter& p, const Theme& t, const QRectF& plot) const;
   void paintYTitle(QPainter& p, const Theme& t, const QRectF& plot) const;
@@ -80,6 +81,7 @@ class FigurePainter {
   QStringList barHead() const;
   void paintCurves(QPainter& p, const Theme& t, const QRectF& plot) const;
   void paintCurve(QPainter& p, const Theme& t, const QRectF& plot, std::size_t series) const;
+  void paintBeyond(QPainter& p, const Theme& t, const QRectF& plot, std::size_t series) const;
   void paintReading(QPainter& p, const Theme& t, QSizeF size) const;
   std::optional<std::size_t> placeAt(std::size_t series, double time) const;  ///< index of the last value by then
   void paintList(QPainter& p, const Theme& t, QSizeF size) const;

@@ -122,10 +122,11 @@ void FigurePainter::paintBars(QPainter& p, const Theme& t, QSizeF size, double s
   paintBarHead(p, t, size);
   for (double& x : l.x) x -= scroll;
   p.save();
-  p.setClipRect(QRectF(l.plot.left(), 0, l.plot.width() + 12, size.height()));
+  p.setClipRect(QRectF(l.plot.left(), 0, l.plot.width(), size.height()));  // no bar leaves the axis
   paintReferences(p, t, l);
   for (std::size_t place = 0; place < l.x.size(); ++place)
     paintBar(p, t, l.plot, l.x[place], l.column, names_.order[place]);
+  p.setClipRect(QRectF(l.plot.left(), 0, l.plot.width() + 12, size.height()));
   paintBarLabels(p, t, l);
   p.restore();
 }

@@ -117,7 +117,7 @@ void FigurePainter::paintList(QPainter& p, const Theme& t, QSizeF size) const {
 
 void FigurePainter::paintCurves(QPainter& p, const Theme& t, const QRectF& plot) const {
   p.save();
-  p.setClipRect(plot.adjusted(-4, -4, 4, 4));
+  p.setClipRect(plot.adjusted(-4, -4, 4, 8));
   for (const bool out : {false, true})  // series that stand out are drawn last, above the others
     for (std::size_t i = 0; i < figure_.series.size(); ++i)
       if (standsOut(i) == out) paintCurve(p, t, plot, i);
@@ -149,7 +149,11 @@ void FigurePainter::paintCurve(QPainter& p, const Theme& t, const QRectF& plot, 
   }
   p.setBrush(Qt::NoBrush);
   p.setPen(pen);
+  p.save();
+  p.setClipRect(plot.adjusted(-2, -2, 2, 2), Qt::IntersectClip);
   p.drawPath(line);
+  p.restore();
+  if (!points) paintBeyond(p, t, plot, series);
   for (std::size_t k = 0; points && k < s.x.size(); ++k) {
     p.setPen(QPen(pen.color(), 1.2));
     if (known(s.y[k])) p.drawLine(at(s.x[k], s.y[k].low, plot), at(s.x[k], s.y[k].high, plot));
@@ -157,6 +161,32 @@ void FigurePainter::paintCurve(QPainter& p, const Theme& t, const QRectF& plot, 
     p.drawEllipse(at(s.x[k], s.y[k].value, plot), 3, 3);
     p.setBrush(Qt::NoBrush);
   }
+}
+
+/// Where a curve, or the band of one that stands out, goes on beyond the axis: a triangle at the edge, in the middle of
+/// that part.
+void FigurePainter::paintBeyond(QPainter& p, const Theme& t, const QRectF& plot, std::size_t series) const {
+  constexpr double kHalf = 3.5, kHigh = 5;
+  const FigureSeries& s = figure_.series[series];
+  const bool band = standsOut(series);
+  for (const bool above : {true, false}) {
+    double from = 0, to = -1;
+    for (std::size_t k = 0; k < s.x.size(); ++k) {
+      const Interval& v = s.y[k];
+      const double y = band && known(v) ? (above ? v.high : v.low) : v.value;
+      const double x = at(s.x[k], 0, plot).x();
+      if (x < plot.left() || x > plot.right() || !(above ? y > yMost_ : y < yLeast_)) continue;
+      if (to < from) from = x;
+      to = x;
+    }
+    if (to < from) continue;
+    const double x = std::clamp((from + to) / 2, plot.left() + kHalf, plot.right() - kHalf);
+    const double edge = above ? plot.top() : plot.bottom(), tip = above ? edge - kHigh + 1 : edge + kHigh + 1;
+    p.setPen(QPen(t.panel, 1));
+    p.setBrush(penOf(series, t).color());
+    p.drawPolygon(QPolygonF({{x - kHalf, edge + 1}, {x + kHalf, edge + 1}, {x, tip}}));
+  }
+  p.setBrush(Qt::NoBrush);
 }
 
 std::optional<std::size_t> FigurePainter::seriesAt(QPointF point, QSizeF size, double scroll) const {

@@ -60,6 +60,7 @@ ModelRows::ModelRows(const RunningLife& life, QWidget* parent)
     auto* head = new QLabel(heads[column]);
     whenScaled(head, [head] { head->setFont(scaledFont(13, 500)); });
     grid_->addWidget(head, 0, column, column > 0 ? Qt::AlignRight : Qt::AlignLeft);
+    if (column > 0) head->hide(), heads_[static_cast<std::size_t>(column - 1)] = head;  // until there is a row
   }
   alike_->setWordWrap(true);
   alike_->setForegroundRole(QPalette::PlaceholderText);
@@ -104,6 +105,7 @@ void ModelRows::show(Row& row) {
   }
   row.first->setText(shownText(row.simulation));
   for (QWidget* w : std::initializer_list<QWidget*>{row.name, row.first, row.second}) w->show();
+  for (QLabel* head : heads_) head->show();
   alike_->hide();
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,7 @@ class ModelRows final : public QWidget {
   const RunningLife& life_;
   QGridLayout* grid_;
   QLabel* alike_;
+  std::array<QLabel*, 2> heads_{};  // of the columns with values
   QComboBox* add_;
   std::vector<Row> rows_;
 };

@@ -12,12 +12,14 @@
 
 namespace surefoot {
 
+constexpr double kSeen = 0.18;  // viridis begins here on dark: its first colours could not be told from the panel
+
 QRgb MapScale::colour(double value, bool dark) const {
   switch (kind) {
     case Kind::Diverging:
       return divergingColour(value >= 0 ? (high > 0 ? value / high : 0.0) : low < 0 ? -value / low : 0.0, dark);
     case Kind::Viridis:
-      return viridisColour(position(value));
+      return viridisColour(dark ? kSeen + (1 - kSeen) * position(value) : position(value));
     case Kind::Steps:
       return viridisColour(0.06 + 0.88 * std::round(value) / std::max(high, 1.0));
     case Kind::Positive:

@@ -168,12 +168,12 @@ void ValueMap::drawBar(QPainter& p, const QRectF& bar, const MapScale& scale, co
     p.fillRect(QRectF(bar.left(), bar.top() + row, bar.width(), 1), QColor::fromRgb(scale.colour(value, t.dark)));
   }
   p.setFont(textFont(11));
-  // The ends first, then 0; between them the numbers that have room. No number leaves the bar: a title stands above it.
+  // 0 first, where colours change their side, then the ends; between them the numbers that have room. No number leaves
+  // the bar: a title stands above it.
   std::vector<std::size_t> order(numbers.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   if (order.size() > 2) std::rotate(order.begin() + 1, order.end() - 1, order.end());
-  std::stable_partition(order.begin() + std::min<std::ptrdiff_t>(2, std::ssize(order)), order.end(),
-                        [&](std::size_t i) { return numbers[i] == 0; });
+  std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return numbers[i] == 0; });
   std::vector<double> taken;
   for (const std::size_t i : order) {
     const double value = numbers[i];
