@@ -52,6 +52,16 @@ FindingsTable::FindingsTable(Experiment& experiment, QWidget* parent) : QTableWi
   setUpTable(*this, {tr("Condition"), tr("Lives"), tr("Falls"), tr("± (95 %)"), tr("Change %"), tr("% (95 % interval)"),
                      tr("p ANOVA"), tr("p Holm"), tr("X"), tr("Time min"), tr("Thesis"), tr("Verdict")});
   horizontalHeaderItem(VerdictIs)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  const std::pair<Column, QString> tips[] = {
+      {Name, tr("pre(3): its lives began with what was learned on scenario 3")},
+      {PlusMinus, tr("Half of the 95 % interval of the mean, in falls")},
+      {ChangeIs, tr("Of the falls, against the reference")},
+      {Range, tr("The 95 % interval of the change, in per cent")},
+      {P, tr("One-way analysis of variance, this condition against its reference")},
+      {Holm, tr("The same, corrected for all comparisons with this reference (Holm 1979)")},
+      {Mark, tr("X: differs from the reference with p < .01")},
+      {Time, tr("Simulated minutes until the end of learning; – for a task without a clock")}};
+  for (const auto& [column, tip] : tips) horizontalHeaderItem(column)->setToolTip(tipText(tip));
   connect(&experiment_, &Experiment::resultsChanged, this, &FindingsTable::refresh);
   connect(&experiment_, &Experiment::planChanged, this, &QTableWidget::clearSelection);
   connect(&experiment_, &Experiment::stateChanged, viewport(), qOverload<>(&QWidget::update));
