@@ -5,6 +5,7 @@
 
 #include "core/expression/compile.h"
 #include "core/files/limited_json.h"
+#include "core/lessons/lesson_reading.h"
 #include "core/recipes/recipe.h"
 #include "core/text/latex.h"
 #include "core/text/number_text.h"
@@ -37,6 +38,8 @@ inline void useText(const Registry& registry, const std::string& text) {
   static_cast<void>(static_cast<bool>(parseNumbers("--state", text)));
   static_cast<void>(static_cast<bool>(parseSeed("--seed", text)));
   useExpression(text);
+  std::vector<Complaint> complaints;
+  static_cast<void>(readLesson(registry, text, "lesson.toml", complaints));
   const auto equals = text.find('=');
   auto usual = configure(registry, {}, {});
   if (usual && equals != text.npos)

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/files/toml_tree.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/files/limited_toml.h"
+#include "core/files/toml_parser.h"
+#include "core/text/printable.h"
+#include "core/text/text.h"
+#include "core/text/words.h"
+
+namespace surefoot {
+
+namespace {
+
+using Kind = TomlNode::Kind;
+
+TextPlace placeOf(const toml::source_region& region) {
+  return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
+}
+
+bool before(const TextPlace& a, const TextPlace& b) {
+  return std::pair(a.line, a.column) < std::pair(b.line, b.column);
+}
+
+/// The place of a table is that of its first content; [name] stands in front of it.
+std::optional<TomlNode> nodeOf(const toml::node& from, std::vector<Complaint>& complaints) {
+  TomlNode node{.at = placeOf(from.source())};
+  if (const auto* text = from.as_string()) {
+    node.kind = Kind::Text, node.text = text->get();
+  } else if (const auto* whole = from.as_integer()) {
+    node.kind = Kind::Whole, node.whole = whole->get(), node.number = static_cast<double>(whole->get());
+  } else if (const auto* number = from.as_floating_point()) {
+    node.kind = Kind::Number, node.number = number->get();
+  } else if (const auto* flag = from.as_boolean()) {
+    node.kind = Kind::Flag, node.flag = flag->get();
+  } else if (const auto* list = from.as_array()) {
+    node.kind = Kind::List;
+    for (const toml::node& element : *list)
+      if (auto child = nodeOf(element, complaints)) node.list.push_back(std::move(*child));
+  } else if (const auto* table = from.as_table()) {
+    for (const auto& [key, value] : *table)
+      if (auto child = nodeOf(value, complaints)) node.table.emplace_back(key.str(), std::move(*child));
+    std::stable_sort(node.table.begin(), node.table.end(),
+                     [](const auto& a, const auto& b) { return before(a.second.at, b.second.at); });
+  } else {
+    complaints.push_back({node.at, "dates and times mean nothing here."});
+    return std::nullopt;
+  }
+  return node;
+}
+
+}  // namespace
+
+const TomlNode* TomlNode::find(std::string_view key) const {
+  for (const auto& [name, node] : table)
+    if (name == key) return &node;
+  return nullptr;
+}
+
+std::optional<TomlNode> parseToml(std::string_view text, std::vector<Complaint>& complaints) {
+  if (const Status s = checkTomlLimits(text); !s) {
+    complaints.push_back({{}, s.error().message});
+    return std::nullopt;
+  }
+  const toml::parse_result parsed = toml::parse(text);
+  if (!parsed) {
+    const auto& error = parsed.error();
+    complaints.push_back({placeOf(error.source()), printable(shortened(error.description())) + "."});
+    return std::nullopt;
+  }
+  return nodeOf(parsed.table(), complaints);
+}
+
+const TomlNode* TomlReader::find(std::string_view key) {
+  known_.emplace_back(key);
+  return table_.find(key);
+}
+
+const TomlNode* TomlReader::need(std::string_view key) {
+  const TomlNode* node = find(key);
+  if (!node) complaints_.push_back({table_.at, fmt::format("{} is missing.", key)});
+  return node;
+}
+
+void TomlReader::complain(std::string_view key, std::string sentence) {
+  const TomlNode* node = table_.find(key);
+  complaints_.push_back({node ? node->at : table_.at, fmt::format("{}: {}", key, sentence)});
+}
+
+const TomlNode* TomlReader::findKind(std::string_view key, Kind kind, const char* what) {
+  const TomlNode* node = find(key);
+  if (!node || node->kind == kind || (kind == Kind::Number && node->kind == Kind::Whole)) return node;
+  complain(key, fmt::format("it takes {}.", what));
+  return nullptr;
+}
+
+std::string TomlReader::text(std::string_view key, std::string otherwise) {
+  const TomlNode* node = findKind(key, Kind::Text, "a text in quotes");
+  return node ? node->text : std::move(otherwise);
+}
+
+std::string TomlReader::neededText(std::string_view key) {
+  if (!need(key)) return {};
+  std::string content = text(key);
+  if (table_.find(key)->kind == Kind::Text && content.empty()) complain(key, "it is empty.");
+  return content;
+}
+
+double TomlReader::number(std::string_view key, double low, double high, double otherwise) {
+  const TomlNode* node = findKind(key, Kind::Number, "a number");
+  if (!node) return otherwise;
+  if (node->number >= low && node->number <= high) return node->number;
+  complain(key, fmt::format("{} is not allowed; it takes {} to {}.", node->number, low, high));
+  return otherwise;
+}
+
+std::int64_t TomlReader::whole(std::string_view key, std::int64_t low, std::int64_t high, std::int64_t otherwise) {
+  const TomlNode* node = findKind(key, Kind::Whole, "a whole number");
+  if (!node) return otherwise;
+  if (node->whole >= low && node->whole <= high) return node->whole;
+  complain(key, fmt::format("{} is not allowed; it takes {} to {}.", node->whole, low, high));
+  return otherwise;
+}
+
+bool TomlReader::flag(std::string_view key, bool otherwise) {
+  const TomlNode* node = findKind(key, Kind::Flag, "true or false");
+  return node ? node->flag : otherwise;
+}
+
+std::vector<std::string> TomlReader::texts(std::string_view key) {
+  std::vector<std::string> all;
+  const TomlNode* node = findKind(key, Kind::List, "a list of texts");
+  for (const TomlNode& element : node ? node->list : std::vector<TomlNode>{}) {
+    if (element.kind == Kind::Text)
+      all.push_back(element.text);
+    else
+      complaints_.push_back({element.at, fmt::format("{}: it takes texts in quotes.", key)});
+  }
+  return all;
+}
+
+std::vector<const TomlNode*> TomlReader::tables(std::string_view key) {
+  std::vector<const TomlNode*> all;
+  const TomlNode* node = find(key);
+  if (!node) return all;
+  if (node->kind == Kind::Table) return {node};
+  for (const TomlNode& element : node->list) {
+    if (element.kind != Kind::Table) return complain(key, "it takes tables."), std::vector<const TomlNode*>{};
+    all.push_back(&element);
+  }
+  if (node->kind != Kind::List) complain(key, "it takes tables.");
+  return all;
+}
+
+const TomlNode* TomlReader::table(std::string_view key) {
+  return findKind(key, Kind::Table, "a table");
+}
+
+void TomlReader::end() {
+  for (const auto& [key, node] : table_.table) {
+    if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
+    const std::string near = nearestWord(key, known_);
+    complaints_.push_back({node.at, fmt::format("there is no \"{}\" here{}.", printable(shortened(key)),
+                                                near.empty() ? "" : "; did you mean " + near)});
+  }
+}
+
+}  // namespace surefoot

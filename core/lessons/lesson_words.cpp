@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lessons/lesson_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+
+#include "core/text/printable.h"
+#include "core/text/text.h"
+#include "core/text/words.h"
+
+namespace surefoot {
+
+namespace {
+
+using QuantityKind = LessonQuantity::Kind;
+
+struct OfALife {
+  std::string_view name;
+  QuantityKind kind;
+  double low;
+};
+
+constexpr OfALife kOfALife[] = {
+    {"episodes", QuantityKind::Episodes, 0.0},   {"falls", QuantityKind::Falls, 0.0},
+    {"successes", QuantityKind::Successes, 0.0}, {"steps", QuantityKind::Steps, 0.0},
+    {"minutes", QuantityKind::Minutes, 0.0},     {"average_reward", QuantityKind::AverageReward, -kInfinity}};
+
+/// "0.75", "−0.75", "up": the number of an action.
+std::optional<std::size_t> actionOf(const Task& task, std::string_view name) {
+  for (std::size_t a = 0; a < task.actionNames.size(); ++a)
+    if (task.actionNames[a] == name) return a;
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), value);
+  if (error != std::errc() || end != name.data() + name.size()) return std::nullopt;
+  const auto found = std::find(task.actions.begin(), task.actions.end(), value);
+  if (found == task.actions.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - task.actions.begin());
+}
+
+std::vector<std::string> actionNames(const Task& task) {
+  constexpr std::size_t kMost = 12;
+  std::vector<std::string> names = task.actionNames;
+  for (std::size_t a = names.size(); a < task.actions.size(); ++a) names.push_back(fmt::format("{}", task.actions[a]));
+  if (names.size() > kMost) names.resize(kMost), names.emplace_back("…");
+  return names;
+}
+
+}  // namespace
+
+Quantity LessonWords::placed(LessonQuantity quantity, double low, double high) const {
+  auto found = std::find(quantities_.begin(), quantities_.end(), quantity);
+  if (found == quantities_.end()) found = quantities_.insert(found, std::move(quantity));
+  return {static_cast<int>(found - quantities_.begin()), ValueKind::Number, low, high};
+}
+
+Result<Quantity> LessonWords::find(std::string_view name, std::optional<std::string_view> argument) const {
+  if (argument) return withArgument(name, *argument);
+  const bool before = name.starts_with("before.");
+  const std::string_view plain = before ? name.substr(7) : name;
+  for (const OfALife& q : kOfALife) {
+    if (q.name != plain) continue;
+    if (q.kind == QuantityKind::Minutes && !task_.stepTime)
+      return Error{"this task has no clock; count steps or episodes."};
+    return placed({.kind = q.kind, .before = before}, q.low);
+  }
+  if (before)
+    return Error{fmt::format("of the life before there are {}.",
+                             "episodes, falls, successes, steps, minutes "
+                             "and average_reward")};
+  if (name == "visits") return placed({.kind = QuantityKind::Visits}, 0.0);
+  if (const Parameters::Entry* entry = parameters_.find(name))
+    return placed({.kind = QuantityKind::Parameter, .key = std::string(name)}, entry->parameter.low,
+                  entry->parameter.high);
+  for (std::size_t d = 0; d < task_.state.size(); ++d)
+    if (task_.state[d].key == name)
+      return placed({.kind = QuantityKind::State, .index = d}, task_.state[d].low, task_.state[d].high);
+  for (const char* needs : {"q", "probability", "observed", "predicted"})
+    if (name == needs) return Error{fmt::format("{} needs something in parentheses.", name)};
+  return Error{};
+}
+
+Result<Quantity> LessonWords::withArgument(std::string_view name, std::string_view argument) const {
+  if (name == "q" || name == "probability") {
+    const auto action = actionOf(task_, argument);
+    if (!action)
+      return Error{fmt::format("there is no action \"{}\"; there are {}.", printable(shortened(argument)),
+                               joinWords(actionNames(task_), "and"))};
+    if (name == "q") return placed({.kind = QuantityKind::ActionValue, .index = *action});
+    return placed({.kind = QuantityKind::Probability, .index = *action}, 0.0, 1.0);
+  }
+  if (name != "observed" && name != "predicted") return Error{};
+  std::size_t step = 0;
+  const auto [end, error] = std::from_chars(argument.data(), argument.data() + argument.size(), step);
+  if (error != std::errc() || end != argument.data() + argument.size() || step < 1 || step > predicts_.size() ||
+      !predicts_[step - 1])
+    return Error{fmt::format("step {} predicts nothing; {} takes the number of this step or an earlier one that does.",
+                             printable(shortened(argument)), name)};
+  return placed({.kind = name == "observed" ? QuantityKind::Observed : QuantityKind::Predicted, .index = step - 1});
+}
+
+std::vector<std::string> LessonWords::names() const {
+  std::vector<std::string> all = {"visits", "q(", "probability(", "observed(", "predicted("};
+  for (const OfALife& q : kOfALife) {
+    all.emplace_back(q.name);
+    all.push_back("before." + std::string(q.name));
+  }
+  for (const auto& entry : parameters_.all()) all.push_back(entry.parameter.key);
+  for (const StateVariable& v : task_.state) all.push_back(v.key);
+  return all;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads the steps of a lesson: part of readLesson().
+#pragma once
+
+#include "core/lessons/lesson.h"
+
+namespace surefoot {
+
+/// `show`: the panels and knobs that the start of the lesson names.
+void readSteps(const Registry& registry, const std::vector<const TomlNode*>& steps,
+               const std::vector<std::string>& show, Lesson& lesson, std::vector<Complaint>& complaints);
+
+}  // namespace surefoot
