@@ -12,3 +12,26 @@
 #undef TOML_UNREACHABLE
 #define TOML_UNREACHABLE __builtin_unreachable()
 #include <toml++/toml.h>
+
+#include <string>
+#include <variant>
+
+#include "core/files/limited_toml.h"
+
+namespace surefoot {
+
+struct TomlTrouble {
+  int line = 0, column = 0;  ///< from 1; 0: the text as a whole
+  std::string sentence;      ///< without a full stop
+};
+
+/// The one way from a text to TOML: its limits come before its parser.
+inline std::variant<toml::table, TomlTrouble> parseLimitedToml(std::string_view text) {
+  if (const Status s = checkTomlLimits(text); !s) return TomlTrouble{0, 0, s.error().message};
+  toml::parse_result parsed = toml::parse(text);
+  if (parsed) return std::move(parsed).table();
+  const auto& at = parsed.error().source().begin;
+  return TomlTrouble{static_cast<int>(at.line), static_cast<int>(at.column), std::string(parsed.error().description())};
+}
+
+}  // namespace surefoot

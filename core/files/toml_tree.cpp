@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/files/limited_toml.h"
 #include "core/files/toml_parser.h"
 #include "core/text/printable.h"
 #include "core/text/text.h"
@@ -62,17 +61,11 @@ const TomlNode* TomlNode::find(std::string_view key) const {
 }
 
 std::optional<TomlNode> parseToml(std::string_view text, std::vector<Complaint>& complaints) {
-  if (const Status s = checkTomlLimits(text); !s) {
-    complaints.push_back({{}, s.error().message});
-    return std::nullopt;
-  }
-  const toml::parse_result parsed = toml::parse(text);
-  if (!parsed) {
-    const auto& error = parsed.error();
-    complaints.push_back({placeOf(error.source()), printable(shortened(error.description())) + "."});
-    return std::nullopt;
-  }
-  return nodeOf(parsed.table(), complaints);
+  const auto root = parseLimitedToml(text);
+  if (const auto* table = std::get_if<toml::table>(&root)) return nodeOf(*table, complaints);
+  const auto& trouble = std::get<TomlTrouble>(root);
+  complaints.push_back({{trouble.line, trouble.column}, printable(shortened(trouble.sentence)) + "."});
+  return std::nullopt;
 }
 
 const TomlNode* TomlReader::find(std::string_view key) {

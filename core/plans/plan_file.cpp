@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <optional>
 
-#include "core/files/limited_toml.h"
 #include "core/files/toml_parser.h"
 #include "core/parameters.h"
 #include "core/text/number_text.h"
@@ -198,27 +197,30 @@ std::string withLargeSeeds(const std::string& text) {
   return out;
 }
 
+Result<toml::table> parsed(const std::string& text, const std::string& path) {
+  auto root = parseLimitedToml(withLargeSeeds(text));
+  if (auto* table = std::get_if<toml::table>(&root)) return std::move(*table);
+  const auto& trouble = std::get<TomlTrouble>(root);
+  return planError(path, trouble.line,
+                   trouble.line > 0 ? fmt::format("this is not TOML: {}.", trouble.sentence) : trouble.sentence + ".");
+}
+
 }  // namespace
 
 Result<PlanFile> parsePlanFile(const std::string& text, const std::string& path) {
-  if (const Status s = checkTomlLimits(text); !s) return planError(path, 0, s.error().message + ".");
-  const toml::parse_result parsed = toml::parse(withLargeSeeds(text));
-  if (!parsed)
-    return planError(path, static_cast<int>(parsed.error().source().begin.line),
-                     fmt::format("this is not TOML: {}.", parsed.error().description()));
-  return Reader(path).read(parsed.table());
+  const auto root = parsed(text, path);
+  return root ? Reader(path).read(*root) : root.error();
 }
 
 Result<nlohmann::json> parseRecipeBlocks(const std::string& text, const std::string& path) {
-  if (const Status s = checkTomlLimits(text); !s) return planError(path, 0, s.error().message + ".");
-  const toml::parse_result parsed = toml::parse(withLargeSeeds(text));
-  if (!parsed) return planError(path, lineOf(parsed.table()), "this is not TOML.");
+  const auto root = parsed(text, path);
+  if (!root) return root.error();
   nlohmann::json blocks = {{"shows", nlohmann::json::array()},
                            {"table", nlohmann::json::array()},
                            {"figure", nlohmann::json::array()},
                            {"claim", nlohmann::json::array()}};
   for (auto& [key, value] : blocks.items()) {
-    const toml::node* node = parsed.table().get(key);
+    const toml::node* node = root->get(key);
     if (!node) continue;
     const bool list = key == "shows" || key == "table";
     if (!node->is_array() || (!list && !node->as_array()->is_homogeneous<toml::table>()))

@@ -31,7 +31,7 @@ predict = {kind = "number", unit = "falls", low = 0, high = 200, of = "falls", a
 [[step]]
 say = "Now look."
 run = {until = "episodes >= 200", turbo = true}
-ask = {kind = "choice", options = ["It learns more slowly.", "Near the edge one random action is enough."], answer = 2, because = true}
+ask = {kind = "choice", options = ["It learns slowly.", "One random action is enough."], answer = 2, because = true}
 hint = "What does it do when it does not take the best action?"
 
 [[step]]
