@@ -85,6 +85,7 @@ int run(int argc, char** argv) {
     int operator()(const ExportRequest& r) const { return exportCommand(r); }
     int operator()(const MergeRequest& r) const { return mergeCommand(r); }
     int operator()(const StatisticsRequest& r) const { return statisticsCommand(registry, r); }
+    int operator()(const LessonsRequest& r) const { return lessonsCommand(registry, r); }
     int operator()(const PrintRequest& r) const { return print(r.text); }
   };
   return std::visit(Dispatch{registry, argc, argv}, *request);

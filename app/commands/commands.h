@@ -21,6 +21,7 @@ int reproduceCommand(const Registry& registry, const ReproduceRequest& request);
 int exportCommand(const ExportRequest& request);
 int mergeCommand(const MergeRequest& request);
 int statisticsCommand(const Registry& registry, const StatisticsRequest& request);
+int lessonsCommand(const Registry& registry, const LessonsRequest& request);
 int replayCommand(const Registry& registry, const ReplayRequest& request);
 
 /// Prints "surefoot: …" to standard error and returns the exit code of the error.

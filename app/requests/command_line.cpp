@@ -121,6 +121,7 @@ struct CommandLine {
   CLI::App* replay = app.add_subcommand("replay", "live a journal again");
   CLI::App* bench = app.add_subcommand("bench", "how fast this machine learns");
   CLI::App* probabilities = app.add_subcommand("probabilities", "the probability of every action, given its value");
+  CLI::App* lessons = app.add_subcommand("lessons", "check lessons that you wrote");
   LaboratoryLine laboratory{app};
   TrainOptions trainOptions, windowOptions;
   ListRequest listOptions;
@@ -131,6 +132,7 @@ struct CommandLine {
   ResampleRequest resampleOptions;
   ReplayRequest replayOptions;
   BenchRequest benchOptions;
+  LessonsRequest lessonsOptions;
 
   CommandLine() {
     app.require_subcommand(0, 1);
@@ -148,7 +150,8 @@ struct CommandLine {
     addAssignments(*probabilities, probabilitiesOptions.assignments, "a parameter of the policy; may be repeated");
     probabilities->add_flag("--json", probabilitiesOptions.json, "as JSON");
     std::vector<CLI::App*> commands = laboratory.commands();
-    for (CLI::App* c : {&app, train, window, list, probabilities, query, slice, inspect, resample, replay, bench})
+    for (CLI::App* c :
+         {&app, train, window, list, probabilities, query, slice, inspect, resample, replay, bench, lessons})
       commands.push_back(c);
     for (CLI::App* command : commands) {
       command->set_help_flag("-h,--help", "print this help");
@@ -182,6 +185,8 @@ struct CommandLine {
     addOption(*resample, "--save", resampleOptions.save, "the file to write, which must not exist yet", "FILE");
     resample->add_flag("--json", resampleOptions.json, "report as JSON");
 
+    lessons->add_option("check FILES", lessonsOptions.words, "read the files, and live through what their steps ask")
+        ->type_name("");
     bench->add_flag("--json", benchOptions.json, "as JSON");
     file(replay, replayOptions.file, "a journal");
     replay->add_flag("--verify", replayOptions.verify, "fail unless the hash is that of the journal");
@@ -231,6 +236,7 @@ Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv
   if (line.resample->parsed()) return Request(line.resampleOptions);
   if (line.bench->parsed()) return Request(line.benchOptions);
   if (line.replay->parsed()) return Request(line.replayOptions);
+  if (line.lessons->parsed()) return Request(line.lessonsOptions);
   auto request = makeTrainRequest(registry, line.windowOptions, true);
   if (!request) return request.error();
   return Request(WindowRequest{std::move(*request)});

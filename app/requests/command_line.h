@@ -121,14 +121,20 @@ struct StatisticsRequest {
   bool json = false, csv = false, latex = false;
 };
 
+/// `surefoot lessons`: "check" and files.
+struct LessonsRequest {
+  std::vector<std::string> words;
+};
+
 /// --help or --version: the text to print.
 struct PrintRequest {
   std::string text;
 };
 
-using Request = std::variant<ListRequest, ProbabilitiesRequest, TrainRequest, WindowRequest, QueryRequest, SliceRequest,
-                             InspectRequest, ResampleRequest, ReplayRequest, BenchRequest, ExperimentRequest,
-                             ReproduceRequest, ExportRequest, MergeRequest, StatisticsRequest, PrintRequest>;
+using Request =
+    std::variant<ListRequest, ProbabilitiesRequest, TrainRequest, WindowRequest, QueryRequest, SliceRequest,
+                 InspectRequest, ResampleRequest, ReplayRequest, BenchRequest, ExperimentRequest, ReproduceRequest,
+                 ExportRequest, MergeRequest, StatisticsRequest, LessonsRequest, PrintRequest>;
 
 Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv);
 
