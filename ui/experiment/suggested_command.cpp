@@ -16,26 +16,25 @@ std::string usualLength(const RunningLife& life) {
   return life.task().stepTime ? "--minutes 9" : "--episodes 900";
 }
 
-/// A limit a little beyond the life's length so far: the limits of --resume count from its beginning.
-std::string somewhatLonger(const RunningLife& life) {
-  const Snapshot& now = life.snapshot();
+/// A limit a little beyond the life's length in the file: the limits of --resume count from its beginning.
+std::string somewhatLonger(const RunningLife& life, const LifeProgress& written) {
   const auto& stepTime = life.task().stepTime;
   std::string length;
   if (stepTime)
-    length = fmt::format("--minutes {:.0f}", std::ceil(static_cast<double>(now.steps) * *stepTime / 60) + 10);
+    length = fmt::format("--minutes {:.0f}", std::ceil(static_cast<double>(written.steps) * *stepTime / 60) + 10);
   if (!stepTime || life.configuration().episodes)
-    length += fmt::format("{}--episodes {}", stepTime ? " " : "", now.totals.episodes + 1000);
+    length += fmt::format("{}--episodes {}", stepTime ? " " : "", written.episodes + 1000);
   return length;
 }
 
 }  // namespace
 
-QString suggestedCommand(SavedAs what, const QString& path, const RunningLife& life) {
+QString suggestedCommand(SavedAs what, const QString& path, const RunningLife& life, const LifeProgress& written) {
   const std::string file = shellQuoted(path.toStdString());
   const std::string command = what == SavedAs::Journal ? "surefoot replay " + file
                               : what == SavedAs::QFunction
                                   ? fmt::format("surefoot train --load {} {}", file, usualLength(life))
-                                  : fmt::format("surefoot train --resume {} {}", file, somewhatLonger(life));
+                                  : fmt::format("surefoot train --resume {} {}", file, somewhatLonger(life, written));
   return QString::fromStdString(command);
 }
 

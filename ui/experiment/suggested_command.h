@@ -8,7 +8,8 @@
 
 namespace surefoot {
 
-/// The command that continues from the file; it works without changes for every name and environment.
-QString suggestedCommand(SavedAs what, const QString& path, const RunningLife& life);
+/// The command that continues from the file; it works without changes for every name and environment. `written`: how
+/// far the life in the file is; the window's own numbers may be a moment older.
+QString suggestedCommand(SavedAs what, const QString& path, const RunningLife& life, const LifeProgress& written);
 
 }  // namespace surefoot

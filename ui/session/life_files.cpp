@@ -52,6 +52,7 @@ void LifeFiles::save(SavedAs what, const std::string& path, Then then) {
                of = life_.number()](const Life& life) {
     const Status status = write(life, began, now, what, path);
     calls_.post([this, then, status, of, written = LifeProgress{life.log().totals().episodes, life.steps()}] {
+      lastWritten_ = written;
       written_.reset();
       if (of == life_.number()) written_ = written;
       then(status);

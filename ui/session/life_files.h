@@ -24,6 +24,8 @@ class LifeFiles final : public QObject {
   void saveKept(const KeptLife& kept, const std::string& path, Then then);
   /// The life's progress when save() wrote it last; nothing if that was another life.
   const std::optional<LifeProgress>& written() const { return written_; }
+  /// The progress of the life that save() wrote last, whichever it was.
+  const LifeProgress& lastWritten() const { return lastWritten_; }
 
   /// A saved session goes on, a new life begins with a Q-function, a journal is lived again; `then` is called when the
   /// life has begun, or could not.
@@ -36,6 +38,7 @@ class LifeFiles final : public QObject {
   RunningLife& life_;
   NewLives& newLives_;
   std::optional<LifeProgress> written_;
+  LifeProgress lastWritten_;
   CallQueue calls_;  // of the learner's thread
 };
 

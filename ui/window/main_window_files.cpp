@@ -77,10 +77,11 @@ void MainWindow::saveTo(SavedAs what, const QString& path, const std::function<v
   session_.files().save(what, path.toStdString(), [this, what, path, then](const Status& s) {
     if (!s) return messages_->say(toText(s.error().message));
     remember(path);
-    if (what == SavedAs::Session && session_.files().written())
-      session_.life().setFile({path, *session_.files().written()});
+    const auto& written = session_.files().written();
+    if (what == SavedAs::Session && written) session_.life().setFile({path, *written});
     messages_->tell(tr("%1 is written. Without a window: %2")
-                        .arg(QFileInfo(path).fileName(), suggestedCommand(what, path, session_.life())));
+                        .arg(QFileInfo(path).fileName(),
+                             suggestedCommand(what, path, session_.life(), session_.files().lastWritten())));
     if (then) then();
   });
 }
