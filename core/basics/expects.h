@@ -2,20 +2,19 @@
 // What the program guarantees itself, checked in every build: not for input, which is refused with a sentence.
 #pragma once
 
-#include <source_location>
 #include <stdexcept>
 #include <string>
 
 namespace surefoot {
 
-[[noreturn, gnu::cold, gnu::noinline]] inline void failExpectation(const char* what, const std::source_location& at) {
-  throw std::logic_error(std::string(at.file_name()) + ":" + std::to_string(at.line()) + ": " + what);
+[[noreturn, gnu::cold, gnu::noinline]] inline void failExpectation(const char* what, const char* file, int line) {
+  throw std::logic_error(std::string(file) + ":" + std::to_string(line) + ": " + what);
 }
 
-/// Throws std::logic_error if the program is wrong; `what` says what should hold.
-inline void expects(bool holds, const char* what, const std::source_location& at = std::source_location::current()) {
+/// Throws std::logic_error, with the place of the call, if the program is wrong; `what` says what should hold.
+inline void expects(bool holds, const char* what, const char* file = __builtin_FILE(), int line = __builtin_LINE()) {
   if (!holds) [[unlikely]]
-    failExpectation(what, at);
+    failExpectation(what, file, line);
 }
 
 }  // namespace surefoot

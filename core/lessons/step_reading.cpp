@@ -17,7 +17,6 @@ namespace surefoot {
 
 namespace {
 
-const std::vector<std::string> kPanels = {"world", "actions", "maps", "reward", "falls", "step", "rule", "list"};
 const std::vector<std::string> kControls = {"run", "restart", "pace", "turbo", "agent", "policy", "environment"};
 
 class StepReader {
@@ -65,7 +64,7 @@ class StepReader {
   }
 
   void checkShown(const std::vector<std::string>& shown) {
-    std::vector<std::string> all = kPanels;
+    std::vector<std::string> all = lessonPanels();
     all.insert(all.end(), kControls.begin(), kControls.end());
     for (const auto& entry : lesson_.start.parameters.all()) all.push_back(entry.parameter.key);
     for (const std::string& name : shown) {
@@ -254,6 +253,12 @@ LessonQuestion StepReader::order(TomlReader& reader) {
 }
 
 }  // namespace
+
+const std::vector<std::string>& lessonPanels() {
+  static const std::vector<std::string> names = {"world", "parameters", "actions", "maps", "reward",
+                                                 "falls", "step",       "rule",    "list"};
+  return names;
+}
 
 void readSteps(const Registry& registry, const std::vector<const TomlNode*>& steps,
                const std::vector<std::string>& show, Lesson& lesson, std::vector<Complaint>& complaints) {

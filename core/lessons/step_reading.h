@@ -6,6 +6,9 @@
 
 namespace surefoot {
 
+/// The panels of the Live page that a lesson can show.
+const std::vector<std::string>& lessonPanels();
+
 /// `show`: the panels and knobs that the start of the lesson names.
 void readSteps(const Registry& registry, const std::vector<const TomlNode*>& steps,
                const std::vector<std::string>& show, Lesson& lesson, std::vector<Complaint>& complaints);

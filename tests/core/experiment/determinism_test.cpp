@@ -66,7 +66,7 @@ std::uint64_t hashOfEverything(const Registry& r) {
 TEST(Determinism, TheNumberOfTheLivesIsThatOfTheseBits) {
   EXPECT_EQ(kLivesVersion, 1) << "write down the hash that belongs to it";
   EXPECT_EQ(hashOfEverything(fullRegistry()), 14610224710700448358ULL)
-      << "lives take another course than before: raise kLivesVersion (core/experiment/lives_version.h) by one, write "
+      << "lives take another course than before: raise kLivesVersion (core/life/lives_version.h) by one, write "
          "down the new hash here, and say in the CHANGELOG what changed and why";
 }
 

@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QToolButton>
 
+#include "core/lessons/step_reading.h"
 #include "tests/ui/pixels_of.h"
 #include "tests/ui/window_setup.h"
 #include "ui/live/live_page.h"
@@ -127,6 +128,15 @@ TEST(Panel, OneThatFloatsCanBeClosed) {
   EXPECT_FALSE(panel->isVisible());
   panel->setFloating(false);
   EXPECT_TRUE(close->isHidden());
+}
+
+// A lesson names the panels that it shows.
+TEST(Panels, LessonsKnowEveryPanelOfTheLivePage) {
+  Window w;
+  const auto& known = lessonPanels();
+  for (const Panel* panel : w.window->findChildren<Panel*>())
+    EXPECT_TRUE(std::find(known.begin(), known.end(), panel->objectName().toStdString()) != known.end())
+        << panel->objectName().toStdString();
 }
 
 }  // namespace surefoot
