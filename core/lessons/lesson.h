@@ -25,6 +25,7 @@ struct LessonAmount {
 struct LessonCondition {
   std::string text;
   Expression expression;
+  std::vector<int> reads{};  ///< the places of the quantities that it names
 };
 
 /// What a person's hand does to a life.

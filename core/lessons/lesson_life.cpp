@@ -81,11 +81,12 @@ LessonLife::Totals LessonLife::totalsOf(const Life& life) {
           .averageReward = life.log().averageReward()};
 }
 
-std::vector<double> LessonLife::values() const {
-  std::vector<double> all;
-  all.reserve(lesson_->quantities.size());
-  for (const LessonQuantity& q : lesson_->quantities) all.push_back(valueOf(q));
-  return all;
+std::span<const double> LessonLife::valuesFor(const LessonCondition& condition) const {
+  for (const int place : condition.reads) {
+    const auto i = static_cast<std::size_t>(place);
+    values_[i] = valueOf(lesson_->quantities[i]);
+  }
+  return values_;
 }
 
 double LessonLife::valueOf(const LessonQuantity& quantity) const {
@@ -95,7 +96,6 @@ double LessonLife::valueOf(const LessonQuantity& quantity) const {
     const auto found = of.find(quantity.index);
     return found == of.end() ? std::nan("") : found->second;
   };
-  std::vector<double> q(static_cast<std::size_t>(life_->agent().values().actions())), pi(q.size());
   const auto state = life_->environment().state();
   switch (quantity.kind) {
     case Of::Episodes:
@@ -124,10 +124,12 @@ double LessonLife::valueOf(const LessonQuantity& quantity) const {
     case Of::Probability:
       break;
   }
-  life_->agent().values().evaluate(state, Layer::Sum, q);
-  if (quantity.kind == Of::ActionValue) return q[quantity.index];
-  life_->policy().probabilities(q, pi);
-  return pi[quantity.index];
+  q_.resize(static_cast<std::size_t>(life_->agent().values().actions()));
+  pi_.resize(q_.size());
+  life_->agent().values().evaluate(state, Layer::Sum, q_);
+  if (quantity.kind == Of::ActionValue) return q_[quantity.index];
+  life_->policy().probabilities(q_, pi_);
+  return pi_[quantity.index];
 }
 
 namespace {

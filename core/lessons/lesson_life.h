@@ -4,6 +4,7 @@
 #pragma once
 
 #include <map>
+#include <span>
 
 #include "core/lessons/lesson.h"
 #include "core/life/life.h"
@@ -24,8 +25,8 @@ class LessonLife {
   bool runUntil(const LessonCondition& condition);
   void run(const LessonAmount& amount);
 
-  bool holds(const LessonCondition& condition) const { return condition.expression.holds(values()); }
-  double valueOf(const LessonCondition& number) const { return number.expression.evaluate(values()); }
+  bool holds(const LessonCondition& condition) const { return condition.expression.holds(valuesFor(condition)); }
+  double valueOf(const LessonCondition& number) const { return number.expression.evaluate(valuesFor(number)); }
   /// What step `step` (from 0) predicted, and what it came to.
   void predict(std::size_t step, double value) { predicted_[step] = value; }
   void observe(std::size_t step, double value) { observed_[step] = value; }
@@ -36,10 +37,14 @@ class LessonLife {
   struct Totals {
     double episodes = 0, falls = 0, successes = 0, steps = 0, minutes = 0, averageReward = 0;
   };
-  LessonLife(const Registry& registry, const Lesson& lesson) : registry_(&registry), lesson_(&lesson) {}
+  LessonLife(const Registry& registry, const Lesson& lesson)
+      : registry_(&registry),
+        lesson_(&lesson),
+        values_(lesson.quantities.size()) {}
 
   static Totals totalsOf(const Life& life);
-  std::vector<double> values() const;
+  /// The values of what the condition names, in their places. Allocates nothing: a run asks after every step.
+  std::span<const double> valuesFor(const LessonCondition& condition) const;
   double valueOf(const LessonQuantity& quantity) const;
   Status restart();
 
@@ -49,6 +54,7 @@ class LessonLife {
   std::unique_ptr<Life> life_;
   Totals before_;  // of the life before
   std::map<std::size_t, double> predicted_, observed_;
+  mutable std::vector<double> values_, q_, pi_;  // room for valuesFor()
 };
 
 /// Lives through all steps as their solutions say. What does not come out gets a complaint: a task that is done before

@@ -47,11 +47,10 @@ struct LessonQuantity {
 /// A lesson's quantities in the order in which its conditions name them first: the places of their values.
 class LessonWords : public Vocabulary {
  public:
-  /// `steps` predictions and observations can be named, those of earlier steps only: set upTo().
   LessonWords(const Task& task, const Parameters& parameters) : task_(task), parameters_(parameters) {}
 
-  /// The conditions that come next are those of step `step` (from 0): they know what earlier steps predicted and
-  /// observed, and predictions of their own step. `predicts`, `observes`: of each step up to this one.
+  /// The conditions that come next are those of the last of these steps: they can name what a step up to it predicted
+  /// and observed. `predicts`: of each step, whether it predicts anything.
   void beginStep(std::vector<bool> predicts) { predicts_ = std::move(predicts); }
 
   Result<Quantity> find(std::string_view name, std::optional<std::string_view> argument) const override;

@@ -82,7 +82,10 @@ class StepReader {
     if (text.empty()) return std::nullopt;
     std::size_t at = 0;
     auto compiled = compile(text, wanted, words_, at);
-    if (compiled) return LessonCondition{text, std::move(*compiled)};
+    if (compiled) {
+      std::vector<int> reads = compiled->variables();
+      return LessonCondition{text, std::move(*compiled), std::move(reads)};
+    }
     TextPlace place = table.find(key)->at;
     place.column += static_cast<int>(at) + 1;  // behind the quotation mark
     complaints_.push_back({place, fmt::format("{}: {}", key, compiled.error().message)});
