@@ -7,6 +7,7 @@
 #include <regex>
 #include <thread>
 
+#include "core/life/lives_version.h"
 #include "tests/app/program.h"
 #include "tests/core/store/seal_store.h"
 
@@ -180,7 +181,10 @@ TEST_F(GoingOn, ACheckpointOfAnotherVersionIsToldAndRefusedUnlessWanted) {
   const std::string life = file("life.st"), resume = "train --minutes 2 --resume " + life;
   run("train --minutes 1 --checkpoint " + life);
   EXPECT_EQ(surefoot(resume).code, 0);
-  replaceIn(life, "\\\"lives_version\\\":1", "\\\"lives_version\\\":7");
+  const std::string ours = std::to_string(kLivesVersion);
+  ASSERT_EQ(ours.size(), 1u) << "the number in the file is replaced by one of the same length";
+  ASSERT_NE(ours, "7");
+  replaceIn(life, "\\\"lives_version\\\":" + ours, "\\\"lives_version\\\":7");
   expectRefusal(resume, 3, {"life.st", "number 7", "--other-version"});
   const auto gone = run(resume + " --other-version --checkpoint " + life);
   EXPECT_EQ(gone["lives"][0]["changes"][0]["key"], "lives_version");

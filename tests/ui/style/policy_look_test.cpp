@@ -13,7 +13,7 @@ namespace surefoot {
 
 TEST(PolicyLook, TellsEveryPolicyFromTheOthersAndFromAFall) {
   const Registry registry = fullRegistry();
-  std::vector<std::string> names = {"mellowmax"};  // no line in the table
+  std::vector<std::string> names;
   for (const auto& entry : registry.policies) names.push_back(entry.name);
   for (const Theme* theme : {&lightTheme(), &darkTheme()}) {
     std::set<QRgb> colours = {theme->fall.rgb(), theme->accent.rgb(), theme->ink.rgb()};
@@ -24,6 +24,20 @@ TEST(PolicyLook, TellsEveryPolicyFromTheOthersAndFromAFall) {
       EXPECT_TRUE(markers.insert(look.marker).second) << name;
     }
   }
+}
+
+// Names of both lengths, even and odd, that no policy has.
+TEST(PolicyLook, ANameWithoutALineLooksLikeNoneThatHasOne) {
+  for (const Theme* theme : {&lightTheme(), &darkTheme()})
+    for (const char* other : {"no policy has it", "nor does one have this"}) {
+      const PolicyLook look = policyLook(other, *theme);
+      for (const char* known : {"greedy", "epsilon-greedy", "trl", "softmax"}) {
+        EXPECT_NE(look.colour, policyLook(known, *theme).colour) << other << " " << known;
+        EXPECT_NE(look.marker, policyLook(known, *theme).marker) << other << " " << known;
+      }
+      EXPECT_NE(look.colour, theme->fall);
+    }
+  EXPECT_NE(policyLook("even", lightTheme()).marker, policyLook("odd", lightTheme()).marker);
 }
 
 TEST(PolicyLook, ANameWithoutALineKeepsItsLook) {
