@@ -102,6 +102,7 @@ int windowCommand(const Registry& registry, const WindowRequest& request, int ar
   for (const ShippedPlan& plan : allShipped(registry))
     setup.plans.push_back({plan.title, plan.path, plan.recipe, plan.recipe ? groupOf(plan) : "", plan.name, plan.shows,
                            plan.answers, plan.minutes});
+  setup.lessons = QString::fromStdString(resourceFolder("lessons"));
   setup.asksOnQuit = !request.json && !request.log;  // with these, quitting writes the results
   MainWindow window(session, std::move(setup));
   window.show();

@@ -2,7 +2,9 @@
 // A learner: chooses actions and learns from what comes back.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -40,6 +42,8 @@ class Agent : public Scheduling {
   virtual bool diverged() const = 0;
   /// How many states so far lay outside the range that the features cover.
   virtual std::int64_t statesOutside() const = 0;
+  /// How many of the actions so far were not the best by q̂: the agent explored. Counted from when it was made.
+  virtual std::int64_t explored() const { return explored_; }
 
   /// The estimates by name, with the layout of their features. A file fits this agent only if its layouts are the same.
   virtual Json layouts() const = 0;
@@ -56,7 +60,23 @@ class Agent : public Scheduling {
   virtual void setPolicy(const Policy& policy) { policy_ = &policy; }
 
  protected:
+  /// An action drawn from π, counted if it explores.
+  Action draw(std::span<const double> q, std::span<const double> pi, Random& random) {
+    const Action a = sample(pi, random);
+    explored_ += q[static_cast<std::size_t>(a)] < *std::max_element(q.begin(), q.end());
+    return a;
+  }
+
+  /// Part of transferLearning(); older files lack it.
+  void transferExplored(Archive& archive) {
+    if (!archive.reading() || archive.has("explored"))
+      archive.value("explored", explored_, 0, std::numeric_limits<std::int64_t>::max());
+  }
+
   const Policy* policy_ = nullptr;
+
+ private:
+  std::int64_t explored_ = 0;
 };
 
 }  // namespace surefoot

@@ -121,7 +121,7 @@ struct CommandLine {
   CLI::App* replay = app.add_subcommand("replay", "live a journal again");
   CLI::App* bench = app.add_subcommand("bench", "how fast this machine learns");
   CLI::App* probabilities = app.add_subcommand("probabilities", "the probability of every action, given its value");
-  CLI::App* lessons = app.add_subcommand("lessons", "check lessons that you wrote");
+  CLI::App* lessons = app.add_subcommand("lessons", "the program's lessons; check those that you wrote");
   LaboratoryLine laboratory{app};
   TrainOptions trainOptions, windowOptions;
   ListRequest listOptions;
@@ -185,8 +185,11 @@ struct CommandLine {
     addOption(*resample, "--save", resampleOptions.save, "the file to write, which must not exist yet", "FILE");
     resample->add_flag("--json", resampleOptions.json, "report as JSON");
 
-    lessons->add_option("check FILES", lessonsOptions.words, "read the files, and live through what their steps ask")
+    lessons
+        ->add_option("check FILES", lessonsOptions.words,
+                     "read the files (those of the program if none is named), and live through what their steps ask")
         ->type_name("");
+    lessons->add_flag("--show", lessonsOptions.show, "with check: print what a student reads, with its numbers");
     bench->add_flag("--json", benchOptions.json, "as JSON");
     file(replay, replayOptions.file, "a journal");
     replay->add_flag("--verify", replayOptions.verify, "fail unless the hash is that of the journal");

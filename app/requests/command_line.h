@@ -121,9 +121,10 @@ struct StatisticsRequest {
   bool json = false, csv = false, latex = false;
 };
 
-/// `surefoot lessons`: "check" and files.
+/// `surefoot lessons`: nothing (the list), or "check" and files.
 struct LessonsRequest {
   std::vector<std::string> words;
+  bool show = false;
 };
 
 /// --help or --version: the text to print.

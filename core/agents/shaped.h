@@ -69,6 +69,7 @@ class ShapedAgent final : public Agent {
   std::vector<NamedStep> lastSteps() const override { return agent_->lastSteps(); }
   bool diverged() const override { return agent_->diverged() || potential_.diverged(); }
   std::int64_t statesOutside() const override { return agent_->statesOutside(); }
+  std::int64_t explored() const override { return agent_->explored(); }
 
   Json layouts() const override {
     Json layouts = agent_->layouts();

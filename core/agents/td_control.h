@@ -78,6 +78,7 @@ class TdControl final : public Agent {
   }
   void transferLearning(Archive& archive) override {
     archive.value("action", a_, 0, static_cast<int>(q_.size()) - 1);
+    transferExplored(archive);
     archive.under("q.", [&] { estimate_.transferLearning(archive); });
   }
 
@@ -86,7 +87,7 @@ class TdControl final : public Agent {
   Action choose(std::span<const double> state, Random& random) {
     estimate_.arrive(state, q_);
     policy_->probabilities(q_, pi_);
-    return sample(pi_, random);
+    return draw(q_, pi_, random);
   }
 
   void learn(double reward, double next) { estimate_.learn(a_, reward, next, control_.discount, control_.traces); }

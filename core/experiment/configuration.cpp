@@ -68,6 +68,18 @@ std::vector<std::string> policyKeys(const PolicyEntry& policy) {
   return keys;
 }
 
+Result<Configuration> configurationUnder(const Registry& registry, const Configuration& now, const Names& names) {
+  auto changed = configure(registry, names, {});
+  if (!changed) return changed;
+  for (const auto& entry : now.parameters.all())
+    if (changed->parameters.find(entry.parameter.key))
+      if (const Status s = changed->parameters.set(entry.parameter.key, entry.value); !s) return s.error();
+  changed->seed = now.seed;
+  changed->minutes = now.minutes;
+  changed->episodes = now.episodes;
+  return changed;
+}
+
 Result<std::unique_ptr<Policy>> makePolicy(const Registry& registry, const std::string& name,
                                            const Parameters& parameters) {
   const auto entry = findEntry(registry.policies, "policy", name);

@@ -55,6 +55,9 @@ struct Configuration {
 Result<Configuration> configure(const Registry& registry, const Names& names,
                                 const std::vector<Assignment>& assignments);
 
+/// A configuration under other names; it keeps the values of all parameters that both have.
+Result<Configuration> configurationUnder(const Registry& registry, const Configuration& now, const Names& names);
+
 /// The keys that a policy reads, e.g. "policy.epsilon".
 std::vector<std::string> policyKeys(const PolicyEntry& policy);
 

@@ -24,6 +24,8 @@ class Archive {
   static Archive reader(const TensorFile& file) { return Archive(nullptr, &file); }
 
   bool reading() const { return in_ != nullptr; }
+  /// Whether the file that is read has it; files of older versions lack what came later.
+  bool has(const std::string& name) const { return in_ && in_->find(prefix_ + name); }
   bool good() const { return static_cast<bool>(status_); }
   const Status& status() const { return status_; }
   /// Makes the reading fail: a value does not make sense.

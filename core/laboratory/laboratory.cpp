@@ -9,7 +9,7 @@
 
 #include "core/files/read_file.h"
 #include "core/laboratory/kept_lives.h"
-#include "core/laboratory/lesson.h"
+#include "core/laboratory/shared_q_function.h"
 #include "core/laboratory/whole_life.h"
 #include "core/life/lives_version.h"
 #include "core/saved/q_file.h"
@@ -19,9 +19,9 @@ namespace surefoot {
 
 namespace {
 
-/// One piece of work: a lesson to learn, or a life to live.
+/// One piece of work: a Q-function to learn, or a life to live.
 struct Task {
-  Lesson* lesson = nullptr;  // the Q-function that a life begins with
+  SharedQFunction* shared = nullptr;  // the Q-function that a life begins with
   int condition = -1, life = 0;
   std::string name{};  // the name under which it is kept
 };
@@ -77,7 +77,7 @@ class Laboratory {
         if (done.contains({c, life}))
           ++result_.livesThere;
         else
-          lives.push_back({lessonFor(condition, life), c, life, KeptLives::nameOf(condition, life)});
+          lives.push_back({qFunctionFor(condition, life), c, life, KeptLives::nameOf(condition, life)});
       }
     addLessons(std::move(lives));
     std::set<std::string> names;
@@ -86,48 +86,49 @@ class Laboratory {
     return Done{};
   }
 
-  /// Adds each lesson some lives before the first life that needs it, so that few lives wait, and only for lessons that
-  /// are being learned. Kept lives need no lesson.
+  /// Adds each shared Q-function some lives before the first life that needs it, so that few lives wait, and only for
+  /// those that are being learned. Kept lives need none.
   void addLessons(std::vector<Task> lives) {
     const std::size_t ahead = 2 * static_cast<std::size_t>(options_.jobs);
-    std::set<const Lesson*> added;
+    std::set<const SharedQFunction*> added;
     std::size_t next = 0;
     for (std::size_t i = 0; i < lives.size(); ++i) {
       for (; next < lives.size() && next <= i + ahead; ++next)
-        if (Lesson* lesson = lives[next].lesson; lesson && !kept_.has(lives[next].name) && added.insert(lesson).second)
-          tasks_.push_back({.lesson = lesson, .name = KeptLives::nameOf(lesson->what, lesson->number)});
+        if (SharedQFunction* shared = lives[next].shared;
+            shared && !kept_.has(lives[next].name) && added.insert(shared).second)
+          tasks_.push_back({.shared = shared, .name = KeptLives::nameOf(shared->what, shared->number)});
       tasks_.push_back(lives[i]);
     }
   }
 
-  Lesson* lessonFor(const Condition& condition, int life) {
+  SharedQFunction* qFunctionFor(const Condition& condition, int life) {
     if (!condition.preLearning) return nullptr;
     const int number = condition.preLearning->numberFor(life);
-    auto& lesson = lessons_[{condition.preLearning->text, number}];
-    if (!lesson) lesson = std::make_unique<Lesson>(*condition.preLearning, number);
-    lesson->wanted();
-    return lesson.get();
+    auto& shared = shared_[{condition.preLearning->text, number}];
+    if (!shared) shared = std::make_unique<SharedQFunction>(*condition.preLearning, number);
+    shared->wanted();
+    return shared.get();
   }
 
   Status work(std::int64_t i) {
     const Task& task = tasks_[static_cast<std::size_t>(i)];
     Meter& meter = meters_[static_cast<std::size_t>(i)];
-    return task.condition < 0 ? learn(*task.lesson, meter) : live(task, meter);
+    return task.condition < 0 ? learn(*task.shared, meter) : live(task, meter);
   }
 
-  Status learn(Lesson& lesson, Meter& meter) {
-    if (!lesson.take()) return Done{};
-    const std::string name = KeptLives::nameOf(lesson.what, lesson.number);
-    const Configuration& c = lesson.what.configuration;
+  Status learn(SharedQFunction& shared, Meter& meter) {
+    if (!shared.take()) return Done{};
+    const std::string name = KeptLives::nameOf(shared.what, shared.number);
+    const Configuration& c = shared.what.configuration;
     std::unique_ptr<Life> life;
     if (kept_.has(name)) {
       const auto file = kept_.read(name);
       const auto facts = file ? preLearningFrom(file->about.value("pre_learned", Json())) : std::nullopt;
-      if (facts) return taught(lesson, file, *facts, meter);
+      if (facts) return taught(shared, file, *facts, meter);
       life = takeUp(registry_, file, false);
     }
     if (!life) {
-      auto made = makeLife(registry_, c, lesson.number, false);
+      auto made = makeLife(registry_, c, shared.number, false);
       if (!made) return made.error();
       life = std::move(*made);
       life->keepInputs();
@@ -137,8 +138,8 @@ class Laboratory {
     if (!life->finished()) return Done{};
     const EpisodeLog& log = life->log();
     const bool reached = !c.until || log.averageReward() >= *c.until;
-    return taught(lesson, std::make_shared<const TensorFile>(qFileOf(*life, c)),
-                  {.qFunction = lesson.number,
+    return taught(shared, std::make_shared<const TensorFile>(qFileOf(*life, c)),
+                  {.qFunction = shared.number,
                    .episodes = log.totals().episodes,
                    .falls = log.totals().falls,
                    .steps = life->steps(),
@@ -148,8 +149,9 @@ class Laboratory {
                   meter);
   }
 
-  Status taught(Lesson& lesson, std::shared_ptr<const TensorFile> q, const StoredPreLearning& facts, Meter& meter) {
-    lesson.finish(std::move(q), facts);
+  Status taught(SharedQFunction& shared, std::shared_ptr<const TensorFile> q, const StoredPreLearning& facts,
+                Meter& meter) {
+    shared.finish(std::move(q), facts);
     meter.done = true;
     const std::lock_guard lock(mutex_);
     result_.preLearningsAtCap += !facts.reached;
@@ -159,26 +161,26 @@ class Laboratory {
   /// Keeps learned Q-functions that are still needed, so that the next run need not learn them again.
   void keepLessons() {
     if (!pool_.stopping()) return;
-    for (const auto& [key, lesson] : lessons_) {
-      const auto q = lesson->inHand();
-      const std::string name = KeptLives::nameOf(lesson->what, lesson->number);
+    for (const auto& [key, shared] : shared_) {
+      const auto q = shared->inHand();
+      const std::string name = KeptLives::nameOf(shared->what, shared->number);
       if (!q || q->about.contains("pre_learned")) continue;  // it was kept before
       TensorFile file = *q;
-      file.about["pre_learned"] = asJson(lesson->facts());
+      file.about["pre_learned"] = asJson(shared->facts());
       note(kept_.keep(name, std::move(file)));
     }
   }
 
   Status live(const Task& task, Meter& meter) {
     std::optional<StoredPreLearning> before;
-    auto life = task.lesson ? takeUpLearned(task, before) : takeUp(registry_, readKept(task), true);
+    auto life = task.shared ? takeUpLearned(task, before) : takeUp(registry_, readKept(task), true);
     if (!life) {
       Configuration c = conditionOf(task).configuration;
-      if (task.lesson) {
-        if (const Status s = learn(*task.lesson, meter); !s) return s;  // unless another life learns it
-        c.start = task.lesson->wait(pool_);
+      if (task.shared) {
+        if (const Status s = learn(*task.shared, meter); !s) return s;  // unless another life learns it
+        c.start = task.shared->wait(pool_);
         if (!c.start) return Done{};
-        before = task.lesson->facts();
+        before = task.shared->facts();
       }
       auto made = makeLife(registry_, c, task.life, true);
       if (!made) return made.error();
@@ -196,7 +198,7 @@ class Laboratory {
     if (!life->finished()) return Done{};
     if (const Status s = save(task, *life, before); !s) return keep(), s;
     kept_.drop(task.name);
-    if (task.lesson && task.lesson->used()) kept_.drop(KeptLives::nameOf(task.lesson->what, task.lesson->number));
+    if (task.shared && task.shared->used()) kept_.drop(KeptLives::nameOf(task.shared->what, task.shared->number));
     meter.done = true;
     ++livesDone_;
     return Done{};
@@ -223,7 +225,7 @@ class Laboratory {
     if (!kept && result_.keeping) result_.keeping = kept;
   }
 
-  /// Falls of all lives, without the lessons.
+  /// Falls of all lives, without those of pre-learning.
   std::int64_t falls() const {
     std::int64_t all = fallsThere_;
     for (std::size_t i = 0; i < tasks_.size(); ++i)
@@ -235,7 +237,7 @@ class Laboratory {
     const LifeResult r = summarise(life, task.life, 0.0);
     StoredLife row{.condition = task.condition,
                    .life = task.life,
-                   .qFunction = task.lesson ? task.lesson->number : -1,
+                   .qFunction = task.shared ? task.shared->number : -1,
                    .episodes = r.totals.episodes,
                    .steps = r.steps,
                    .falls = r.totals.falls,
@@ -256,7 +258,7 @@ class Laboratory {
   const LabOptions& options_;
   WorkPool pool_;
   KeptLives kept_;
-  std::map<std::pair<std::string, int>, std::unique_ptr<Lesson>> lessons_;
+  std::map<std::pair<std::string, int>, std::unique_ptr<SharedQFunction>> shared_;
   std::vector<Task> tasks_;
   std::vector<Meter> meters_;
   std::atomic<int> livesDone_{0};

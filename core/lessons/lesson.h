@@ -21,82 +21,137 @@ struct LessonAmount {
   Unit unit = Unit::Episodes;
 };
 
-/// A condition with its text, for messages.
+/// A condition or a number with its text, for messages.
 struct LessonCondition {
   std::string text;
   Expression expression;
   std::vector<int> reads{};  ///< the places of the quantities that it names
 };
 
+/// Markdown with numbers that are computed when it is shown: "It fell {observed(2)} times."
+struct LessonText {
+  std::vector<std::string> between{};      ///< one more than numbers
+  std::vector<LessonCondition> numbers{};  ///< the numbers between them
+  bool empty() const { return between.empty(); }
+};
+
 /// What a person's hand does to a life.
 struct LessonAction {
-  enum class Kind { Set, Policy, Restart, Run };
+  enum class Kind {
+    Set,
+    Policy,
+    Agent,     ///< another learning rule: a new life begins with it
+    Scenario,  ///< the task deviates from the actual system from the next episode on
+    Seed,      ///< a new life begins with other random numbers
+    Restart,   ///< the life begins again
+    Transfer,  ///< a new life begins with what this one has learned
+    Run,
+    Place,  ///< a new episode begins in a state
+    Push    ///< by an impulse [N s]
+  };
   Kind kind = Kind::Restart;
-  std::string key{}, value{};  ///< of Set, Policy
-  LessonAmount amount{};       ///< of Run
+  std::string key{}, value{};   ///< of Set; the value also of Policy, Agent, Scenario
+  LessonAmount amount{};        ///< of Run
+  std::uint64_t seed = 0;       ///< of Seed
+  std::vector<double> state{};  ///< of Place; the impulse of Push
 };
+using LessonActions = std::vector<LessonAction>;
 
 /// A number is said before it is seen.
 struct LessonPrediction {
-  std::string unit;
+  std::string question, unit;
   double low = 0.0, high = 1.0;
   LessonCondition of;  ///< a number
   LessonAmount after;
+  LessonActions then{};  ///< done once it is said, before the run
+  bool turbo = true;
 };
 
-/// The run that is shown when a step begins.
+/// The run that is shown when a step begins. Without an end it goes on while one looks.
 struct LessonRun {
-  std::optional<LessonCondition> until;
+  std::optional<LessonCondition> until{};
+  std::optional<LessonAmount> amount{};
   bool turbo = false;
+  bool ends() const { return until || amount; }
+};
+
+/// Several lives of each of a few ways, with the same seeds for all.
+struct LessonLives {
+  struct Way {
+    std::string label;
+    LessonActions first{};  ///< from the lesson's start
+    std::size_t place = 0;  ///< counted over all steps
+  };
+  int count = 10;
+  std::string title{};
+  LessonCondition of;
+  LessonAmount after;
+  std::vector<Way> ways{};
 };
 
 struct NumberQuestion {
+  std::string question;
   LessonCondition answer;
   double tolerance = 0.0;
   std::string unit{};
 };
 struct ChoiceQuestion {
+  std::string question;
   std::vector<std::string> options, remarks;  ///< a remark for a wrong option, or none
   std::size_t answer = 0;                     ///< from 0
-  bool because = false;
+  std::string why{};                          ///< said with the right answer
+  bool because = false, mistake = false;
 };
 struct OrderQuestion {
+  std::string question;
   std::vector<std::string> options;
   std::vector<std::size_t> answer;  ///< the options in the right order, from 0
 };
 struct PointQuestion {
   enum class On { Map, Fall, ActionRow };
+  std::string question;
   On on = On::Map;
   LessonCondition accept;
+  std::vector<double> right{}, wrong{};  ///< a place (or a number) that is accepted, and one that is not: for tests
 };
 /// Kept, and shown beside a model answer; never marked by the program.
 struct WordsQuestion {
-  std::string model;
+  std::string question, model;
 };
-/// Which of two lives is better, or can one not tell?
+/// Which of the two ways of the step's lives has the smaller mean, or can one not tell?
 struct CompareQuestion {
-  std::vector<std::string> options;
-  std::string plan;  ///< the file whose lives answer it
+  std::string question;
 };
 using LessonQuestion =
     std::variant<NumberQuestion, ChoiceQuestion, OrderQuestion, PointQuestion, WordsQuestion, CompareQuestion>;
 
 struct LessonStep {
   TextPlace at{};
-  std::string say{}, hint{};
+  std::string title{}, hint{};
+  LessonText say{};
   std::vector<std::string> show{};  ///< panels and knobs; empty: those of the step before
-  std::vector<LessonAction> begin{};
+  LessonActions begin{};
   std::optional<LessonPrediction> predict{};
   std::optional<LessonRun> run{};
+  std::optional<LessonLives> lives{};
   std::optional<LessonQuestion> ask{};
+  std::optional<LessonCondition> observe{};  ///< kept when the step's run ends, or when the step is left
   std::optional<LessonCondition> done{}, par{};
-  std::vector<LessonAction> solution{};
+  std::string task{};                     ///< the task in one sentence
+  std::vector<LessonCondition> expect{};  ///< what the text says: it holds at the end of the step
+  LessonActions solution{}, wrong{};
   double minutes = 0.0;  ///< for the teacher
 };
 
+/// "predict", "watch", "choose, because", "task" …: what a step asks of a person, in a word or two.
+std::string kindOf(const LessonStep& step);
+/// The question of a step, in the student's words; empty: there is none.
+std::string questionOf(const LessonStep& step);
+
 struct Lesson {
-  std::string name;  ///< of its file, without number and ending
-  std::string title{}, goal{}, line{}, chapter{}, language = "en";
+  std::string name;    ///< of its file, without number and ending
+  std::string number;  ///< in front of its file's name, without zeros: "5"; empty: none
+  std::string title{}, goal{}, line{}, about{}, chapter{}, language = "en";
   double minutes = 10.0;
   int level = 1;
   std::vector<std::string> needs{};
@@ -104,8 +159,13 @@ struct Lesson {
   bool seedOfStudent = false;  ///< the seed comes from the student's name
   std::vector<LessonStep> steps{};
   std::vector<LessonQuantity> quantities{};  ///< the places of all conditions' values
+  std::size_t ways = 0;                      ///< of all steps' lives
   std::string notes{};                       ///< for the teacher
   std::vector<std::string> discuss{};
+  std::uint64_t hash = 0;  ///< of the file's text
 };
+
+/// The seed of a student's lives: of a lesson whose seed is the student's it is a hash of the name, 1 to 999,999.
+std::uint64_t seedOf(const Lesson& lesson, const std::string& student);
 
 }  // namespace surefoot

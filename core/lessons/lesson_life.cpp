@@ -1,176 +1,137 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lessons/lesson_life.h"
 
-#include <fmt/format.h>
-
-#include <cmath>
+#include <algorithm>
 
 namespace surefoot {
 
-Result<LessonLife> LessonLife::begin(const Registry& registry, const Lesson& lesson, std::uint64_t seed) {
-  LessonLife lived(registry, lesson);
-  lived.now_ = lesson.start;
-  if (lesson.seedOfStudent) lived.now_.seed = seed;
-  auto life = makeLife(registry, lived.now_, 0, false);
+Result<LessonLife> LessonLife::begin(const Registry& registry, const Lesson& lesson, std::uint64_t seed,
+                                     const std::atomic<bool>* interrupted) {
+  Configuration configuration = lesson.start;
+  if (lesson.seedOfStudent) configuration.seed = seed;
+  return begin(registry, lesson, std::move(configuration), 0, interrupted);
+}
+
+Result<LessonLife> LessonLife::begin(const Registry& registry, const Lesson& lesson, Configuration configuration,
+                                     int index, const std::atomic<bool>* interrupted) {
+  auto life = makeLife(registry, configuration, index, true);
   if (!life) return life.error();
-  lived.life_ = std::move(*life);
+  (*life)->keepInputs();
+  LessonLife lived(registry, LessonValues(lesson), {std::move(configuration), std::move(*life)}, interrupted);
+  lived.index_ = index;
   return lived;
 }
 
-Status LessonLife::restart() {
-  before_ = totalsOf(*life_);
-  auto life = makeLife(*registry_, now_, 0, false);
+LessonLife::LessonLife(const Registry& registry, LessonValues values, LifeInHand life,
+                       const std::atomic<bool>* interrupted)
+    : registry_(&registry),
+      interrupted_(interrupted),
+      now_(life.now()),
+      hand_(std::move(life)),
+      values_(std::move(values)) {}
+
+Status LessonLife::beginAgain() {
+  auto life = makeLife(*registry_, now_, index_, true);
   if (!life) return life.error();
-  life_ = std::move(*life);
+  (*life)->keepInputs();
+  values_.endLife(factsOf(*hand_.life));
+  hand_ = {now_, std::move(*life), hand_.learnedFrom};
+  return Done{};
+}
+
+Status LessonLife::set(const LessonAction& action) {
+  if (const Status s = now_.parameters.set(action.key, std::string_view(action.value)); !s) return s;
+  const Parameters::Entry* entry = now_.parameters.find(action.key);
+  return entry->parameter.when == When::NewTable ? beginAgain() : hand_.life->set(action.key, entry->value);
+}
+
+Status LessonLife::setScenario(const std::string& name) {
+  const auto entry = findEntry(registry_->scenarios, "scenario", name);
+  if (!entry) return entry.error();
+  for (const auto& [key, value] : (*entry)->values) {
+    if (const Status s = now_.parameters.set(key, value); !s) return s;
+    if (const Status s = hand_.life->set(key, value); !s) return s;
+  }
+  now_.names.scenario = name;
+  return Done{};
+}
+
+Status LessonLife::act(const LessonActions& actions) {
+  for (const LessonAction& action : actions)
+    if (const Status s = act(action); !s) return s;
   return Done{};
 }
 
 Status LessonLife::act(const LessonAction& action) {
   switch (action.kind) {
-    case LessonAction::Kind::Set: {
-      if (const Status s = now_.parameters.set(action.key, action.value); !s) return s;
-      const Parameters::Entry* entry = now_.parameters.find(action.key);
-      return entry->parameter.when == When::NewTable ? Status(Done{}) : life_->set(action.key, entry->value);
-    }
+    case LessonAction::Kind::Set:
+      return set(action);
     case LessonAction::Kind::Policy: {
       now_.names.policy = action.value;
       auto policy = makePolicy(*registry_, action.value, now_.parameters);
       if (!policy) return policy.error();
-      life_->setPolicy(action.value, std::move(*policy));
+      hand_.life->setPolicy(action.value, std::move(*policy));
       return Done{};
     }
+    case LessonAction::Kind::Agent: {
+      Names names = now_.names;
+      names.agent = action.value;
+      auto changed = configurationUnder(*registry_, now_, names);
+      if (!changed) return changed.error();
+      now_ = std::move(*changed);
+      hand_.learnedFrom = nullptr;  // another rule, another table
+      return beginAgain();
+    }
+    case LessonAction::Kind::Scenario:
+      return setScenario(action.value);
+    case LessonAction::Kind::Seed:
+      now_.seed = action.seed;
+      return beginAgain();
     case LessonAction::Kind::Restart:
-      return restart();
+      return beginAgain();
+    case LessonAction::Kind::Transfer:
+      hand_.learnedFrom = std::make_shared<const LifeRecord>(record());
+      now_ = transferred(*hand_.life, std::move(now_));
+      return beginAgain();
+    case LessonAction::Kind::Place:
+      return hand_.life->place(action.state);
+    case LessonAction::Kind::Push:
+      return hand_.life->push(action.state.at(0)) ? Status(Done{}) : Error{"there is no body to push."};
     case LessonAction::Kind::Run:
       run(action.amount);
   }
   return Done{};
 }
 
+bool LessonLife::goesOn(std::int64_t stepsSoFar) const {
+  return stepsSoFar < kMostSteps && !hand_.life->finished() && !(interrupted_ && *interrupted_);
+}
+
+double shareOf(const LessonAmount& amount, const LifeFacts& from, const Life& life) {
+  const auto passed = [&](LessonQuantity::Kind kind, double now) { return now - from[static_cast<std::size_t>(kind)]; };
+  using Of = LessonQuantity::Kind;
+  switch (amount.unit) {
+    case LessonAmount::Unit::Episodes:
+      return passed(Of::Episodes, static_cast<double>(life.log().totals().episodes)) / amount.value;
+    case LessonAmount::Unit::Minutes:
+      return passed(Of::Minutes, life.simulatedSeconds() / 60) / amount.value;
+    case LessonAmount::Unit::Steps:
+      break;
+  }
+  return passed(Of::Steps, static_cast<double>(life.steps())) / amount.value;
+}
+
 void LessonLife::run(const LessonAmount& amount) {
-  const Totals from = totalsOf(*life_);
-  const auto passed = [&] {
-    switch (amount.unit) {
-      case LessonAmount::Unit::Episodes:
-        return static_cast<double>(life_->log().totals().episodes) - from.episodes;
-      case LessonAmount::Unit::Minutes:
-        return life_->simulatedSeconds() / 60 - from.minutes;
-      case LessonAmount::Unit::Steps:
-        break;
-    }
-    return static_cast<double>(life_->steps()) - from.steps;
-  };
-  for (std::int64_t step = 0; step < kMostSteps && passed() < amount.value && !life_->finished(); ++step) life_->step();
+  const LifeFacts from = factsOf(*hand_.life);
+  for (std::int64_t step = 0; goesOn(step) && shareOf(amount, from, *hand_.life) < 1; ++step) hand_.life->step();
 }
 
 bool LessonLife::runUntil(const LessonCondition& condition) {
-  for (std::int64_t step = 0; step < kMostSteps && !life_->finished(); ++step) {
+  for (std::int64_t step = 0; goesOn(step); ++step) {
     if (holds(condition)) return true;
-    life_->step();
+    hand_.life->step();
   }
   return holds(condition);
-}
-
-LessonLife::Totals LessonLife::totalsOf(const Life& life) {
-  const LifeTotals& t = life.log().totals();
-  return {.episodes = static_cast<double>(t.episodes),
-          .falls = static_cast<double>(t.falls),
-          .successes = static_cast<double>(t.successes),
-          .steps = static_cast<double>(life.steps()),
-          .minutes = life.simulatedSeconds() / 60,
-          .averageReward = life.log().averageReward()};
-}
-
-std::span<const double> LessonLife::valuesFor(const LessonCondition& condition) const {
-  for (const int place : condition.reads) {
-    const auto i = static_cast<std::size_t>(place);
-    values_[i] = valueOf(lesson_->quantities[i]);
-  }
-  return values_;
-}
-
-double LessonLife::valueOf(const LessonQuantity& quantity) const {
-  using Of = LessonQuantity::Kind;
-  const Totals totals = quantity.before ? before_ : totalsOf(*life_);
-  const auto known = [&](const std::map<std::size_t, double>& of) {
-    const auto found = of.find(quantity.index);
-    return found == of.end() ? std::nan("") : found->second;
-  };
-  const auto state = life_->environment().state();
-  switch (quantity.kind) {
-    case Of::Episodes:
-      return totals.episodes;
-    case Of::Falls:
-      return totals.falls;
-    case Of::Successes:
-      return totals.successes;
-    case Of::Steps:
-      return totals.steps;
-    case Of::Minutes:
-      return totals.minutes;
-    case Of::AverageReward:
-      return totals.averageReward;
-    case Of::Visits:
-      return life_->agent().values().visits(state);
-    case Of::Parameter:
-      return now_.parameters.get(quantity.key);
-    case Of::State:
-      return state[quantity.index];
-    case Of::Observed:
-      return known(observed_);
-    case Of::Predicted:
-      return known(predicted_);
-    case Of::ActionValue:
-    case Of::Probability:
-      break;
-  }
-  q_.resize(static_cast<std::size_t>(life_->agent().values().actions()));
-  pi_.resize(q_.size());
-  life_->agent().values().evaluate(state, Layer::Sum, q_);
-  if (quantity.kind == Of::ActionValue) return q_[quantity.index];
-  life_->policy().probabilities(q_, pi_);
-  return pi_[quantity.index];
-}
-
-namespace {
-
-/// One step of a lesson, as its solution says.
-void liveStep(LessonLife& lived, const LessonStep& step, std::size_t number, std::vector<Complaint>& complaints) {
-  const auto complain = [&](const std::string& sentence) {
-    complaints.push_back({step.at, fmt::format("step {}: {}", number + 1, sentence)});
-  };
-  const auto act = [&](const std::vector<LessonAction>& actions) {
-    for (const LessonAction& action : actions)
-      if (const Status s = lived.act(action); !s) complain(s.error().message);
-  };
-  act(step.begin);
-  if (step.predict) {
-    lived.predict(number, (step.predict->low + step.predict->high) / 2);
-    lived.run(step.predict->after);
-    const double outcome = lived.valueOf(step.predict->of);
-    lived.observe(number, outcome);
-    if (outcome < step.predict->low || outcome > step.predict->high)
-      complain(fmt::format("it comes to {:.6g}, outside {:g} to {:g}, which can be predicted.", outcome,
-                           step.predict->low, step.predict->high));
-  }
-  if (step.run && step.run->until && !lived.runUntil(*step.run->until))
-    complain(fmt::format("the run does not end: {}.", step.run->until->text));
-  if (!step.done) return act(step.solution);
-  if (lived.holds(*step.done)) complain("the task is done before anything is done.");
-  act(step.solution);
-  if (!lived.holds(*step.done)) complain(fmt::format("its solution does not do the task: {}.", step.done->text));
-  if (step.par && !lived.holds(*step.par))
-    complain(fmt::format("its solution does not keep the par: {}.", step.par->text));
-}
-
-}  // namespace
-
-std::vector<Complaint> liveThrough(const Registry& registry, const Lesson& lesson, std::uint64_t seed) {
-  auto lived = LessonLife::begin(registry, lesson, seed);
-  if (!lived) return {{{}, lived.error().message}};
-  std::vector<Complaint> complaints;
-  for (std::size_t i = 0; i < lesson.steps.size(); ++i) liveStep(*lived, lesson.steps[i], i, complaints);
-  return complaints;
 }
 
 }  // namespace surefoot

@@ -3,11 +3,10 @@
 // the lesson's quantities. Tests and grading live lessons with it.
 #pragma once
 
-#include <map>
-#include <span>
+#include <atomic>
 
-#include "core/lessons/lesson.h"
-#include "core/life/life.h"
+#include "core/lessons/lesson_values.h"
+#include "core/lessons/life_record.h"
 
 namespace surefoot {
 
@@ -16,50 +15,55 @@ class LessonLife {
   /// No run goes on longer, whatever a condition waits for.
   static constexpr std::int64_t kMostSteps = 20'000'000;
 
-  /// `seed`: of lessons whose seed is the student's.
-  static Result<LessonLife> begin(const Registry& registry, const Lesson& lesson, std::uint64_t seed);
+  /// `seed`: of lessons whose seed is the student's. `interrupted`, set by anyone, ends every run.
+  static Result<LessonLife> begin(const Registry& registry, const Lesson& lesson, std::uint64_t seed,
+                                  const std::atomic<bool>* interrupted = nullptr);
 
-  /// Sets, follows a policy, restarts or runs. An error: the life refuses it, or a restart could not be made.
+  /// Life number `index` (from 0) of a configuration.
+  static Result<LessonLife> begin(const Registry& registry, const Lesson& lesson, Configuration configuration,
+                                  int index, const std::atomic<bool>* interrupted = nullptr);
+
+  /// A life that was begun elsewhere goes on here.
+  LessonLife(const Registry& registry, LessonValues values, LifeInHand life, const std::atomic<bool>* interrupted);
+
+  /// An error: the life refuses it, or a new life could not be made.
   Status act(const LessonAction& action);
+  Status act(const LessonActions& actions);
   /// Goes on until the condition holds; false: it did not within kMostSteps, or the values diverged.
   bool runUntil(const LessonCondition& condition);
   void run(const LessonAmount& amount);
 
-  bool holds(const LessonCondition& condition) const { return condition.expression.holds(valuesFor(condition)); }
-  double valueOf(const LessonCondition& number) const { return number.expression.evaluate(valuesFor(number)); }
-  /// What step `step` (from 0) predicted, and what it came to.
-  void predict(std::size_t step, double value) { predicted_[step] = value; }
-  void observe(std::size_t step, double value) { observed_[step] = value; }
+  bool holds(const LessonCondition& condition) const { return values_.holds(condition, *hand_.life); }
+  double valueOf(const LessonCondition& number) const { return values_.of(number, *hand_.life); }
+  LessonValues& values() { return values_; }
 
-  const Life& life() const { return *life_; }
+  const Life& life() const { return *hand_.life; }
+  const Configuration& configuration() const { return now_; }
+  LifeRecord record() const { return recordOf(values_.lesson(), hand_.began, *hand_.life, hand_.learnedFrom); }
+  LifeInHand take() { return std::move(hand_); }
 
  private:
-  struct Totals {
-    double episodes = 0, falls = 0, successes = 0, steps = 0, minutes = 0, averageReward = 0;
-  };
-  LessonLife(const Registry& registry, const Lesson& lesson)
-      : registry_(&registry),
-        lesson_(&lesson),
-        values_(lesson.quantities.size()) {}
-
-  static Totals totalsOf(const Life& life);
-  /// The values of what the condition names, in their places. Allocates nothing: a run asks after every step.
-  std::span<const double> valuesFor(const LessonCondition& condition) const;
-  double valueOf(const LessonQuantity& quantity) const;
-  Status restart();
+  Status set(const LessonAction& action);
+  Status setScenario(const std::string& name);
+  Status beginAgain();
+  bool goesOn(std::int64_t stepsSoFar) const;
 
   const Registry* registry_;
-  const Lesson* lesson_;
+  const std::atomic<bool>* interrupted_;
+  int index_ = 0;
   Configuration now_;
-  std::unique_ptr<Life> life_;
-  Totals before_;  // of the life before
-  std::map<std::size_t, double> predicted_, observed_;
-  mutable std::vector<double> values_, q_, pi_;  // room for valuesFor()
+  LifeInHand hand_;
+  LessonValues values_;
 };
 
-/// Lives through all steps as their solutions say. What does not come out gets a complaint: a task that is done before
-/// anything was done, or is not done afterwards; a par that the solution does not keep; a run that does not end; a
-/// prediction whose outcome lies outside its range.
-std::vector<Complaint> liveThrough(const Registry& registry, const Lesson& lesson, std::uint64_t seed);
+/// How far a life has come by an amount since `from`, 0 to 1.
+double shareOf(const LessonAmount& amount, const LifeFacts& from, const Life& life);
+
+/// The lives of all ways of a step, with the seeds of lives 0, 1, … : for each way what each of them came to. Ends with
+/// an error when interrupted. `begun`: what the lesson's life has now, before the ways' own actions.
+Result<std::vector<std::vector<double>>> liveWays(const Registry& registry, const Lesson& lesson,
+                                                  const LessonLives& lives, const Configuration& begun,
+                                                  const LessonValues& values, int jobs,
+                                                  const std::atomic<bool>* interrupted = nullptr);
 
 }  // namespace surefoot

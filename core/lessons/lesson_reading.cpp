@@ -68,6 +68,14 @@ std::string plainName(const std::string& file) {
   return letter == std::string::npos ? name : name.substr(letter);
 }
 
+/// The number in front of a file's name, without zeros: "5"; empty: none.
+std::string numberOf(const std::string& file) {
+  const std::string name = std::filesystem::path(file).stem().string();
+  const auto first = name.find_first_not_of('0');
+  const auto end = name.find_first_not_of("0123456789");
+  return first == std::string::npos || end == std::string::npos || end <= first ? "" : name.substr(first, end - first);
+}
+
 }  // namespace
 
 std::optional<LessonAmount> parseAmount(std::string_view text) {
@@ -107,10 +115,14 @@ std::optional<Lesson> readLesson(const Registry& registry, std::string_view text
   const auto tree = parseToml(text, complaints);
   if (!tree) return std::nullopt;
   TomlReader root(*tree, complaints);
-  Lesson lesson{.name = plainName(name)};
+  Lesson lesson{.name = plainName(name), .number = numberOf(name)};
+  Hash64 hash;
+  hash.add(text);
+  lesson.hash = hash.value();
   lesson.title = root.neededText("title");
   lesson.goal = root.neededText("goal");
   lesson.line = root.text("line", lesson.goal);
+  lesson.about = root.text("about");
   lesson.chapter = root.text("chapter");
   lesson.language = root.text("language", "en");
   lesson.minutes = root.number("minutes", 1, 180, 10);

@@ -8,7 +8,7 @@ namespace surefoot {
 
 inline constexpr std::size_t kLongestLesson = 256u << 10;  ///< [bytes]
 inline constexpr int kMostWords = 60;                      ///< of a step's text
-inline constexpr std::size_t kMostSteps = 40, kMostOptions = 8;
+inline constexpr std::size_t kMostSteps = 40, kMostOptions = 8, kMostWays = 6;
 
 /// The lesson; nothing if there is any complaint. `name`: of its file.
 std::optional<Lesson> readLesson(const Registry& registry, std::string_view text, const std::string& name,

@@ -25,7 +25,8 @@ struct OfALife {
 constexpr OfALife kOfALife[] = {
     {"episodes", QuantityKind::Episodes, 0.0},   {"falls", QuantityKind::Falls, 0.0},
     {"successes", QuantityKind::Successes, 0.0}, {"steps", QuantityKind::Steps, 0.0},
-    {"minutes", QuantityKind::Minutes, 0.0},     {"average_reward", QuantityKind::AverageReward, -kInfinity}};
+    {"minutes", QuantityKind::Minutes, 0.0},     {"average_reward", QuantityKind::AverageReward, -kInfinity},
+    {"exploring", QuantityKind::Exploring, 0.0}, {"pushes", QuantityKind::Pushes, 0.0}};
 
 /// "0.75", "−0.75", "up": the number of an action.
 std::optional<std::size_t> actionOf(const Task& task, std::string_view name) {
@@ -67,8 +68,9 @@ Result<Quantity> LessonWords::find(std::string_view name, std::optional<std::str
   }
   if (before)
     return Error{fmt::format("of the life before there are {}.",
-                             "episodes, falls, successes, steps, minutes "
-                             "and average_reward")};
+                             "episodes, falls, successes, steps, minutes, average_reward, exploring and pushes")};
+  if (name == "replays") return placed({.kind = QuantityKind::Replays}, 0.0);
+  if (name == "pointed" && known_.pointing) return placed({.kind = QuantityKind::Pointed});
   if (name == "visits") return placed({.kind = QuantityKind::Visits}, 0.0);
   if (const Parameters::Entry* entry = parameters_.find(name))
     return placed({.kind = QuantityKind::Parameter, .key = std::string(name)}, entry->parameter.low,
@@ -76,7 +78,7 @@ Result<Quantity> LessonWords::find(std::string_view name, std::optional<std::str
   for (std::size_t d = 0; d < task_.state.size(); ++d)
     if (task_.state[d].key == name)
       return placed({.kind = QuantityKind::State, .index = d}, task_.state[d].low, task_.state[d].high);
-  for (const char* needs : {"q", "probability", "observed", "predicted"})
+  for (const char* needs : {"q", "probability", "observed", "predicted", "mean", "least", "most"})
     if (name == needs) return Error{fmt::format("{} needs something in parentheses.", name)};
   return Error{};
 }
@@ -90,18 +92,30 @@ Result<Quantity> LessonWords::withArgument(std::string_view name, std::string_vi
     if (name == "q") return placed({.kind = QuantityKind::ActionValue, .index = *action});
     return placed({.kind = QuantityKind::Probability, .index = *action}, 0.0, 1.0);
   }
+  const std::pair<std::string_view, QuantityKind> ofWays[] = {
+      {"mean", QuantityKind::Mean}, {"least", QuantityKind::Least}, {"most", QuantityKind::Most}};
+  for (const auto& [word, kind] : ofWays) {
+    if (word != name) continue;
+    const auto way = std::find(known_.ways.begin(), known_.ways.end(), argument);
+    if (way == known_.ways.end())
+      return Error{fmt::format("no lives are called \"{}\" up to this step.", printable(shortened(argument)))};
+    return placed({.kind = kind, .index = static_cast<std::size_t>(way - known_.ways.begin())});
+  }
   if (name != "observed" && name != "predicted") return Error{};
+  const std::vector<bool>& may = name == "observed" ? known_.observes : known_.predicts;
   std::size_t step = 0;
   const auto [end, error] = std::from_chars(argument.data(), argument.data() + argument.size(), step);
-  if (error != std::errc() || end != argument.data() + argument.size() || step < 1 || step > predicts_.size() ||
-      !predicts_[step - 1])
-    return Error{fmt::format("step {} predicts nothing; {} takes the number of this step or an earlier one that does.",
-                             printable(shortened(argument)), name)};
+  if (error != std::errc() || end != argument.data() + argument.size() || step < 1 || step > may.size() ||
+      !may[step - 1])
+    return Error{fmt::format("step {} {} nothing; {} takes the number of this step or an earlier one that does.",
+                             printable(shortened(argument)), name == "observed" ? "observes" : "predicts", name)};
   return placed({.kind = name == "observed" ? QuantityKind::Observed : QuantityKind::Predicted, .index = step - 1});
 }
 
 std::vector<std::string> LessonWords::names() const {
-  std::vector<std::string> all = {"visits", "q(", "probability(", "observed(", "predicted("};
+  std::vector<std::string> all = {"visits",     "replays", "q(",     "probability(", "observed(",
+                                  "predicted(", "mean(",   "least(", "most("};
+  if (known_.pointing) all.emplace_back("pointed");
   for (const OfALife& q : kOfALife) {
     all.emplace_back(q.name);
     all.push_back("before." + std::string(q.name));

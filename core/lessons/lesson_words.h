@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The quantities that the conditions of a lesson are about:
 //
-//   episodes falls successes steps minutes average_reward   of the life; before.falls … of the life before it
+//   episodes falls successes steps minutes average_reward exploring pushes
+//                                                           of the life; before.falls … of the life before it.
+//                                                           exploring: share of the steps whose action was not the
+//                                                           best; pushes: by hand, and places it was put into
 //   policy.epsilon …                                        every parameter of the life, by its key
 //   alpha …                                                 every state variable, by its key
 //   q("0.75")  probability("0.75")                          of an action, in the state of this moment
 //   visits                                                  of that state
 //   observed(2)  predicted(2)                               what step 2 came to, and what was said beforehand
+//   mean("ε 0.05")  least("ε 0.05")  most("ε 0.05")         over the lives of a way, of this step or an earlier one
+//   replays                                                 falls that were looked at again
+//   pointed                                                 the episode of a fall, or the action, that is pointed at
 //
 // Only what a condition names is ever computed.
 #pragma once
@@ -28,6 +34,13 @@ struct LessonQuantity {
     Steps,
     Minutes,
     AverageReward,
+    Exploring,
+    Pushes,  // the last of the counters of a life
+    Replays,
+    Pointed,
+    Mean,
+    Least,
+    Most,
     Visits,
     Parameter,
     State,
@@ -39,19 +52,24 @@ struct LessonQuantity {
   Kind kind = Kind::Episodes;
   bool before = false;    ///< of the life before
   std::string key{};      ///< of a parameter
-  std::size_t index = 0;  ///< of a state variable, an action or a step (from 0)
+  std::size_t index = 0;  ///< of a state variable, an action, a step (from 0) or a way of lives
 
   bool operator==(const LessonQuantity&) const = default;
 };
+inline constexpr auto kLifeCounters = static_cast<std::size_t>(LessonQuantity::Kind::Pushes) + 1;
 
 /// A lesson's quantities in the order in which its conditions name them first: the places of their values.
 class LessonWords : public Vocabulary {
  public:
   LessonWords(const Task& task, const Parameters& parameters) : task_(task), parameters_(parameters) {}
 
-  /// The conditions that come next are those of the last of these steps: they can name what a step up to it predicted
-  /// and observed. `predicts`: of each step, whether it predicts anything.
-  void beginStep(std::vector<bool> predicts) { predicts_ = std::move(predicts); }
+  /// What the conditions that come next may name of the steps up to theirs.
+  struct Known {
+    std::vector<bool> predicts{}, observes{};  ///< of each step, whether it does
+    std::vector<std::string> ways{};           ///< the labels of the ways that are lived
+    bool pointing = false;                     ///< a place is pointed at
+  };
+  Known& known() { return known_; }
 
   Result<Quantity> find(std::string_view name, std::optional<std::string_view> argument) const override;
   std::vector<std::string> names() const override;
@@ -64,7 +82,7 @@ class LessonWords : public Vocabulary {
 
   const Task& task_;
   const Parameters& parameters_;
-  std::vector<bool> predicts_;
+  Known known_;
   mutable std::vector<LessonQuantity> quantities_;
 };
 

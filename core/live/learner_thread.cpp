@@ -99,8 +99,20 @@ void LearnerThread::step() {
     actionBefore_ = life_->nextAction();
   }
   life_->step();
+  if (life_->log().totals().episodes != before) noteEpisode();
+  if (watch_) beWatched();
+}
+
+void LearnerThread::beWatched() {
+  const Watching seen = watch_(*life_);
+  if (seen == Watching::GoOn) return;
+  watch_ = nullptr;
+  if (seen == Watching::EnoughAndPause) running_ = false;
+  snapshotWanted_ = valuesWanted_ = true;
+}
+
+void LearnerThread::noteEpisode() {
   const LifeTotals& totals = life_->log().totals();
-  if (totals.episodes == before) return;
   curve_.add(life_->log().last(), totals.falls);
   curvePolicy_ = life_->policyName();
   if (life_->log().last().falls == 0) return;
@@ -134,7 +146,7 @@ std::vector<Fall> LearnerThread::takeFalls() {
 }
 
 void LearnerThread::stepFlatOut() {
-  for (int i = 0; i < kBatch && !life_->finished(); ++i) step();
+  for (int i = 0; i < kBatch && running_ && !life_->finished(); ++i) step();
 }
 
 void LearnerThread::stepInPace() {
@@ -178,6 +190,8 @@ void LearnerThread::carryOut(Command& command) {
     void operator()(SingleStep&) const {
       if (!t.running_ && !t.life_->finished()) t.step();
     }
+    void operator()(Watch& c) const { t.watch_ = std::move(c.look); }
+    void operator()(Push& c) const { t.life_->push(c.impulse); }
     void operator()(ReplaceLife& c) const { t.replace(c); }
   };
   std::visit(Visitor{*this}, command);
@@ -201,6 +215,7 @@ void LearnerThread::replace(ReplaceLife& c) {
   stateBefore_.clear();
   environment_.reset();
   hand_.hold(std::nullopt);
+  watch_ = nullptr;
   trouble_.clear();
   stepTime_ = stepTimeOf(*life_);
   valuesWanted_ = true;

@@ -48,6 +48,15 @@ struct Visit {
   std::function<void(const Life&)> look;
 };                     ///< called on the learner's thread, between two steps
 struct SingleStep {};  ///< one step of a paused life
+enum class Watching { GoOn, Enough, EnoughAndPause };
+/// Called on the learner's thread after every step of this life, until it has seen enough; then it is dropped, and the
+/// life pauses or goes on. Empty: nobody watches.
+struct Watch {
+  std::function<Watching(const Life&)> look;
+};
+struct Push {
+  double impulse;  ///< [N s]
+};
 /// A life that was taken out of the thread, with the thread's data about it: it can go on there later, bit for bit.
 /// Filled and emptied on the learner's thread; other threads may only keep or drop the pointer.
 struct LifeAside {
@@ -64,7 +73,7 @@ struct ReplaceLife {
 };
 
 using Command = std::variant<SetParameter, SetPolicy, SetRunning, SetPace, SetTurbo, SetHand, Place, Visit, SingleStep,
-                             ReplaceLife>;
+                             Watch, Push, ReplaceLife>;
 
 /// send(), wantSnapshot(), takeSnapshot() … are for one thread, the window's; the life belongs to the thread in here.
 class LearnerThread {
@@ -101,7 +110,9 @@ class LearnerThread {
   void stepFlatOut();
   void stepInPace();
   void step();
+  void noteEpisode();
   void noteFall();
+  void beWatched();
   bool canStep() const { return running_ && trouble_.empty() && !life_->finished(); }
   void want(std::atomic<bool>& flag);
   void answer();
@@ -117,6 +128,7 @@ class LearnerThread {
   std::int64_t fallsByHand_ = 0;
   std::vector<double> fallenPose_;
   Hand hand_;
+  std::function<Watching(const Life&)> watch_;
   std::vector<double> stateBefore_;
   Action actionBefore_ = kNoAction;
   std::size_t changesSeen_ = 0;

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <set>
 
@@ -40,4 +41,22 @@ TEST(TextFromOutside, HasOneParserEach) {
 TEST(TextFromOutside, IsNoHtmlInTheWindow) {
   forbid({"ui"}, R"(Qt::RichText|setHtml\(|Qt::AutoText|insertHtml\(|appendHtml\()",
          {"experiment_page_results.cpp", "flat_style.cpp", "main_window_dialogs.cpp", "rule_view.cpp"});
+}
+
+// Two types of one name in one namespace are one type to the linker: their destructors are mixed up without a word.
+TEST(Names, OfTypesInHeadersAreUnique) {
+  const std::regex definition(R"(^(class|struct|enum class) (\w+)( [^;]*)?$)");
+  std::map<std::string, path> seen;
+  for (const char* folder : {"core", "app", "ui", "physics"})
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(path(SUREFOOT_SOURCE) / folder)) {
+      if (entry.path().extension() != ".h") continue;
+      std::ifstream in(entry.path());
+      std::smatch match;
+      for (std::string line; std::getline(in, line);) {
+        if (!std::regex_search(line, match, definition)) continue;
+        const auto [before, isNew] = seen.emplace(match[2], entry.path());
+        EXPECT_TRUE(isNew) << match[2] << " is in " << before->second << " and in " << entry.path();
+      }
+    }
+  EXPECT_GT(seen.size(), 100u);
 }

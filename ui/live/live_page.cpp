@@ -133,10 +133,10 @@ void LivePage::makeCharts() {
 
 /// The numbers at the curves belong to the end of the shown part; the note says so if this is not the life's end.
 QString LivePage::fallsNote(const ChartSpan& span) const {
-  const bool all = timeOf(session_.life().task(), session_.life().latest()) <= span.to();
+  const bool all = span.timeOf(session_.life().latest()) <= span.to();
   const QString end = toText(countText(span.to()));
-  const QString counted = all                               ? tr("cumulative")
-                          : session_.life().task().stepTime ? tr("up to minute %1").arg(end)
+  const QString counted = all                ? tr("cumulative")
+                          : span.inMinutes() ? tr("up to minute %1").arg(end)
                                                             : tr("up to episode %1").arg(end);
   const std::int64_t byHand = session_.life().numbers().fallsByHand;
   const QString hands = toText(countText(static_cast<double>(byHand)));

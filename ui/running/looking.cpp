@@ -63,7 +63,7 @@ void Looking::advance(double seconds) {
 void Looking::show(double seconds) {
   if (!life_.isShown()) return;  // the snapshot is still from the life before, perhaps in another environment
   const Snapshot& now = life_.snapshot();
-  const bool viewing = life_.turbo() && life_.running() && life_.values();
+  const bool viewing = (life_.running() ? life_.turbo() : demonstrating_) && life_.values();
   std::int64_t falls = now.totals.falls;
   if (viewing) {
     const ActionValueFunction& values = *life_.values()->values;
@@ -89,7 +89,7 @@ void Looking::show(double seconds) {
   shown_.flash = sinceFall_.isValid() && sinceFall_.elapsed() < kFlash;
   // The next episode has begun already, but a person must see the fall: the fallen pose stays during the flash.
   if (shown_.flash && !viewing && !now.fallenPose.empty()) shown_.pose = now.fallenPose;
-  if (life_.running() || recording_.size() == 0) recording_.add(shown_);
+  if (life_.running() || viewing || recording_.size() == 0) recording_.add(shown_);
 }
 
 void Looking::fillParts(const ActionValueFunction& values) {

@@ -32,6 +32,8 @@ class Looking final : public QObject {
   const Shown& shown() const { return shown_; }
   /// The values that maps show: the newest, or the values of the playback. nullptr: none yet.
   const ActionValueFunction* valuesShown() const;
+  /// While the life rests, the world goes on in real time by what was learned so far, and nothing is learned.
+  void setDemonstrating(bool on) { demonstrating_ = on; }
   /// Holds the body of the world that is shown by its tip [m], or lets go.
   void hold(std::optional<double> target);
 
@@ -68,6 +70,7 @@ class Looking final : public QObject {
   void examinedChanged();
   void fallsArrived();
   void playbackChanged();
+  void fallReplayed(std::int64_t episode);  ///< a person looks at the fall of this episode again
 
  private:
   void advance(double seconds);
@@ -90,6 +93,7 @@ class Looking final : public QObject {
   QElapsedTimer sinceValues_, sinceFall_;
   std::int64_t fallsBefore_ = 0;
   std::uint64_t lifeShown_ = 0;
+  bool demonstrating_ = false;
 };
 
 }  // namespace surefoot

@@ -49,6 +49,7 @@ void Looking::replayFall(std::size_t index) {
   }
   playback_ = std::move(playback);
   Q_EMIT playbackChanged();
+  Q_EMIT fallReplayed(fall.episode);
 }
 
 bool Looking::copyable() const {

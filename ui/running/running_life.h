@@ -114,6 +114,10 @@ class RunningLife final : public QObject {
   void setFile(LifeFile file);
   /// Called on the learner's thread, between two steps: the life stands still meanwhile.
   void visit(std::function<void(const Life&)> look);
+  /// Watches the life that runs, on the learner's thread, after every step; another life is not watched any more.
+  void watch(std::function<Watching(const Life&)> look);
+  /// Pushes the body [N s].
+  void push(double impulse);
   /// Counts the lives that ran here.
   std::uint64_t number() const { return lifeSent_; }
   /// Says which life it is, because changes of one life are not undone in another. A life that begins again with
@@ -136,6 +140,7 @@ class RunningLife final : public QObject {
   void parameterChanged(const QString& key);
   void policyChanged();
   void configurationChanged();  ///< comes after parameterChanged and policyChanged
+  void aboutToBeReplaced();     ///< a visit still meets the life before
   void replaced();              ///< another life runs
   void parametersReplaced();    ///< the life has other names, and so other parameters
   void fileChanged();

@@ -92,7 +92,16 @@ void RunningLife::visit(std::function<void(const Life&)> look) {
   learner_->send(Visit{std::move(look)});
 }
 
+void RunningLife::watch(std::function<Watching(const Life&)> look) {
+  learner_->send(Watch{std::move(look)});
+}
+
+void RunningLife::push(double impulse) {
+  learner_->send(Push{impulse});
+}
+
 void RunningLife::replace(KnownLife known, ReplaceLife replacement) {
+  Q_EMIT aboutToBeReplaced();
   const Names before = std::exchange(known_, std::move(known)).configuration.names;
   const Names& now = known_.configuration.names;
   numbers_ = {.episodes = known_.progress.episodes, .falls = known_.falls, .steps = known_.progress.steps};

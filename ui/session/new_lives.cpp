@@ -113,18 +113,6 @@ Status NewLives::setSeed(std::uint64_t seed) {
   return begin(std::move(changed));
 }
 
-Result<Configuration> configurationUnder(const Registry& registry, const Configuration& now, const Names& names) {
-  auto changed = configure(registry, names, {});
-  if (!changed) return changed;
-  for (const auto& entry : now.parameters.all())
-    if (changed->parameters.find(entry.parameter.key))
-      if (const Status s = changed->parameters.set(entry.parameter.key, entry.value); !s) return s.error();
-  changed->seed = now.seed;
-  changed->minutes = now.minutes;
-  changed->episodes = now.episodes;
-  return changed;
-}
-
 Status NewLives::setAgent(const std::string& name) {
   Names names = life_.configuration().names;
   if (name == names.agent) return Done{};

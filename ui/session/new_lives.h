@@ -16,9 +16,6 @@
 
 namespace surefoot {
 
-/// A configuration under other names; it keeps the values of all parameters that both have.
-Result<Configuration> configurationUnder(const Registry& registry, const Configuration& now, const Names& names);
-
 class NewLives final : public QObject {
   Q_OBJECT
 

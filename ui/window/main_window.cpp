@@ -4,7 +4,6 @@
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
 #include <QApplication>
-#include <QLabel>
 #include <QScrollArea>
 #include <QSettings>
 #include <QStackedWidget>
@@ -15,6 +14,7 @@
 #include "ui/controls/panel.h"
 #include "ui/controls/preferences.h"
 #include "ui/experiment/experiment_page.h"
+#include "ui/lessons/lessons_page.h"
 #include "ui/live/live_page.h"
 #include "ui/live/world/world_view.h"
 #include "ui/session/session.h"
@@ -65,9 +65,7 @@ MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent)
   if (setup.folder.isEmpty()) setup.folder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
   experiment_ = new ExperimentPage(session_.life(), std::move(setup.plans), setup.folder);
   pages_->addWidget(experiment_);
-  pages_->addWidget(makePlaceholder(
-      tr("Lessons"), tr("Lessons that lead through exploring, thresholds and temperature will stand on this page in "
-                        "a later version. The Live page is a good place to begin.")));
+  makeLessons(setup);
   column->addWidget(pages_, 1);
   status_ = new StatusLine(session_.life());
   column->addWidget(status_);
@@ -110,21 +108,6 @@ MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent)
   offerToRestore();
 }
 
-QWidget* MainWindow::makePlaceholder(const QString& title, const QString& words) {
-  auto* label = new QLabel(words);
-  label->setAccessibleName(title);
-  label->setAlignment(Qt::AlignCenter);
-  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  label->setForegroundRole(QPalette::PlaceholderText);
-  label->setWordWrap(true);
-  auto* page = new QWidget;
-  auto* column = new QVBoxLayout(page);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  column->addWidget(label, 1);
-  return page;
-}
-
 void MainWindow::setPage(int page) {
   pages_->setCurrentIndex(page);
   tabs_[static_cast<std::size_t>(page)]->setChecked(true);
@@ -145,6 +128,8 @@ void MainWindow::focusHome() {
 void MainWindow::refreshStatus() {
   if (pages_->currentWidget() == experiment_)
     status_->say(experimentLeft_, experimentRight_);
+  else if (pages_->currentWidget() == lessons_)
+    status_->say(lessonsLeft_, lessonsRight_);
   else
     status_->follow();
 }

@@ -21,6 +21,7 @@ namespace surefoot {
 
 class Autosave;
 class ExperimentPage;
+class LessonsPage;
 class LivePage;
 class MessageBar;
 struct KeptLife;
@@ -36,7 +37,8 @@ enum class SavedAs;
 /// The data that the program gives to its window.
 struct WindowSetup {
   std::vector<PlanSource> plans;  ///< to choose from on the Experiment page
-  QString folder;                 ///< for results and autosaves; empty: the user's data folder
+  QString lessons{};              ///< the folder of the lessons
+  QString folder{};               ///< for results and autosaves; empty: the user's data folder
   bool asksOnQuit = true;         ///< whether quitting asks to save; false if quitting writes the results
 };
 
@@ -47,6 +49,7 @@ class MainWindow final : public QMainWindow {
   explicit MainWindow(Session& session, WindowSetup setup = {}, QWidget* parent = nullptr);
   LivePage& livePage() { return *live_; }
   ExperimentPage& experimentPage() { return *experiment_; }
+  LessonsPage& lessonsPage() { return *lessons_; }
   MessageBar& messages() { return *messages_; }
   void setPage(int page);
   /// Opens any kind of file: a session, a Q-function, a journal, a plan, results.
@@ -103,7 +106,7 @@ class MainWindow final : public QMainWindow {
   void refreshTitle();
   void refreshName();
   QWidget* makeTabs();
-  QWidget* makePlaceholder(const QString& title, const QString& words);
+  void makeLessons(const WindowSetup& setup);
   void usePreferences(const Preferences& preferences);
   void showPreferences();
   /// The focus goes where the page's single keys work.
@@ -126,8 +129,9 @@ class MainWindow final : public QMainWindow {
   QStackedWidget* pages_ = nullptr;
   LivePage* live_ = nullptr;
   ExperimentPage* experiment_ = nullptr;
+  LessonsPage* lessons_ = nullptr;
   StatusLine* status_ = nullptr;
-  QString experimentLeft_, experimentRight_;
+  QString experimentLeft_, experimentRight_, lessonsLeft_, lessonsRight_;
   std::vector<QAbstractButton*> tabs_;
   std::vector<QAction*> shortcuts_, liveActions_;
   QMenu *recent_ = nullptr, *ownLayouts_ = nullptr;

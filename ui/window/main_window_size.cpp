@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "ui/controls/message_bar.h"
+#include "ui/lessons/lessons_page.h"
 #include "ui/live/live_page.h"
 #include "ui/style/scale.h"
 #include "ui/window/main_window.h"
@@ -53,9 +54,10 @@ void MainWindow::showEvent(QShowEvent* event) {
 }
 
 void MainWindow::placeMessages() {
-  auto* column = qobject_cast<QVBoxLayout*>(pages_->currentWidget()->layout());
+  QWidget* page = pages_->currentWidget() == lessons_ ? lessons_->currentWidget() : pages_->currentWidget();
+  auto* column = qobject_cast<QVBoxLayout*>(page->layout());
   const bool shown = !messages_->isHidden();
-  const int toolbars = pages_->currentIndex() == 0 ? 1 : pages_->currentIndex() == 1 ? 2 : 0;
+  const int toolbars = pages_->currentIndex() == 0 ? 1 : 2;
   if (column) column->insertWidget(toolbars, messages_);
   messages_->setVisible(shown);
 }

@@ -25,29 +25,36 @@ set.policy.epsilon = 0.05
 show = ["world", "falls", "policy.epsilon", "run"]
 
 [[step]]
+title = "A step"
 say = "One action in twenty is random."
-predict = {kind = "number", unit = "falls", low = 0, high = 200, of = "falls", after = "200 episodes"}
+predict = {kind = "number", question = "?", unit = "falls", low = 0, high = 200, of = "falls", after = "200 episodes"}
 
 [[step]]
+title = "A step"
 say = "Now look."
 run = {until = "episodes >= 200", turbo = true}
-ask = {kind = "choice", options = ["It learns slowly.", "One random action is enough."], answer = 2, because = true}
+ask = {kind = "choice", question = "?", options = ["It learns slowly.", "By one action."], answer = 2, because = true}
 hint = "What does it do when it does not take the best action?"
 
 [[step]]
-say = "Make it fall twice as often."
+title = "A step"
+say = "It fell {observed(1)} times. Make it fall twice as often."
 show = ["world"]
+task = "Twice as often."
+expect = ["falls > 3"]
 done = "episodes >= 200 and falls >= 2 * observed(1)"
 solution = [{set = "policy.epsilon = 0.3"}, {restart = true}, {run = "200 episodes"}]
 par = "policy.epsilon <= 0.2"
 
 [[step]]
+title = "A step"
 say = "Which first?"
-ask = {kind = "order", options = ["a", "b", "c"], answer = [3, 1, 2]}
+ask = {kind = "order", question = "Which?", options = ["a", "b", "c"], answer = [3, 1, 2]}
 
 [[step]]
+title = "A step"
 say = "In your own words."
-ask = {kind = "words", model = "It explores."}
+ask = {kind = "words", question = "Say it.", model = "It explores."}
 
 [teacher]
 notes = "Let them vote."
@@ -122,7 +129,7 @@ TEST(Lesson, EveryMistakeIsToldWithLineAndColumn) {
       {{"after = \"200 episodes\"", "after = \"long\""}, "after: it takes \"200 episodes\""},
       {{"high = 200", "high = -1"}, "high: -1 is not above low, 0."},
       {{"answer = 2", "answer = 3"}, "answer: 3 is not allowed; it takes 1 to 2."},
-      {{"observed(1)\"", "observed(2)\""}, "done: step 2 predicts nothing"},
+      {{"observed(1)\"", "observed(2)\""}, "done: step 2 observes nothing"},
       {{"falls >= 2 * observed(1)", "falls < 0"}, "done: this can never hold."},
       {{"episodes >= 200\", turbo", "episodes\", turbo"}, "until: a condition is wanted"},
       {{"{restart = true}", "{restart = 1}"}, "restart: it takes true or false."},
@@ -132,12 +139,56 @@ TEST(Lesson, EveryMistakeIsToldWithLineAndColumn) {
       {{"show = [\"world\"]", "show = [\"wrold\"]"}, "show: there is no panel or knob \"wrold\"; did you mean world"},
       {{"kind = \"words\"", "kind = \"essay\""}, "kind: there is no \"essay\"; it takes number, choice"},
       {{"minutes = 10", "minutes = 2026-01-01"}, "dates and times mean nothing here."},
-      {{"title = ", "title "}, "line 1, column"},
+      {{"title = \"Exploring", "title \"Exploring"}, "line 1, column"},
+      {{"{observed(1)} times", "{observed(9)} times"}, "say, {observed(9)}: step 9 observes nothing"},
+      {{"{observed(1)} times", "{observed(1) times"}, "say: a brace is not closed"},
+      {{"Now look.", "![the sun](http://example.org/sun.png)"}, "say: it shows a picture"},
+      {{"Now look.", "<img src=x>"}, "say: it holds HTML"},
+      {{"Now look.", "[look](file:///etc/passwd)"}, "say: its links lead to lessons"},
+      {{"task = \"Twice as often.\"\n", ""}, "done: a task is said in one sentence"},
+      {{"falls > 3\"]", "falls > fals\"]"}, "expect: there is no \"fals\"; did you mean falls."},
+      {{"{restart = true}", "{agent = \"sarza\"}"}, "agent: agent: there is no \"sarza\""},
+      {{"{restart = true}", "{place = [99]}"}, "place: "},
+      {{"{restart = true}", "{jump = true}"}, "there is no \"jump\" here"},
   };
   for (const auto& [change, sentence] : kMistakes) {
     const std::string told = complaintsOf(kGood, change.first, change.second);
     EXPECT_NE(told.find(sentence), std::string::npos) << change.second << " gives\n" << told;
   }
+}
+
+TEST(Lesson, KindsOfQuestionsAreReadWithAllTheirParts) {
+  const std::string head = std::string(kGood).substr(0, std::string(kGood).find("[[step]]"));
+  const std::string steps =
+      "[[step]]\ntitle = \"a\"\nsay = \"{mean(\\\"low\\\")} against {most(\\\"high\\\")}\"\n"
+      "lives = {count = 4, of = \"falls\", after = \"20 episodes\", ways = [{label = \"low\"}, {label = \"high\", "
+      "first = "
+      "[{set = \"policy.epsilon = 0.5\"}, {restart = true}]}]}\n"
+      "ask = {kind = \"compare\", question = \"Which?\"}\n"
+      "[[step]]\ntitle = \"b\"\nsay = \"b\"\nask = {kind = \"point\", question = \"Where?\", accept = \"column > 3 and "
+      "q(\\\"up\\\") <= 0\", right = [5, 1], wrong = [1, 1]}\n"
+      "[[step]]\ntitle = \"c\"\nsay = \"c\"\nask = {kind = \"number\", question = \"What?\", answer = \"10 * 0.5\", "
+      "tolerance = 0.1}\n"
+      "[[step]]\ntitle = \"d\"\nsay = \"d\"\nask = {kind = \"mistake\", question = \"What is wrong?\", options = "
+      "[\"α\", "
+      "\"γ\"], answer = 2}\n";
+  std::vector<Complaint> complaints;
+  const auto lesson = readLesson(registry(), head + steps, "07-x.toml", complaints);
+  ASSERT_TRUE(lesson) << complaintText("", complaints.at(0));
+  EXPECT_EQ(lesson->number, "7");
+  EXPECT_EQ(lesson->ways, 2u);
+  EXPECT_EQ(lesson->steps[0].lives->ways[1].first.size(), 2u);
+  EXPECT_EQ(lesson->steps[0].say.numbers.size(), 2u);
+  std::string kinds;
+  for (const LessonStep& step : lesson->steps) kinds += kindOf(step) + ";";
+  EXPECT_EQ(kinds, "compare;point;work out;find the mistake;");
+  const auto refused = [&](std::string from, std::string to) { return complaintsOf(head + steps, from, to); };
+  EXPECT_NE(refused("label = \"high\"", "label = \"low\"").find("another way of this lesson has this label"),
+            std::string::npos);
+  EXPECT_NE(refused("mean(\\\"low", "mean(\\\"lwo").find("no lives are called \"lwo\" up to this step"),
+            std::string::npos);
+  EXPECT_NE(refused("count = 4", "count = 1").find("count: 1 is not allowed"), std::string::npos);
+  EXPECT_NE(refused("right = [5, 1], ", "").find("right is missing"), std::string::npos);
 }
 
 TEST(Lesson, AllMistakesAreToldAtOnce) {

@@ -210,7 +210,9 @@ TEST(Checkpoint, ADamagedTensorIsASentence) {
   for (std::size_t i = 0; i < good.tensors.size(); ++i) {
     TensorFile bad = good;
     bad.tensors.erase(bad.tensors.begin() + static_cast<std::ptrdiff_t>(i));
-    EXPECT_FALSE(resume(r, std::make_shared<const TensorFile>(bad), {})) << good.tensors[i].name << " is missing";
+    const bool newer = good.tensors[i].name == "learning.explored";  // files of older versions lack it
+    EXPECT_EQ(static_cast<bool>(resume(r, std::make_shared<const TensorFile>(bad), {})), newer)
+        << good.tensors[i].name << " is missing";
     bad = good;
     for (char& byte : bad.tensors[i].bytes) byte = '\x7f';
     auto resumed = resume(r, std::make_shared<const TensorFile>(bad), {});

@@ -73,7 +73,7 @@ TEST(LearningCharts, NumbersBelongToTheSpanThatIsShown) {
   const double end = w.span().to();
   std::int64_t falls = 0;
   for (const CurvePoint& p : w.session->life().curves().live().points)
-    if (timeOf(w.session->life().task(), p) <= end) falls = p.falls;
+    if (w.span().timeOf(p) <= end) falls = p.falls;
   ASSERT_LT(falls, w.session->life().numbers().falls);
   ASSERT_EQ(w.falls().items().size(), 1u);
   EXPECT_EQ(w.falls().items()[0].text.remove(','), QString::number(falls));
@@ -134,7 +134,7 @@ TEST(LearningCharts, TheCursorReadsTheCurveUnderIt) {
   w.span().showWholeLife();
   LearningChart& chart = w.falls();
   const CurvePoint& p = w.session->life().curves().live().points[700];
-  const double x = timeOf(w.session->life().task(), p);
+  const double x = w.span().timeOf(p);
   const int pixel = static_cast<int>(chart.plot().left() + x / w.span().to() * chart.plot().width());
   QTest::mouseMove(chart.viewport(), {pixel, 60});
   const QString reading = chart.reading();

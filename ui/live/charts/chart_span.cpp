@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/running/running_life.h"
 #include "ui/style/round_numbers.h"
@@ -15,10 +16,6 @@ constexpr double kBehindLearning = 1.2;  // times the time of learning is shown
 constexpr double kPressed = 3.0;         // times: in a longer life, learning is pressed against the axis
 constexpr double kClosest = 1.0 / 2000;  // least share of the life that is shown: curves have no finer detail
 
-double endOf(const Task& task, const RunCurve& curve) {
-  return curve.points.empty() ? 0.0 : timeOf(task, curve.points.back());
-}
-
 /// A round number that is not below the end.
 double roundEnd(double end) {
   const double step = niceAbove(end / 5.0001);
@@ -27,8 +24,25 @@ double roundEnd(double end) {
 
 }  // namespace
 
-double timeOf(const Task& task, std::int64_t episode, std::int64_t lifeSteps) {
-  return task.stepTime ? static_cast<double>(lifeSteps) * *task.stepTime / 60.0 : static_cast<double>(episode);
+bool ChartSpan::inMinutes() const {
+  return life_.task().stepTime && !episodes_;
+}
+
+void ChartSpan::countEpisodes(bool episodes) {
+  episodes_ = episodes;
+  wish(std::nullopt);
+}
+
+void ChartSpan::setLeast(double least) {
+  if (std::exchange(least_, least) != least) wish(std::nullopt);
+}
+
+double ChartSpan::timeOf(std::int64_t episode, std::int64_t lifeSteps) const {
+  return inMinutes() ? static_cast<double>(lifeSteps) * *life_.task().stepTime / 60.0 : static_cast<double>(episode);
+}
+
+double ChartSpan::endOf(const RunCurve& curve) const {
+  return curve.points.empty() ? 0.0 : timeOf(curve.points.back());
 }
 
 ChartSpan::ChartSpan(RunningLife& life, QObject* parent) : QObject(parent), life_(life) {
@@ -48,18 +62,17 @@ void ChartSpan::setSecond(RunningLife* second) {
 
 double ChartSpan::endOfLearning() const {
   const ValueSnapshot* v = life_.values();
-  return v && v->endOfLearning > 0 ? timeOf(life_.task(), v->endOfLearning, v->endOfLearningSteps) : 0.0;
+  return v && v->endOfLearning > 0 ? timeOf(v->endOfLearning, v->endOfLearningSteps) : 0.0;
 }
 
 double ChartSpan::whole() const {
-  const Task& task = life_.task();
   const RunCurves& curves = life_.curves();
-  const bool clock = task.stepTime.has_value();
-  double end = std::max(endOf(task, curves.live()), clock ? 1.0 : 100.0);
-  if (second_) end = std::max(end, endOf(task, second_->curves().live()));
+  const bool clock = inMinutes();
+  double end = std::max(endOf(curves.live()), least_ > 0 ? least_ : clock ? 1.0 : 100.0);
+  if (second_) end = std::max(end, endOf(second_->curves().live()));
   // A much longer earlier life must not press the present one against the axis: its curve is cut.
   const double most = std::max(2 * end, clock ? 10.0 : 1000.0);
-  for (const RunCurve& curve : curves.earlier()) end = std::max(end, std::min(endOf(task, curve), most));
+  for (const RunCurve& curve : curves.earlier()) end = std::max(end, std::min(endOf(curve), most));
   return end;
 }
 
@@ -73,7 +86,8 @@ void ChartSpan::refresh() {
   if (shows() == Shows::Part) return;
   const double learned = endOfLearning();
   const bool learning = shows() == Shows::Learning && learned > 0;
-  const double from = 0, to = roundEnd(learning ? kBehindLearning * learned : whole());
+  const double from = 0, end = learning ? kBehindLearning * learned : whole();
+  const double to = least_ > 0 && end <= least_ ? least_ : roundEnd(end);
   if (from == from_ && to == to_) return;
   from_ = from, to_ = to;
   Q_EMIT changed();
@@ -97,7 +111,7 @@ void ChartSpan::showPart(double from, double to) {
   const double end = roundEnd(whole());
   from = std::clamp(from, 0.0, end);
   to = std::clamp(to, from, end);
-  const double least = std::max(kClosest * to, life_.task().stepTime ? 0.005 : 2.0);
+  const double least = std::max(kClosest * to, inMinutes() ? 0.005 : 2.0);
   if (to - from < least) {
     const double middle = (from + to) / 2;
     from = std::clamp(middle - least / 2, 0.0, end - least);

@@ -11,13 +11,7 @@
 namespace surefoot {
 
 class RunningLife;
-struct Task;
-
-/// The position of a moment of the life on the time axis: simulated minutes, or episodes if the task has no clock.
-double timeOf(const Task& task, std::int64_t episode, std::int64_t lifeSteps);
-inline double timeOf(const Task& task, const CurvePoint& point) {
-  return timeOf(task, point.episode, point.lifeSteps);
-}
+struct RunCurve;
 
 class ChartSpan final : public QObject {
   Q_OBJECT
@@ -31,6 +25,14 @@ class ChartSpan final : public QObject {
   Shows shows() const;
   double from() const { return from_; }  ///< [min] or episodes
   double to() const { return to_; }
+  /// The time axis counts simulated minutes, or episodes: if the task has no clock, or if it was asked for.
+  bool inMinutes() const;
+  void countEpisodes(bool episodes);
+  /// The position of a moment of a life on the time axis.
+  double timeOf(std::int64_t episode, std::int64_t lifeSteps) const;
+  double timeOf(const CurvePoint& point) const { return timeOf(point.episode, point.lifeSteps); }
+  /// The whole life is shown up to this time at least; 0: up to the end of the curves.
+  void setLeast(double least);
   /// A second learner's life counts as well (nullptr: there is none).
   void setSecond(RunningLife* second);
 
@@ -54,11 +56,14 @@ class ChartSpan final : public QObject {
   void refresh();
   void wish(std::optional<Shows> shows);
   double endOfLearning() const;  ///< 0: not yet
+  double endOf(const RunCurve& curve) const;
   double whole() const;
 
   RunningLife& life_;
   QPointer<RunningLife> second_;
   std::optional<Shows> wished_;
+  bool episodes_ = false;
+  double least_ = 0;
   double from_ = 0, to_ = 1;
   std::optional<double> cursor_;
 };

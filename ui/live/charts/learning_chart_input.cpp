@@ -24,7 +24,7 @@ constexpr double kKeyZoom = 0.7;
 
 QString LearningChart::timeText(double time) const {
   const double span = span_.to() - span_.from();
-  if (!life_.task().stepTime) return tr("episode %1").arg(toText(countText(time)));
+  if (!span_.inMinutes()) return tr("episode %1").arg(toText(countText(time)));
   return tr("%1 min").arg(toText(fixedText(time, span > 200 ? 0 : span > 20 ? 1 : 2)));
 }
 
@@ -59,6 +59,10 @@ QString LearningChart::reading() const {
 
 void LearningChart::mousePressEvent(QMouseEvent* event) {
   setFocus(Qt::MouseFocusReason);
+  if (event->button() == Qt::LeftButton && movesPrediction(mouseAt(*event))) {
+    predicting_ = true;
+    return movePrediction(mouseAt(*event).y());
+  }
   if (event->button() != Qt::LeftButton || !plot_.contains(mouseAt(*event))) return;
   pressed_ = mouseAt(*event).x();
   dragged_.reset();
@@ -66,6 +70,8 @@ void LearningChart::mousePressEvent(QMouseEvent* event) {
 
 void LearningChart::mouseMoveEvent(QMouseEvent* event) {
   const QPointF at = mouseAt(*event);
+  if (predicting_) return movePrediction(at.y());
+  viewport()->setCursor(movesPrediction(at) ? Qt::SizeVerCursor : Qt::ArrowCursor);
   if (pressed_ && std::abs(at.x() - *pressed_) >= kLeastDrag)
     dragged_ = std::clamp(at.x(), plot_.left(), plot_.right());
   const bool inside = plot_.adjusted(-1, -8, 1, 8).contains(at);
@@ -76,6 +82,7 @@ void LearningChart::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void LearningChart::mouseReleaseEvent(QMouseEvent* event) {
+  predicting_ = false;
   if (event->button() != Qt::LeftButton || !pressed_) return;
   const double from = *pressed_;
   const auto to = dragged_;
@@ -105,7 +112,7 @@ void LearningChart::replayNear(double pixel) {
   std::optional<std::size_t> nearest;
   for (std::size_t i = 0; i < looking_.falls().size(); ++i) {
     const Fall& fall = looking_.falls()[i];
-    const double distance = std::abs(toPixel(timeOf(life_.task(), fall.episode, fall.lifeSteps), 0).x() - pixel);
+    const double distance = std::abs(toPixel(span_.timeOf(fall.episode, fall.lifeSteps), 0).x() - pixel);
     if (distance <= least) least = distance, nearest = i;
   }
   if (nearest) looking_.replayFall(*nearest);

@@ -32,7 +32,7 @@ QString LearningChart::textOf(const Change& change) const {
 }
 
 double LearningChart::timeOfStep(std::int64_t step) const {
-  if (life_.task().stepTime) return timeOf(life_.task(), 0, step);
+  if (span_.inMinutes()) return span_.timeOf(0, step);
   const auto& points = life_.curves().live().points;
   const auto after =
       std::partition_point(points.begin(), points.end(), [&](const CurvePoint& p) { return p.lifeSteps <= step; });
@@ -63,7 +63,7 @@ std::vector<LearningChart::Mark> LearningChart::marks() const {
   for (std::size_t i = groups.size() > kMost ? groups.size() - kMost : 0; i < groups.size(); ++i)
     if (groups[i].change.before != groups[i].change.after) list.push_back({groups[i].x, textOf(groups[i].change)});
   if (v->endOfLearning > 0) {
-    const double end = timeOf(life_.task(), v->endOfLearning, v->endOfLearningSteps);
+    const double end = span_.timeOf(v->endOfLearning, v->endOfLearningSteps);
     if (end >= span_.from() && end <= span_.to()) list.push_back({end, tr("end of learning")});
   }
   std::stable_sort(list.begin(), list.end(), [](const Mark& a, const Mark& b) { return a.x < b.x; });

@@ -52,7 +52,7 @@ void LearningChart::drawBackground(QPainter* painter, const QRectF& rect) {
 void LearningChart::drawForeground(QPainter* painter, const QRectF&) {
   const Theme& t = themeOf(*this);
   if (ring_ && !exporting_) drawFocusRing(*painter, *this);
-  if (runs().empty()) {
+  if (runs().empty() && !prediction_) {
     painter->setFont(textFont(kText));
     painter->setPen(t.quiet);
     painter->drawText(plot_, Qt::AlignCenter | Qt::TextWordWrap,
@@ -62,6 +62,7 @@ void LearningChart::drawForeground(QPainter* painter, const QRectF&) {
   }
   if (shows_ == Shows::AverageReward) drawTests(*painter, t);
   shows_ == Shows::Falls ? drawFallMarks(*painter, t) : drawMarks(*painter, t);
+  if (prediction_) drawPrediction(*painter, t);
   drawList(*painter, t);
   if (!exporting_) drawCursor(*painter, t);
 }
@@ -102,7 +103,7 @@ void LearningChart::drawTimeAxis(QPainter& p, const Theme& t) const {
   if (!hasTimeAxis()) return;
   p.setPen(t.quiet);
   p.drawText(QRectF(plot_.left(), base + 5 + h, plot_.width(), h), Qt::AlignHCenter | Qt::AlignTop,
-             life_.task().stepTime ? tr("simulated time [min]") : tr("episodes"));
+             span_.inMinutes() ? tr("simulated time [min]") : tr("episodes"));
 }
 
 void LearningChart::drawTests(QPainter& p, const Theme& t) const {
@@ -110,7 +111,7 @@ void LearningChart::drawTests(QPainter& p, const Theme& t) const {
   if (!v) return;
   p.setRenderHint(QPainter::Antialiasing);
   for (const GreedyTest& test : v->tests) {
-    const double x = timeOf(life_.task(), test.episode, test.lifeSteps);
+    const double x = span_.timeOf(test.episode, test.lifeSteps);
     if (x >= span_.from() && x <= span_.to()) drawTest(p, t, toPixel(x, std::clamp(test.reward, yLeast_, yMost_)));
   }
 }
@@ -132,7 +133,7 @@ std::vector<LearningChart::FallMark> LearningChart::fallMarks() const {
   }
   auto mark = marks.begin();
   for (const Fall& fall : looking_.falls()) {
-    const double at = toPixel(timeOf(life_.task(), fall.episode, fall.lifeSteps), 0).x();
+    const double at = toPixel(span_.timeOf(fall.episode, fall.lifeSteps), 0).x();
     while (mark != marks.end() && mark->x < at - kApart) ++mark;
     for (auto near = mark; near != marks.end() && near->x <= at + kApart; ++near)
       near->answers = true, near->byHand &= fall.byHand();
@@ -164,7 +165,11 @@ double LearningChart::listWidth() const {
   constexpr double kLeast = 56, kMostShare = 0.38;
   const QFont font = textFont(kText, 500);
   double widest = hasTests() ? std::max(kLeast, kBesideName + symbolWidth(textFont(kText), testsName()) + 12) : kLeast;
-  for (const Run& run : runs()) widest = std::max(widest, kBesideName + symbolWidth(font, nameOf(run)) + 12);
+  for (const Run& run : runs()) {
+    const QString name = runWords_ ? QStringLiteral("00,000 ") + runWords_(*run.curve) : nameOf(run);
+    widest = std::max(widest, kBesideName + symbolWidth(font, name) + 12);
+  }
+  if (prediction_) widest = std::max(widest, kBesideName + symbolWidth(font, tr("00,000 you said")) + 12);
   return std::min(widest, std::max(kLeast, kMostShare * width()));
 }
 
@@ -185,8 +190,17 @@ std::vector<LearningChart::Item> LearningChart::items() const {
   std::vector<Item> list;
   for (const Run& run : runs()) {
     const CurvePoint* end = stateAt(*run.curve, span_.to());
-    if (end) list.push_back({run, yOf(*end), shows_ == Shows::Falls ? valueText(yOf(*end)) : nameOf(run)});
+    if (!end) continue;
+    const bool named = shows_ == Shows::AverageReward && !runWords_;
+    list.push_back({run, yOf(*end), named ? nameOf(run) : valueText(yOf(*end))});
+    if (runWords_) list.back().words = runWords_(*run.curve);
   }
+  if (prediction_)
+    list.push_back({{nullptr, Run::Kind::Live},
+                    prediction_->value,
+                    valueText(prediction_->value),
+                    prediction_->locked ? tr("you said") : tr("you say"),
+                    true});
   std::stable_sort(list.begin(), list.end(), [](const Item& a, const Item& b) { return a.value > b.value; });
   return list;
 }
@@ -197,15 +211,20 @@ void LearningChart::drawList(QPainter& p, const Theme& t) const {
   const double h = lineHeight(textFont(kText, 500)), last = plot_.bottom() - h / 2;
   double y = plot_.top() + 2;
   for (std::size_t i = 0; i < list.size(); ++i, y += h) {
-    const auto& [run, value, text] = list[i];
+    const auto& [run, value, text, words, predicted] = list[i];
     const bool earlier = run.kind == Run::Kind::Earlier;
     if (shows_ == Shows::Falls)
       y = std::min(std::max(y, toPixel(0, value).y()), last - h * static_cast<double>(list.size() - 1 - i));
-    drawMarker(p, {plot_.right() + kBesideName - 8, y}, policyLook(run.curve->policy(), t), !earlier);
+    if (!predicted) drawMarker(p, {plot_.right() + kBesideName - 8, y}, policyLook(run.curve->policy(), t), !earlier);
     p.setFont(textFont(kText, earlier ? 400 : 500));
     p.setPen(earlier ? t.quiet : t.ink);
     const QRectF where(plot_.right() + kBesideName, y - h / 2, width() - plot_.right() - kBesideName - 2, h);
     drawSymbol(p, where, Qt::AlignLeft, QFontMetricsF(p.font()).elidedText(text, Qt::ElideRight, where.width()));
+    if (words.isEmpty()) continue;
+    const QRectF behind = where.adjusted(symbolWidth(p.font(), text) + 6, 0, 0, 0);
+    p.setFont(textFont(kText));
+    p.setPen(t.quiet);
+    drawSymbol(p, behind, Qt::AlignLeft, QFontMetricsF(p.font()).elidedText(words, Qt::ElideRight, behind.width()));
   }
   if (shows_ == Shows::Falls || !hasTests() || y > last) return;
   p.setFont(textFont(kText));

@@ -56,7 +56,7 @@ LearningChart::LearningChart(RunningLife& life, Looking& looking, History& histo
 }
 
 double LearningChart::xOf(const CurvePoint& point) const {
-  return timeOf(life_.task(), point);
+  return span_.timeOf(point);
 }
 
 double LearningChart::yOf(const CurvePoint& point) const {
@@ -66,7 +66,7 @@ double LearningChart::yOf(const CurvePoint& point) const {
 std::string LearningChart::asCsv() const {
   const std::vector<Run> list = runs();
   if (list.empty()) return "";
-  std::string csv = fmt::format("life,policy,{},{}\n", life_.task().stepTime ? "minutes" : "episode",
+  std::string csv = fmt::format("life,policy,{},{}\n", span_.inMinutes() ? "minutes" : "episode",
                                 shows_ == Shows::Falls ? "falls" : "average_reward");
   std::size_t life = list.size() - (secondCurve() ? 2 : 1);
   if (life_.curves().live().points.empty()) ++life;  // the newest earlier life has the number 1 in any case
@@ -141,7 +141,7 @@ void LearningChart::chooseRewards() {
   for (const Run& run : runs())
     for (const CurvePoint& point : run.curve->points) include(xOf(point), yOf(point));
   if (const ValueSnapshot* v = life_.values())
-    for (const GreedyTest& test : v->tests) include(timeOf(task, test.episode, test.lifeSteps), test.reward);
+    for (const GreedyTest& test : v->tests) include(span_.timeOf(test.episode, test.lifeSteps), test.reward);
   least = std::max(least, std::min(task.lowestReturn, 0.0));
   most = std::min(most, std::max(task.highestReturn, 0.0));
   if (least == most) least = task.lowestReturn, most = std::max(task.highestReturn, least + 1);  // nothing yet
@@ -162,6 +162,7 @@ void LearningChart::chooseRanges() {
   if (shows_ == Shows::Falls) {
     const bool part = span_.shows() == ChartSpan::Shows::Part && least < most;
     if (!part) least = 0;
+    if (prediction_) least = std::min(least, prediction_->low), most = std::max(most, prediction_->high);
     roundRange(least, std::max(most, least + 10));
   } else {
     chooseRewards();

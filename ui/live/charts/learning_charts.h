@@ -4,6 +4,7 @@
 
 #include <QChartView>
 #include <QPointer>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -23,6 +24,15 @@ class Looking;
 class RunningLife;
 struct Theme;
 
+/// A number that was said before it was seen: ◇ at the end of the axis, hollow while it can still be moved.
+struct ChartPrediction {
+  double value = 0;
+  bool locked = false;
+  double low = 0, high = 1;  ///< the range of the axis
+  QString words;             ///< "your prediction for ε 0.25"
+  std::optional<double> outcome{};
+};
+
 /// One chart. Qt Charts draws the curves; grid, axes, marks and the list at the right are drawn here, because the
 /// chart's own axes have a hyphen for the minus sign and do not line up from chart to chart. Wheel, a drag, + and −
 /// magnify the time axis, Home or a double click shows all of it; the cursor (moved by the mouse or
@@ -40,6 +50,9 @@ class LearningChart final : public Painted<QChartView>, public CsvSource {
   void setBelow(const QWidget* below) { below_ = below; }
   /// A second learner's curve beside this one's (nullptr: none), while it lives.
   void setSecond(RunningLife* second);
+  void setPrediction(std::optional<ChartPrediction> prediction);
+  /// Words beside the number of a run, in place of its name; empty: the number alone.
+  void setRunWords(std::function<QString(const RunCurve&)> words);
   void prepareExport(bool exporting) override;
   /// One row per point that is kept: life (0: the present one, 1: the one before it, …), policy, x, value.
   std::string asCsv() const override;
@@ -55,7 +68,8 @@ class LearningChart final : public Painted<QChartView>, public CsvSource {
   struct Item {
     Run run;
     double value;
-    QString text;
+    QString text, words{};
+    bool predicted = false;  ///< the prediction, no run
   };
   std::vector<Item> items() const;
   /// The reading of the cursor: "3.25 min: 187.3, TRL, live"; empty: none.
@@ -67,6 +81,9 @@ class LearningChart final : public Painted<QChartView>, public CsvSource {
   };
   std::vector<FallMark> fallMarks() const;
   const QRectF& plot() const { return plot_; }
+
+ Q_SIGNALS:
+  void predictionMoved(double value);
 
  protected:
   void drawBackground(QPainter* painter, const QRectF& rect) override;
@@ -122,6 +139,10 @@ class LearningChart final : public Painted<QChartView>, public CsvSource {
   void drawTests(QPainter& p, const Theme& t) const;
   void drawList(QPainter& p, const Theme& t) const;
   void drawCursor(QPainter& p, const Theme& t) const;
+  void drawPrediction(QPainter& p, const Theme& t) const;
+  void drawOutcome(QPainter& p, const Theme& t) const;
+  bool movesPrediction(const QPointF& at) const;
+  void movePrediction(double pixel);
 
   /// The run and the point at the cursor.
   struct Read {
@@ -146,6 +167,9 @@ class LearningChart final : public Painted<QChartView>, public CsvSource {
   ChartSpan& span_;
   Shows shows_;
   QPointer<RunningLife> second_;
+  std::optional<ChartPrediction> prediction_;
+  bool predicting_ = false;  // it is being dragged
+  std::function<QString(const RunCurve&)> runWords_;
   const QWidget* below_ = nullptr;
   bool exporting_ = false, ring_ = false, withAxis_ = false;
   std::vector<QLineSeries*> series_;  // one per piece, earlier lives first; unused ones are empty

@@ -14,9 +14,9 @@
 namespace surefoot {
 
 /// Calls may come from any thread.
-class Lesson {
+class SharedQFunction {
  public:
-  Lesson(const PreLearning& preLearning, int qFunction) : what(preLearning), number(qFunction) {}
+  SharedQFunction(const PreLearning& preLearning, int qFunction) : what(preLearning), number(qFunction) {}
 
   const PreLearning& what;
   const int number;

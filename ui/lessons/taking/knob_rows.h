@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The knobs of a step: the parameters that it shows, and the choices of policy, learning rule and scenario.
+#pragma once
+
+#include <QWidget>
+#include <map>
+#include <vector>
+
+class QVBoxLayout;
+
+namespace surefoot {
+
+class Combo;
+class ParameterRow;
+class Session;
+
+class KnobRows final : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `shown`: what the step shows; what is no knob is passed over.
+  KnobRows(Session& session, const std::vector<std::string>& shown, QWidget* parent = nullptr);
+  bool empty() const { return count_ == 0; }
+  int count() const { return count_; }
+
+ Q_SIGNALS:
+  void refused(const QString& sentence);
+
+ private:
+  void addParameter(const std::string& key);
+  void addChoice(const std::string& what);
+  void edit(const QString& key, double value);
+  void refresh();
+
+  Session& session_;
+  QVBoxLayout* column_;
+  std::vector<ParameterRow*> rows_;
+  std::map<std::string, Combo*> choices_;
+  std::map<std::string, double> began_;  // the values when the step began: those of Reset
+  int count_ = 0;
+};
+
+}  // namespace surefoot

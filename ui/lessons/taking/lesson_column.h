@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The column of a lesson: title and dots, the text of the step, its question and knobs; below them hint, reset, explore
+// freely, Back and Next. What is between scrolls.
+#pragma once
+
+#include <QPointer>
+#include <QWidget>
+
+#include "ui/lessons/taking/lesson_driver.h"
+
+class QLabel;
+class QScrollArea;
+class QToolButton;
+class QVBoxLayout;
+
+namespace surefoot {
+
+class KnobRows;
+class MarkdownView;
+class QuestionBox;
+class StepDots;
+class TextButton;
+
+class LessonColumn final : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit LessonColumn(LessonDriver& driver, QWidget* parent = nullptr);
+  QuestionBox* question() const { return question_; }
+  void goOn();
+  void goBack();
+  void showHint();
+
+ Q_SIGNALS:
+  void exploreAsked();
+  void lessonAsked(const QString& name);
+  void nextLessonAsked();
+  void predictionMoved(double value);
+  void refused(const QString& sentence);
+
+ private:
+  void makeFoot(QVBoxLayout& column);
+  void showStep();
+  void showEnd();
+  void showResult();
+  void refresh();
+  void focusFirst();
+  QLabel* addText(const QString& text, int pixels, int weight);
+  void addLine();
+  QVBoxLayout& anew();
+
+  LessonDriver& driver_;
+  QLabel *title_, *number_;
+  StepDots* dots_;
+  QScrollArea* scroll_;
+  QPointer<QWidget> content_;
+  QVBoxLayout* column_ = nullptr;
+  QPointer<MarkdownView> text_;
+  QPointer<QuestionBox> question_;
+  QPointer<QLabel> hint_, progress_;
+  QToolButton *hintLink_, *reset_, *explore_;
+  TextButton *back_, *next_;
+};
+
+}  // namespace surefoot

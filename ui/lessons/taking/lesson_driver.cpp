@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/lessons/taking/lesson_driver.h"
+
+#include <thread>
+#include <utility>
+
+#include "core/saved/checkpoint.h"
+
+namespace surefoot {
+
+namespace {
+
+Configuration startOf(const Lesson& lesson, const HandIn& handIn) {
+  Configuration start = lesson.start;
+  start.seed = handIn.seed;
+  return start;
+}
+
+}  // namespace
+
+LessonDriver::LessonDriver(const Registry& registry, Lesson lesson, HandIn handIn, QObject* parent)
+    : QObject(parent),
+      registry_(registry),
+      lesson_(std::move(lesson)),
+      handIn_(std::move(handIn)),
+      knowledge_(std::make_shared<Knowledge>(Knowledge{LessonValues(lesson_), nullptr})),
+      session_(std::make_unique<Session>(registry, startOf(lesson_, handIn_), true)),
+      progress_(std::make_shared<std::atomic<double>>(0.0)) {
+  for (const LessonMark& m : handIn_.marks) {
+    if (m.kind == LessonMark::Kind::Said) predicted_[m.step] = m.value;
+    if (m.kind == LessonMark::Kind::Observed) observed_[m.step] = m.value;
+  }
+  connect(&background_, &Background::failed, this, &LessonDriver::refused);
+  connect(&session_->newLives(), &NewLives::refused, this, &LessonDriver::refused);
+  connect(&session_->life(), &RunningLife::aboutToBeReplaced, this, [this] {
+    visit([this_ = &lesson_, began = session_->life().began(), from = learnedFrom()](const Life& life, Knowledge& k) {
+      k.values.endLife(factsOf(life));
+      k.before = std::make_shared<const LifeRecord>(recordOf(*this_, began, life, from));
+    });
+  });
+  connect(&session_->life(), &RunningLife::replaced, this, [this] {
+    if (phase_ == Phase::Open) watchTask();
+  });
+}
+
+LessonDriver::~LessonDriver() {
+  background_.cancel();
+  session_->life().finish();  // its thread knows the queue of calls
+}
+
+std::optional<double> LessonDriver::predicted(std::size_t step) const {
+  const auto found = predicted_.find(step);
+  return found == predicted_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::optional<double> LessonDriver::observed(std::size_t step) const {
+  const auto found = observed_.find(step);
+  return found == observed_.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::shared_ptr<const LifeRecord> LessonDriver::learnedFrom() const {
+  const auto found = learned_.find(session_->life().began().start.get());
+  return found == learned_.end() ? nullptr : found->second;
+}
+
+LessonDriver::Record LessonDriver::recorder() const {
+  return [lesson = &lesson_, began = session_->life().began(), from = learnedFrom()](
+             const Life& life, const Knowledge& k, LessonMark& m) {
+    m.life = std::make_shared<const LifeRecord>(recordOf(*lesson, began, life, from));
+    m.before = k.before;
+  };
+}
+
+void LessonDriver::visit(std::function<void(const Life&, Knowledge&)> look, Then then) {
+  session_->life().visit([this, look = std::move(look), then = std::move(then), knowledge = knowledge_,
+                          entered = entered_](const Life& life) {
+    look(life, *knowledge);
+    if (!then) return;
+    calls_.post([this, then, entered] {
+      if (entered == entered_) then();
+    });
+  });
+}
+
+void LessonDriver::know(std::function<void(LessonValues&)> change) {
+  visit([change = std::move(change)](const Life&, Knowledge& k) { change(k.values); });
+}
+
+void LessonDriver::setPhase(Phase phase) {
+  phase_ = phase;
+  Q_EMIT phaseChanged();
+}
+
+bool LessonDriver::mayGoOn() const {
+  if (phase_ != Phase::Open) return false;
+  if (step().predict) return observed(number_).has_value();
+  if (step().done) return taskDone_;
+  return !step().ask || answered_;
+}
+
+void LessonDriver::next() {
+  if (number_ + 1 < lesson_.steps.size()) return enter(number_ + 1);
+  mark({.kind = LessonMark::Kind::Finished, .step = number_});
+  session_->life().setRunning(false);
+  setPhase(Phase::Finished);
+}
+
+void LessonDriver::back() {
+  if (phase_ == Phase::Finished) return enter(number_);
+  if (number_ > 0) enter(number_ - 1);
+}
+
+void LessonDriver::enter(std::size_t number) {
+  const bool leaves = entered_ > 0 && phase_ != Phase::Finished;
+  if (leaves && step().observe && !observed(number_) && phase_ == Phase::Open)
+    return observe(*step().observe, [this, number] { enter(number); });
+  ++entered_;
+  background_.cancel();
+  number_ = number;
+  tries_ = 0;
+  taskDone_ = parKept_ = answered_ = hintTaken_ = false;
+  lives_.clear();
+  text_.clear();
+  progress_->store(0);
+  clock_.start();
+  session_->life().watch({});
+  session_->life().setRunning(false);
+  session_->looking().backToLive();
+  session_->looking().setDemonstrating(true);
+  setPhase(Phase::Preparing);
+  Q_EMIT stepChanged();
+  auto record = std::make_shared<LessonMark>(LessonMark{.kind = LessonMark::Kind::Arrived, .step = number_});
+  auto beginning = std::make_shared<std::optional<Beginning>>();
+  visit(
+      [write = recorder(), began = session_->life().began(), from = learnedFrom(), record, beginning](const Life& life,
+                                                                                                      Knowledge& k) {
+        write(life, k, *record);
+        beginning->emplace(std::make_shared<const TensorFile>(checkpointOf(life, began, true)), began, k.values, from);
+      },
+      [this, record, beginning] {
+        beginning_ = std::move(*beginning);
+        mark(std::move(*record));
+        step().begin.empty() ? open() : prepare();
+      });
+}
+
+LessonValues LessonDriver::valuesOfMarks() const {
+  LessonValues values(lesson_);
+  for (const LessonMark& m : handIn_.marks) {
+    if (m.kind == LessonMark::Kind::Said) values.predict(m.step, m.value);
+    if (m.kind == LessonMark::Kind::Observed) values.observe(m.step, m.value);
+    if (m.kind != LessonMark::Kind::Lived || m.step >= lesson_.steps.size() || !lesson_.steps[m.step].lives) continue;
+    for (const LessonLives::Way& way : lesson_.steps[m.step].lives->ways)
+      if (way.label == m.text) values.lived(way.place, m.values);
+  }
+  return values;
+}
+
+void LessonDriver::goOn(std::size_t number) {
+  const LessonMark* arrived = handIn_.last(LessonMark::Kind::Arrived, number);
+  if (number == 0 || !arrived || !arrived->life) return enter(number);
+  number_ = number;
+  setPhase(Phase::Preparing);
+  Q_EMIT stepChanged();
+  auto made = std::make_shared<Result<LifeInHand>>(Error{"stopped"});
+  background_.start(
+      [made, record = arrived->life, &registry = registry_, lesson = &lesson_](const std::atomic<bool>& interrupted) {
+        *made = relive(registry, *lesson, *record, &interrupted);
+      },
+      [this, made, number] {
+        if (*made) return place(std::move(**made), valuesOfMarks(), [this, number] { enter(number); });
+        Q_EMIT refused(tr("The lesson begins anew: %1").arg(QString::fromStdString(made->error().message)));
+        enter(0);
+      });
+}
+
+void LessonDriver::resetStep() {
+  if (!beginning_) return;
+  ++entered_;
+  background_.cancel();
+  tries_ = 0;
+  taskDone_ = parKept_ = answered_ = false;
+  predicted_.erase(number_);
+  observed_.erase(number_);
+  lives_.clear();
+  session_->life().watch({});
+  session_->life().setRunning(false);
+  setPhase(Phase::Preparing);
+  Q_EMIT stepChanged();
+  undone_ = session_->life().curves().live().number;
+  prepare();
+}
+
+/// A copy of the life at the step's beginning, with what happens before the step; in the background.
+void LessonDriver::prepare() {
+  struct Work {
+    Beginning beginning;
+    LessonActions begin;
+    Result<LifeInHand> made = Error{"stopped"};
+    std::optional<LessonValues> values{};
+  };
+  auto work = std::make_shared<Work>(Work{*beginning_, step().begin});
+  background_.start(
+      [work, &registry = registry_](const std::atomic<bool>& interrupted) {
+        auto resumed = resume(registry, work->beginning.checkpoint, {});
+        if (!resumed) {
+          work->made = resumed.error();
+          return;
+        }
+        LessonLife lived(registry, work->beginning.values,
+                         {work->beginning.began, std::move(resumed->life), work->beginning.learnedFrom}, &interrupted);
+        const Status done = lived.act(work->begin);
+        work->values = lived.values();
+        if (done)
+          work->made = lived.take();
+        else
+          work->made = done.error();
+      },
+      [this, work, entered = entered_] {
+        if (entered != entered_) return;
+        if (!work->made) {
+          Q_EMIT refused(QString::fromStdString(work->made.error().message));
+          return open();
+        }
+        place(std::move(*work->made), std::move(*work->values), [this] { open(); });
+      });
+}
+
+void LessonDriver::place(LifeInHand life, LessonValues values, const Then& then) {
+  if (life.began.start && life.learnedFrom) learned_[life.began.start.get()] = life.learnedFrom;
+  auto hand = std::make_shared<LifeInHand>(std::move(life));
+  const auto make = [hand](const std::atomic<bool>&) -> Result<NewLives::Made> {
+    return NewLives::Made{hand->began, std::move(hand->life)};
+  };
+  const Status begun = session_->newLives().beginWhenMade(
+      make, [this, values = std::move(values), then, entered = entered_](const Status& s) {
+        if (entered != entered_) return;
+        if (!s) Q_EMIT refused(QString::fromStdString(s.error().message));
+        visit([values](const Life&, Knowledge& k) {
+          k.values = values;
+          k.before = nullptr;
+        });
+        if (undone_) session_->life().curves().remove({*std::exchange(undone_, std::nullopt)});
+        then();
+      });
+  static_cast<void>(static_cast<bool>(begun));  // it was told above
+}
+
+/// The step begins.
+void LessonDriver::open() {
+  renderText();
+  if (step().lives) liveWays();
+  if (!step().run || !step().run->ends()) {
+    setPhase(Phase::Open);
+    watchTask();
+    session_->life().setTurbo(step().run && step().run->turbo);
+    if (step().run) session_->life().setRunning(true);
+    return;
+  }
+  run(*step().run, [this] {
+    const auto over = [this] {
+      setPhase(Phase::Open);
+      renderText();
+      watchTask();
+    };
+    step().observe ? observe(*step().observe, over) : over();
+  });
+}
+
+void LessonDriver::copyLife(std::function<void(Configuration began, std::unique_ptr<Life>)> then) {
+  auto copy = std::make_shared<std::pair<Configuration, TensorFile>>();
+  visit(
+      [copy, began = session_->life().began()](const Life& life, Knowledge&) {
+        *copy = {began, checkpointOf(life, began, true)};
+      },
+      [this, copy, then] {
+        auto resumed = resume(registry_, std::make_shared<const TensorFile>(std::move(copy->second)), {});
+        if (!resumed) return Q_EMIT refused(QString::fromStdString(resumed.error().message));
+        then(copy->first, std::move(resumed->life));
+      });
+}
+
+}  // namespace surefoot
+
+#include "moc_lesson_driver.cpp"

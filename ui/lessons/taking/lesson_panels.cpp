@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/lessons/taking/lesson_panels.h"
+
+#include <QSplitter>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "core/lessons/step_reading.h"
+#include "ui/controls/panel.h"
+#include "ui/controls/view_menu.h"
+#include "ui/lessons/taking/lesson_driver.h"
+#include "ui/lessons/taking/lives_view.h"
+#include "ui/live/actions/action_key.h"
+#include "ui/live/actions/action_rows.h"
+#include "ui/live/falls_list.h"
+#include "ui/live/form/parameter_form.h"
+#include "ui/live/maps/map_bar.h"
+#include "ui/live/maps/value_maps.h"
+#include "ui/live/rule_view.h"
+#include "ui/live/step_view.h"
+#include "ui/live/world/scrubber.h"
+#include "ui/live/world/world_view.h"
+#include "ui/style/symbol_text.h"
+
+namespace surefoot {
+
+LessonPanels::LessonPanels(LessonDriver& driver, QWidget* parent)
+    : QWidget(parent),
+      driver_(driver),
+      span_(new ChartSpan(driver.session().life(), this)),
+      rows_(new QSplitter(Qt::Vertical, this)),
+      below_(new QSplitter(Qt::Horizontal)) {
+  span_->countEpisodes(true);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->addWidget(rows_);
+  for (QSplitter* splitter : {rows_, below_}) {
+    splitter->setHandleWidth(1);
+    splitter->setChildrenCollapsible(false);
+  }
+  rows_->addWidget(below_);
+  connect(&driver_, &LessonDriver::stepChanged, this, &LessonPanels::showStep);
+  connect(&driver_, &LessonDriver::phaseChanged, this, &LessonPanels::noteWorld);
+  connect(&driver_.session().life(), &RunningLife::stateChanged, this, &LessonPanels::noteWorld);
+  connect(&driver_.session().looking(), &Looking::playbackChanged, this, &LessonPanels::noteWorld);
+  connect(&driver_, &LessonDriver::livesChanged, this, [this] {
+    if (auto* view = qobject_cast<LivesView*>(lives_ ? lives_->property("view").value<QWidget*>() : nullptr))
+      view->show(driver_.lives());
+  });
+}
+
+QWidget* LessonPanels::makeContent(const std::string& name, QString& title, QString& note) {
+  Session& session = driver_.session();
+  RunningLife& life = session.life();
+  Looking& looking = session.looking();
+  if (name == "world") {
+    title = tr("World");
+    return new WorldView(life, looking);
+  }
+  if (name == "falls" || name == "reward") {
+    const bool falls = name == "falls";
+    title = falls ? tr("Falls") : tr("Average reward");
+    note = falls ? tr("cumulative; each mark is one, click it to replay") : tr("last 80 episodes");
+    auto* chart = new LearningChart(life, looking, session.history(), *span_,
+                                    falls ? LearningChart::Shows::Falls : LearningChart::Shows::AverageReward);
+    connect(chart, &LearningChart::predictionMoved, this, &LessonPanels::predictionMoved);
+    if (words_) chart->setRunWords(words_);
+    return chart;
+  }
+  if (name == "actions") {
+    title = tr("What the robot would do now");
+    return new ActionRows(life, looking, session.editing());
+  }
+  if (name == "maps") {
+    title = tr("Value maps");
+    return new ValueMaps(life, looking);
+  }
+  if (name == "step") {
+    title = tr("This step"), note = tr("what the last one taught");
+    return new StepView(life, looking);
+  }
+  if (name == "rule") {
+    title = tr("Rule of thumb"), note = tr("TRL's threshold");
+    return new RuleView(life, session.editing());
+  }
+  if (name == "list") {
+    title = tr("List of falls"), note = tr("a click shows one again");
+    return new FallsList(life, looking);
+  }
+  title = tr("Parameters");
+  auto* form = new ParameterForm(life, session.editing(), session.history());
+  connect(form, &ParameterForm::refused, this, &LessonPanels::refused);
+  return form;
+}
+
+LessonPanels::Part LessonPanels::wrap(const QString& title, const QString& note, QWidget* content) {
+  auto* box = new QWidget;
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  auto* header = new PanelHeader(title, true, box);
+  header->setNote(note);
+  column->addWidget(header);
+  column->addWidget(content, 1);
+  if (content->accessibleName().isEmpty()) content->setAccessibleName(title);
+  new ViewMenu(*content);
+  connect(header, &PanelHeader::fullSizeAsked, this, [this, box] { toggleFull(box); });
+  return {box, content, header};
+}
+
+LessonPanels::Part LessonPanels::make(const std::string& name) {
+  QString title, note;
+  QWidget* content = makeContent(name, title, note);
+  Part part = wrap(title, note, content);
+  if (name == "world") {
+    part.header->setOnPaper(true);
+    part.header->addWidget(new Scrubber(driver_.session().looking()));
+    rows_->insertWidget(0, part.box);
+  } else {
+    below_->addWidget(part.box);
+  }
+  if (name == "maps") makeMaps(part);
+  if (name == "actions") part.header->addWidget(new ActionKey(driver_.session().life(), driver_.session().looking()));
+  return part;
+}
+
+void LessonPanels::makeMaps(Part& part) {
+  auto* maps = qobject_cast<ValueMaps*>(part.content);
+  auto* bar = new MapBar;
+  part.header->addWidget(bar);
+  connect(maps, &ValueMaps::placeAsked, this, [this](const std::vector<double>& state) {
+    if (const Status s = driver_.session().life().place(state); !s) Q_EMIT refused(toText(s.error().message));
+  });
+  connect(bar, &MapBar::chosen, maps, &ValueMaps::setChoice);
+  const auto show = [this, maps, bar] {
+    bar->show(maps->choice(), driver_.session().life().task(), driver_.session().looking().shown().state);
+  };
+  connect(maps, &ValueMaps::shown, bar, show);
+  connect(&driver_.session().life(), &RunningLife::replaced, bar, show);
+}
+
+LessonPanels::Part& LessonPanels::part(const std::string& name) {
+  const auto found = parts_.find(name);
+  return found != parts_.end() ? found->second : parts_.emplace(name, make(name)).first->second;
+}
+
+void LessonPanels::showStep() {
+  if (full_) toggleFull(full_);
+  const LessonStep& step = driver_.step();
+  std::vector<std::string> shown;
+  for (const std::string& name : step.show)
+    if (std::find(lessonPanels().begin(), lessonPanels().end(), name) != lessonPanels().end()) shown.push_back(name);
+  for (auto& [name, part] : parts_) {
+    part.box->setVisible(std::find(shown.begin(), shown.end(), name) != shown.end());
+    part.header->setFull(false);
+  }
+  for (const std::string& name : shown) part(name).box->show();
+  delete std::exchange(lives_, nullptr);
+  if (step.lives) {
+    QStringList labels;
+    for (const LessonLives::Way& way : step.lives->ways) labels << toText(way.label);
+    auto* view = new LivesView(labels, toText(step.lives->title));
+    const Part lives = wrap(toText(step.lives->title), tr("%1 lives of each").arg(step.lives->count), view);
+    lives.box->setProperty("view", QVariant::fromValue<QWidget*>(view));
+    lives_ = lives.box;
+    below_->addWidget(lives_);
+    lives_->show();
+    view->show(driver_.lives());
+  }
+  const auto inRow = [&](const std::string& name) { return name != "world"; };
+  const bool any = lives_ || std::any_of(shown.begin(), shown.end(), inRow);
+  below_->setVisible(any);
+  const bool world = std::find(shown.begin(), shown.end(), "world") != shown.end();
+  if (world && any) rows_->setSizes({scaled(400), scaled(304)});
+  noteWorld();
+}
+
+void LessonPanels::noteWorld() {
+  const auto found = parts_.find("world");
+  if (found == parts_.end()) return;
+  const RunningLife& life = driver_.session().life();
+  const Playback* playback = driver_.session().looking().playback();
+  found->second.header->setNote(playback         ? playback->title
+                                : life.running() ? (life.turbo() ? tr("real time; the learner runs faster")
+                                                                 : tr("the learner's world; take hold of it"))
+                                                 : tr("real time, as far as it has learned; nothing is learned now"));
+}
+
+void LessonPanels::toggleFull(QWidget* box) {
+  const bool back = full_ != nullptr;
+  if (back) {
+    full_ = nullptr;
+    return showStep();
+  }
+  full_ = box;
+  for (auto& [name, part] : parts_) {
+    if (part.box != box) part.box->hide();
+    part.header->setFull(part.box == box);
+  }
+  if (lives_ && lives_ != box) lives_->hide();
+  below_->setVisible(below_->isAncestorOf(box));
+}
+
+void LessonPanels::setPrediction(const std::string& chart, const std::optional<ChartPrediction>& prediction) {
+  for (auto& [name, part] : parts_)
+    if (auto* view = qobject_cast<LearningChart*>(part.content))
+      view->setPrediction(name == chart ? prediction : std::nullopt);
+}
+
+void LessonPanels::setRunWords(const std::function<QString(const RunCurve&)>& words) {
+  words_ = words;
+  for (auto& [name, part] : parts_)
+    if (auto* chart = qobject_cast<LearningChart*>(part.content)) chart->setRunWords(words);
+}
+
+QWidget* LessonPanels::first() const {
+  const auto world = parts_.find("world");
+  return world != parts_.end() && world->second.box->isVisible() ? world->second.content : nullptr;
+}
+
+}  // namespace surefoot
+
+#include "moc_lesson_panels.cpp"

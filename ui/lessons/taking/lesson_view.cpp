@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/lessons/taking/lesson_view.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "core/text/text.h"
+#include "ui/controls/bar_button.h"
+#include "ui/controls/hairline.h"
+#include "ui/controls/link_button.h"
+#include "ui/lessons/taking/lesson_column.h"
+#include "ui/lessons/taking/lesson_panels.h"
+#include "ui/lessons/taking/prediction_box.h"
+#include "ui/style/scale.h"
+#include "ui/style/symbol_text.h"
+#include "ui/style/theme.h"
+
+namespace surefoot {
+
+LessonView::LessonView(const Registry& registry, Lesson lesson, HandIn handIn, QWidget* parent)
+    : QWidget(parent),
+      driver_(std::make_unique<LessonDriver>(registry, std::move(lesson), std::move(handIn))) {
+  makeActions();
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(makeBar());
+  column->addWidget(new Hairline(Qt::Horizontal, this));
+  auto* row = new QHBoxLayout;
+  row->setSpacing(0);
+  column_ = new LessonColumn(*driver_, this);
+  panels_ = new LessonPanels(*driver_, this);
+  row->addWidget(column_);
+  row->addWidget(new Hairline(Qt::Vertical, this));
+  row->addWidget(panels_, 1);
+  column->addLayout(row, 1);
+  panels_->setRunWords([this](const RunCurve& curve) {
+    const auto found = runWords_.find(curve.number);
+    return found == runWords_.end() ? QString() : found->second;
+  });
+  connect(driver_.get(), &LessonDriver::refused, this, &LessonView::refused);
+  connect(column_, &LessonColumn::refused, this, &LessonView::refused);
+  connect(panels_, &LessonPanels::refused, this, &LessonView::refused);
+  connect(column_, &LessonColumn::exploreAsked, this, &LessonView::exploreAsked);
+  connect(column_, &LessonColumn::lessonAsked, this, &LessonView::lessonAsked);
+  connect(column_, &LessonColumn::nextLessonAsked, this, &LessonView::allLessonsAsked);
+  connect(column_, &LessonColumn::predictionMoved, this, &LessonView::refreshPrediction);
+  connect(panels_, &LessonPanels::predictionMoved, this, [this](double value) {
+    if (auto* box = qobject_cast<PredictionBox*>(column_->question())) box->setValue(value);
+  });
+  connect(driver_.get(), &LessonDriver::stepChanged, this, &LessonView::refreshPrediction);
+  connect(driver_.get(), &LessonDriver::phaseChanged, this, &LessonView::refreshPrediction);
+  connect(driver_.get(), &LessonDriver::stepChanged, this, &LessonView::refresh);
+  connect(driver_.get(), &LessonDriver::phaseChanged, this, &LessonView::refresh);
+  RunningLife& life = driver_->session().life();
+  connect(&life, &RunningLife::stateChanged, this, &LessonView::refresh);
+  connect(&life, &RunningLife::valuesArrived, this, &LessonView::refresh);
+  connect(&life, &RunningLife::replaced, this, &LessonView::refresh);
+  connect(&life, &RunningLife::configurationChanged, this, &LessonView::nameRun);
+  connect(&driver_->session().looking(), &Looking::fallReplayed, driver_.get(), &LessonDriver::noteReplay);
+}
+
+LessonView::~LessonView() {
+  // The panels know the session, which belongs to the driver.
+  delete panels_;
+  delete column_;
+}
+
+QAction* LessonView::act(const QString& text, const QList<QKeySequence>& keys, const std::function<void()>& what) {
+  auto* action = new QAction(text, this);
+  action->setShortcuts(keys);
+  action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  connect(action, &QAction::triggered, this, what);
+  addAction(action);
+  return action;
+}
+
+void LessonView::makeActions() {
+  RunningLife& life = driver_->session().life();
+  run_ = act(tr("Run"), {Qt::Key_Space}, [&life] { life.setRunning(!life.running()); });
+  restart_ = act(tr("Restart"), {Qt::Key_R}, [this] {
+    if (const Status s = driver_->session().newLives().restart(); !s) Q_EMIT refused(toText(s.error().message));
+  });
+  turbo_ = act(tr("Turbo"), {Qt::Key_T}, [&life] { life.setTurbo(!life.turbo()); });
+  turbo_->setCheckable(true);
+  run_->setToolTip(tr("Run or pause"));
+  restart_->setToolTip(tr("Start the life again with the same seed"));
+  turbo_->setToolTip(tr("Learn flat out"));
+  act(tr("Next"), {QKeySequence(Qt::ALT | Qt::Key_Right)}, [this] { column_->goOn(); });
+  act(tr("Back"), {QKeySequence(Qt::ALT | Qt::Key_Left)}, [this] { column_->goBack(); });
+  act(tr("Hint"), {Qt::Key_F1}, [this] { column_->showHint(); });
+}
+
+QWidget* LessonView::makeBar() {
+  auto* bar = new QWidget(this);
+  auto* row = new QHBoxLayout(bar);
+  runButtons_ = {new BarButton(run_, Icon::Run, BarButton::Look::Main, bar),
+                 new BarButton(restart_, Icon::Restart, BarButton::Look::Quiet, bar),
+                 new BarButton(turbo_, Icon::Turbo, BarButton::Look::Framed, bar)};
+  for (QWidget* button : runButtons_) row->addWidget(button);
+  auto* all = new LinkButton(tr("‹  All lessons"), bar);
+  all->setToolTip(tr("The list of lessons; this one waits at its step"));
+  connect(all, &QToolButton::clicked, this, &LessonView::allLessonsAsked);
+  row->addWidget(all);
+  row->addStretch(1);
+  falls_ = new QLabel(bar);
+  episodes_ = new QLabel(bar);
+  auto* fallsWord = new QLabel(tr("falls"), bar);
+  auto* episodesWord = new QLabel(tr("episodes"), bar);
+  for (QLabel* label : {falls_, fallsWord, episodes_, episodesWord}) row->addWidget(label);
+  for (QLabel* label : {fallsWord, episodesWord}) label->setForegroundRole(QPalette::PlaceholderText);
+  whenScaled(bar, [this, bar, row, fallsWord, episodesWord] {
+    bar->setFixedHeight(scaled(48));
+    row->setContentsMargins(scaled({8, 8, 12, 8}));
+    row->setSpacing(scaled(8));
+    falls_->setFont(scaledFont(24, 500));
+    episodes_->setFont(scaledFont(13, 500));
+    for (QLabel* label : {fallsWord, episodesWord}) label->setFont(scaledFont(11));
+  });
+  return bar;
+}
+
+void LessonView::begin(std::size_t step) {
+  nameRun();
+  driver_->goOn(std::min(step, driver_->lesson().steps.size() - 1));
+}
+
+void LessonView::refresh() {
+  const RunningLife& life = driver_->session().life();
+  const auto shows = [&](const char* name) {
+    const auto& show = driver_->step().show;
+    return std::find(show.begin(), show.end(), name) != show.end();
+  };
+  const bool open = driver_->phase() == LessonDriver::Phase::Open;
+  run_->setText(life.running() ? tr("Pause") : tr("Run"));
+  run_->setEnabled(shows("run") && open && !life.finished());
+  restart_->setEnabled(shows("restart") && open);
+  turbo_->setEnabled(shows("turbo") && open);
+  turbo_->setChecked(life.turbo());
+  const char* names[] = {"run", "restart", "turbo"};
+  for (std::size_t i = 0; i < runButtons_.size(); ++i) runButtons_[i]->setVisible(shows(names[i]));
+  const bool counts = life.task().canFall;
+  falls_->setText(counts ? toText(countText(static_cast<double>(life.numbers().falls))) : QString());
+  QPalette palette = falls_->palette();
+  if (palette.color(QPalette::WindowText) != themeOf(*this).fallText) {
+    palette.setColor(QPalette::WindowText, themeOf(*this).fallText);
+    falls_->setPalette(palette);
+  }
+  episodes_->setText(toText(countText(static_cast<double>(life.numbers().episodes))));
+  nameRun();
+}
+
+/// "ε 0.25": the values of the step's knobs, or the policy and learning rule if those are chosen.
+QString LessonView::knobWords() const {
+  const Configuration& now = driver_->session().life().configuration();
+  QStringList words;
+  const auto title = [](const auto& entries, const std::string& kind, const std::string& name) {
+    const auto entry = findEntry(entries, kind, name);
+    return entry ? toText((*entry)->title) : toText(name);
+  };
+  for (const std::string& name : driver_->step().show) {
+    if (name == "policy") words << title(driver_->session().life().registry().policies, "policy", now.names.policy);
+    if (name == "agent") words << title(driver_->session().life().registry().agents, "agent", now.names.agent);
+    const auto* entry = now.parameters.find(name);
+    if (!entry) continue;
+    const std::string& symbol = entry->parameter.symbol;
+    words << QStringLiteral("%1 %2").arg(toText(symbol.empty() ? entry->parameter.title : symbol),
+                                         toText(formatValue(entry->parameter, entry->value)));
+  }
+  return words.mid(0, 2).join(QStringLiteral(", "));
+}
+
+void LessonView::nameRun() {
+  runWords_[driver_->session().life().curves().live().number] = knobWords();
+}
+
+/// ◇ while a number is said, and beside what came out in the step after it.
+void LessonView::refreshPrediction() {
+  const auto chartOf = [](const LessonPrediction& p) {
+    return std::string(p.of.text == "falls" ? "falls" : p.of.text == "average_reward" ? "reward" : "");
+  };
+  const LessonStep& step = driver_->step();
+  const bool episodes = step.predict && step.predict->after.unit == LessonAmount::Unit::Episodes;
+  if (episodes) panels_->span().setLeast(step.predict->after.value);
+  if (const auto* box = qobject_cast<PredictionBox*>(column_->question()); box && step.predict) {
+    const bool given = driver_->predicted(driver_->number()).has_value();
+    return panels_->setPrediction(chartOf(*step.predict),
+                                  ChartPrediction{.value = driver_->predicted(driver_->number()).value_or(box->value()),
+                                                  .locked = given,
+                                                  .low = step.predict->low,
+                                                  .high = step.predict->high,
+                                                  .words = tr("your prediction")});
+  }
+  const std::size_t before = driver_->number() - 1;
+  if (driver_->number() > 0 && driver_->lesson().steps[before].predict && driver_->predicted(before)) {
+    const LessonPrediction& p = *driver_->lesson().steps[before].predict;
+    return panels_->setPrediction(chartOf(p), ChartPrediction{.value = *driver_->predicted(before),
+                                                              .locked = true,
+                                                              .low = p.low,
+                                                              .high = p.high,
+                                                              .words = tr("your prediction"),
+                                                              .outcome = driver_->observed(before)});
+  }
+  panels_->setPrediction("", std::nullopt);
+}
+
+}  // namespace surefoot
+
+#include "moc_lesson_view.cpp"

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Several lives of each of a few ways: a dot for each life, the mean and its 95 % interval.
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+#include <vector>
+
+#include "ui/style/painted.h"
+#include "ui/support/exporting.h"
+
+namespace surefoot {
+
+class LivesView final : public Painted<>, public CsvSource {
+  Q_OBJECT
+
+ public:
+  LivesView(QStringList labels, QString unit, QWidget* parent = nullptr);
+  /// What each life of each way came to; empty: they are still being lived.
+  void show(std::vector<std::vector<double>> lives);
+  std::string asCsv() const override;
+  QSize sizeHint() const override { return scaled({440, 240}); }
+  QSize minimumSizeHint() const override { return scaled({280, 140}); }
+
+ protected:
+  void paintEvent(QPaintEvent*) override;
+
+ private:
+  void chooseScale();
+  double xOf(double value) const;
+  void paintWay(QPainter& p, std::size_t way, double top, double height) const;
+
+  const QStringList labels_;
+  const QString unit_;
+  std::vector<std::vector<double>> lives_;
+  double low_ = 0, high_ = 1, step_ = 0.2, left_ = 0, right_ = 1;
+};
+
+}  // namespace surefoot

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/lessons/taking/question_boxes.h"
+
+#include <QButtonGroup>
+#include <QCheckBox>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPlainTextEdit>
+#include <QRadioButton>
+#include <QVBoxLayout>
+
+#include "core/text/number_text.h"
+#include "ui/controls/text_button.h"
+#include "ui/lessons/taking/option_button.h"
+#include "ui/style/scale.h"
+#include "ui/style/symbol_text.h"
+
+namespace surefoot {
+
+namespace {
+
+QButtonGroup* addOptions(QWidget* box, QVBoxLayout& column, const QStringList& options) {
+  auto* group = new QButtonGroup(box);
+  for (const QString& option : options) {
+    auto* button = new OptionButton(option, box);
+    group->addButton(button, static_cast<int>(group->buttons().size()));
+    column.addWidget(button);
+  }
+  return group;
+}
+
+QPlainTextEdit* addWords(QWidget* box, QVBoxLayout& column, int lines, const QString& name) {
+  auto* edit = new QPlainTextEdit(box);
+  edit->setTabChangesFocus(true);
+  edit->setAccessibleName(name);
+  whenScaled(edit, [edit, lines] {
+    edit->setFont(scaledFont(13));
+    edit->setFixedHeight(scaled(16 + 20 * lines));
+  });
+  column.addWidget(edit);
+  return edit;
+}
+
+QStringList textsOf(const std::vector<std::string>& texts) {
+  QStringList list;
+  for (const std::string& text : texts) list << toText(text);
+  return list;
+}
+
+}  // namespace
+
+ChoiceBox::ChoiceBox(LessonDriver& driver, const ChoiceQuestion& question, QWidget* parent)
+    : QuestionBox(driver, question.mistake ? tr("Find the mistake") : tr("Your answer"), parent) {
+  addQuestion(toText(question.question));
+  options_ = addOptions(this, column(), textsOf(question.options));
+  if (question.because) {
+    addNote(tr("because … one sentence, your own words"));
+    because_ = addWords(this, column(), 2, tr("Because"));
+  }
+  column().addWidget(verdict_);
+}
+
+QWidget* ChoiceBox::first() {
+  return options_->button(0);
+}
+
+void ChoiceBox::check() {
+  if (options_->checkedId() < 0) return tell({false, tr("Choose one first.").toStdString()});
+  driver_.choose(static_cast<std::size_t>(options_->checkedId()), because_ ? because_->toPlainText() : QString());
+}
+
+void ChoiceBox::keyPressEvent(QKeyEvent* event) {
+  const int option = event->key() - Qt::Key_1;
+  if (option < 0 || option >= options_->buttons().size()) return QuestionBox::keyPressEvent(event);
+  options_->button(option)->setChecked(true);
+  options_->button(option)->setFocus(Qt::ShortcutFocusReason);
+}
+
+NumberBox::NumberBox(LessonDriver& driver, const NumberQuestion& question, QWidget* parent)
+    : QuestionBox(driver, tr("Work it out"), parent),
+      number_(new QLineEdit(this)) {
+  addQuestion(toText(question.question));
+  auto* row = new QHBoxLayout;
+  number_->setAccessibleName(toText(question.question));
+  whenScaled(number_, [this] {
+    number_->setFont(scaledFont(13));
+    number_->setFixedSize(scaled(QSize(112, 32)));
+  });
+  row->addWidget(number_);
+  row->addWidget(new QLabel(toText(question.unit), this));
+  row->addStretch(1);
+  column().addLayout(row);
+  column().addWidget(verdict_);
+  connect(number_, &QLineEdit::returnPressed, this, [this] { check(); });
+}
+
+QWidget* NumberBox::first() {
+  return number_;
+}
+
+void NumberBox::check() {
+  const auto value = parseNumber("the answer", number_->text().toStdString());
+  if (!value) return tell({false, tr("Type a number, such as −4.5.").toStdString()});
+  driver_.number(*value);
+}
+
+OrderBox::OrderBox(LessonDriver& driver, const OrderQuestion& question, QWidget* parent)
+    : QuestionBox(driver, tr("Put them in order"), parent),
+      list_(new QListWidget(this)) {
+  addQuestion(toText(question.question));
+  list_->addItems(textsOf(question.options));
+  list_->setDragDropMode(QAbstractItemView::InternalMove);
+  list_->setCurrentRow(0);
+  list_->setAccessibleName(toText(question.question));
+  list_->installEventFilter(this);
+  whenScaled(list_, [this] {
+    list_->setFont(scaledFont(13));
+    list_->setFixedHeight(scaled(8 + 28 * list_->count()));
+  });
+  column().addWidget(list_);
+  auto* row = new QHBoxLayout;
+  for (const auto& [words, by] : {std::pair(tr("Up"), -1), std::pair(tr("Down"), 1)}) {
+    auto* button = new TextButton(words, TextButton::Look::Framed, this);
+    connect(button, &QAbstractButton::clicked, this, [this, by] { move(by); });
+    row->addWidget(button);
+  }
+  row->addStretch(1);
+  column().addLayout(row);
+  addNote(tr("the first on top; drag one, or Alt+↑ and Alt+↓"));
+  column().addWidget(verdict_);
+}
+
+QWidget* OrderBox::first() {
+  return list_;
+}
+
+void OrderBox::move(int by) {
+  const int row = list_->currentRow(), to = row + by;
+  if (row < 0 || to < 0 || to >= list_->count()) return;
+  list_->insertItem(to, list_->takeItem(row));
+  list_->setCurrentRow(to);
+}
+
+bool OrderBox::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::KeyPress) return QuestionBox::eventFilter(watched, event);
+  const auto& key = static_cast<QKeyEvent&>(*event);
+  const bool up = key.key() == Qt::Key_Up, down = key.key() == Qt::Key_Down;
+  if (!(key.modifiers() & Qt::AltModifier) || !(up || down)) return QuestionBox::eventFilter(watched, event);
+  move(up ? -1 : 1);
+  return true;
+}
+
+void OrderBox::check() {
+  const auto* question = std::get_if<OrderQuestion>(&*driver_.step().ask);
+  std::vector<std::size_t> order;
+  for (int row = 0; question && row < list_->count(); ++row)
+    for (std::size_t i = 0; i < question->options.size(); ++i)
+      if (list_->item(row)->text() == toText(question->options[i])) order.push_back(i);
+  driver_.order(order);
+}
+
+PointBox::PointBox(LessonDriver& driver, const PointQuestion& question, QWidget* parent)
+    : QuestionBox(driver, tr("Point at it"), parent) {
+  addQuestion(toText(question.question));
+  setFocusPolicy(Qt::TabFocus);
+  setAccessibleName(toText(question.question));
+  if (question.on == PointQuestion::On::Map) {
+    addNote(tr("a click on the map answers; on the map, arrows move the cursor and Enter answers"));
+    connect(&driver.session().looking(), &Looking::examinedChanged, this, [this] {
+      if (driver_.session().looking().pinned()) driver_.point({driver_.session().looking().examined(), 0});
+    });
+  } else if (question.on == PointQuestion::On::Fall) {
+    addNote(tr("a click on its mark answers"));
+    connect(&driver.session().looking(), &Looking::fallReplayed, this, [this](std::int64_t episode) {
+      driver_.point({{}, static_cast<double>(episode)});
+    });
+  } else {
+    const Task& task = driver.session().life().task();
+    auto* group = new QButtonGroup(this);
+    for (std::size_t a = 0; a < task.actions.size(); ++a) {
+      const QString name = a < task.actionNames.size() ? toText(task.actionNames[a])
+                                                       : QString::number(task.actions[a]).replace('-', QChar(0x2212));
+      auto* button = new QRadioButton(name, this);
+      group->addButton(button);
+      column().addWidget(button);
+      connect(button, &QRadioButton::clicked, this, [this, value = task.actions[a]] { driver_.point({{}, value}); });
+    }
+  }
+  column().addWidget(verdict_);
+}
+
+WordsBox::WordsBox(LessonDriver& driver, const WordsQuestion& question, QWidget* parent)
+    : QuestionBox(driver, tr("Your own words"), parent) {
+  addQuestion(toText(question.question));
+  text_ = addWords(this, column(), 4, toText(question.question));
+  if (const LessonMark* before = driver.handIn().last(LessonMark::Kind::Words, driver.number()))
+    text_->setPlainText(toText(before->text));
+  model_ = new QWidget(this);
+  auto* model = new QVBoxLayout(model_);
+  model->setContentsMargins(0, 0, 0, 0);
+  model->addWidget(makeHead(tr("One answer"), model_));
+  auto* answer = new QLabel(toText(question.model), model_);
+  answer->setWordWrap(true);
+  answer->setTextFormat(Qt::PlainText);
+  whenScaled(answer, [answer] { answer->setFont(scaledFont(13)); });
+  model->addWidget(answer);
+  auto* agrees = new QCheckBox(tr("Mine says the same"), model_);
+  connect(agrees, &QCheckBox::toggled, this, [this](bool on) { driver_.words(text_->toPlainText(), on); });
+  model->addWidget(agrees);
+  model_->hide();
+  column().addWidget(model_);
+  addNote(tr("kept as it is; the program does not mark it"));
+}
+
+QWidget* WordsBox::first() {
+  return text_;
+}
+
+void WordsBox::check() {
+  driver_.words(text_->toPlainText(), std::nullopt);
+  verdict_->hide();
+  model_->show();
+}
+
+CompareBox::CompareBox(LessonDriver& driver, const CompareQuestion& question, QWidget* parent)
+    : QuestionBox(driver, tr("Compare"), parent) {
+  addQuestion(toText(question.question));
+  const LessonLives& lives = *driver.step().lives;
+  options_ = addOptions(
+      this, column(),
+      {toText(lives.ways.at(0).label), toText(lives.ways.at(1).label), tr("One cannot tell from these lives")});
+  column().addWidget(verdict_);
+}
+
+QWidget* CompareBox::first() {
+  return options_->button(0);
+}
+
+void CompareBox::check() {
+  if (driver_.lives().empty()) return tell({false, tr("The lives are still being lived.").toStdString()});
+  if (options_->checkedId() < 0) return tell({false, tr("Choose one first.").toStdString()});
+  driver_.compared(static_cast<Compared>(options_->checkedId()));
+}
+
+TaskBox::TaskBox(LessonDriver& driver, QWidget* parent)
+    : QuestionBox(driver, tr("Task"), parent),
+      task_(addQuestion(toText(driver.step().task))),
+      par_(addNote({})) {
+  setFocusPolicy(Qt::TabFocus);
+  setAccessibleName(toText(driver.step().task));
+  connect(&driver, &LessonDriver::taskChanged, this, &TaskBox::refresh);
+  connect(&driver, &LessonDriver::stepChanged, this, &TaskBox::refresh);
+  refresh();
+}
+
+void TaskBox::refresh() {
+  const LessonStep& step = driver_.step();
+  if (!step.done) return;
+  const QString state = driver_.taskDone() ? tr("✓ Done.") : tr("○ Not done yet; it ticks itself.");
+  task_->setText(toText(step.task) + '\n' + state);
+  if (step.par)
+    par_->setText(
+        (driver_.parKept() ? tr("✓ Par reached: %1") : tr("Par, for the ambitious: %1")).arg(toText(step.par->text)));
+  par_->setVisible(step.par.has_value());
+}
+
+}  // namespace surefoot
+
+#include "moc_question_boxes.cpp"
