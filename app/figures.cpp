@@ -4,6 +4,7 @@
 #include <QApplication>
 
 #include "ui/experiment/figures/figure_view.h"
+#include "ui/lessons/handout.h"
 #include "ui/style/theme.h"
 
 namespace surefoot {
@@ -29,6 +30,10 @@ bool FigureDrawer::canDraw() {
 
 Status FigureDrawer::draw(const Figure& figure, const std::string& folder) {
   return FigureView(figure).save(folder + "/" + figure.name);
+}
+
+std::string FigureDrawer::handout(const Registry& registry, const Lesson& lesson, const std::vector<ToldStep>& told) {
+  return handoutOf(registry, lesson, told).toStdString();
 }
 
 }  // namespace surefoot

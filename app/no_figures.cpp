@@ -16,4 +16,8 @@ Status FigureDrawer::draw(const Figure&, const std::string&) {
   return Done{};
 }
 
+std::string FigureDrawer::handout(const Registry&, const Lesson&, const std::vector<ToldStep>&) {
+  return {};
+}
+
 }  // namespace surefoot

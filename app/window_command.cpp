@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QTimer>
+#include <filesystem>
 
 #include "app/commands/commands.h"
 #include "app/process/exit_code.h"
@@ -12,8 +13,14 @@
 #include "app/reports/report.h"
 #include "core/basics/guarded_call.h"
 #include "core/files/whole_file.h"
+#include "core/lessons/lesson_reading.h"
+#include "core/text/printable.h"
+#include "core/text/text.h"
+#include "core/text/words.h"
 #include "core/version.h"
 #include "ui/controls/preferences.h"
+#include "ui/lessons/kiosk/kiosk_window.h"
+#include "ui/lessons/lessons_page.h"
 #include "ui/session/session.h"
 #include "ui/window/main_window.h"
 
@@ -61,6 +68,30 @@ int report(const WindowRequest& request, const Configuration& configuration, con
   return life.diverged() ? fail({life.divergence(), ErrorKind::Diverged}) : kDone;
 }
 
+/// The class and the lesson that the command line names.
+Status enterLessons(const WindowRequest& request, MainWindow& window) {
+  const QString student = QString::fromStdString(request.student);
+  if (!student.isEmpty())
+    if (const Status s = window.lessonsPage().setClass(QString::fromStdString(request.classFolder), student); !s)
+      return s;
+  if (!request.lesson) return Done{};
+  window.setPage(2);
+  std::error_code error;
+  if (std::filesystem::is_regular_file(*request.lesson, error)) {
+    const QString path = QString::fromStdString(*request.lesson);
+    if (const Status s = window.lessonsPage().open(path); !s) return s;
+    return window.lessonsPage().startChosen();
+  }
+  if (window.lessonsPage().start(*request.lesson)) return Done{};
+  std::vector<std::string> names;
+  for (const ShelvedLesson& one : window.lessonsPage().lessons())
+    if (one.lesson) names.push_back(one.lesson->name);
+  const std::string near = nearestWord(*request.lesson, names);
+  return Error{fmt::format("--lesson: there is no lesson \"{}\"{}; there are {}.",
+                           printable(shortened(*request.lesson)), near.empty() ? "" : ", did you mean " + near,
+                           joinWords(names))};
+}
+
 /// An exception in a slot does not end the program and the life: the window shows it.
 class Application final : public QApplication {
  public:
@@ -73,6 +104,40 @@ class Application final : public QApplication {
   }
   std::function<void(const QString& sentence)> tell;
 };
+
+/// The lesson's two robots on the whole screen, until the teacher leaves.
+int kioskCommand(const Registry& registry, const WindowRequest& request, Application& application) {
+  applyAppearance(application, Appearance::Light);
+  std::error_code error;
+  std::optional<Lesson> lesson;
+  std::vector<std::string> names;
+  if (std::filesystem::is_regular_file(*request.kiosk, error)) {
+    const auto one = readLessonFile(registry, *request.kiosk);
+    if (!one) return fail(one.error());
+    if (!one->lesson) return fail({complaintText(one->path, one->complaints.at(0))});
+    lesson = one->lesson;
+  }
+  for (const ShelvedLesson& one : lessonsIn(registry, resourceFolder("lessons"))) {
+    if (!one.lesson || !one.lesson->kiosk) continue;
+    names.push_back(one.lesson->name);
+    if (one.lesson->name == *request.kiosk) lesson = one.lesson;
+  }
+  if (!lesson || !lesson->kiosk)
+    return fail({fmt::format("--kiosk: \"{}\" is no lesson with a [kiosk]; there are {}.",
+                             printable(shortened(*request.kiosk)), joinWords(names))});
+  const auto start = kioskStart(registry, *lesson);
+  if (!start) return fail(start.error());
+  KioskWindow window(registry, *lesson, *start, request.resetAfter);
+  window.showFullScreen();
+  const std::atomic<bool>& interrupted = watchForInterrupt();
+  QTimer watch;
+  QObject::connect(&watch, &QTimer::timeout, &window, [&] {
+    if (interrupted) window.close();
+  });
+  watch.start(100);
+  QApplication::exec();
+  return interrupted ? kInterrupted : kDone;
+}
 
 }  // namespace
 
@@ -95,6 +160,7 @@ int windowCommand(const Registry& registry, const WindowRequest& request, int ar
   QApplication::setApplicationVersion(kVersion);
   QApplication::setDesktopFileName("surefoot");
   const Preferences preferences = readPreferences();
+  if (request.kiosk) return kioskCommand(registry, request, application);
   applyAppearance(application, preferences.appearance);
 
   Session session(registry, request.configuration, log.has_value());
@@ -106,6 +172,7 @@ int windowCommand(const Registry& registry, const WindowRequest& request, int ar
   setup.asksOnQuit = !request.json && !request.log;  // with these, quitting writes the results
   MainWindow window(session, std::move(setup));
   window.show();
+  if (const Status s = enterLessons(request, window); !s) return fail(s.error());
   application.tell = [&session](const QString& sentence) { Q_EMIT session.newLives().refused(sentence); };
   session.life().setTurbo(request.turbo);
   session.life().setRunning(preferences.beginRunning);

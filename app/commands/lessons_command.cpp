@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include "app/commands/commands.h"
+#include <filesystem>
+
+#include "app/commands/lessons_grading.h"
 #include "app/process/resources.h"
+#include "app/reports/figures.h"
+#include "core/files/whole_file.h"
 #include "core/lessons/lesson_check.h"
 #include "core/lessons/lesson_library.h"
 #include "core/lessons/lesson_reading.h"
+#include "core/text/printable.h"
+#include "core/text/text.h"
+#include "core/text/words.h"
 
 namespace surefoot {
 
@@ -30,12 +37,11 @@ int listLessons(const Registry& registry) {
 }
 
 /// What is wrong in a lesson's file: when it is read, or when its solutions are lived through.
-std::vector<Complaint> complaintsOf(const Registry& registry, const ShelvedLesson& one,
-                                    std::vector<std::string>* texts) {
+std::vector<Complaint> complaintsOf(const Registry& registry, const ShelvedLesson& one, std::vector<ToldStep>* told) {
   std::vector<Complaint> all = one.complaints;
   if (!one.lesson) return all;
   const std::uint64_t seed = one.lesson->seedOfStudent ? kSeed : one.lesson->start.seed;
-  for (Complaint& c : liveThrough(registry, *one.lesson, seed, texts)) all.push_back(std::move(c));
+  for (Complaint& c : liveThrough(registry, *one.lesson, seed, told)) all.push_back(std::move(c));
   return all;
 }
 
@@ -55,10 +61,12 @@ int checkLessons(const Registry& registry, const LessonsRequest& request) {
   if (!lessons) return fail(lessons.error());
   std::size_t wrong = 0;
   for (const ShelvedLesson& one : *lessons) {
-    std::vector<std::string> texts;
-    const auto complaints = complaintsOf(registry, one, request.show ? &texts : nullptr);
+    std::vector<ToldStep> told;
+    const auto complaints = complaintsOf(registry, one, request.show ? &told : nullptr);
     std::string text;
-    for (const std::string& step : texts) text += step + "\n";
+    for (std::size_t i = 0; i < told.size(); ++i)
+      text += fmt::format("{}. {} ({})\n{}\n{}\n", i + 1, one.lesson->steps[i].title, kindOf(one.lesson->steps[i]),
+                          told[i].say, told[i].came);
     wrong += !complaints.empty();
     for (const Complaint& c : complaints) text += complaintText(one.path, c) + "\n";
     if (complaints.empty())
@@ -69,13 +77,46 @@ int checkLessons(const Registry& registry, const LessonsRequest& request) {
   return wrong == 0 ? 0 : fail({fmt::format("lessons: {} of {} need mending.", wrong, lessons->size())});
 }
 
+/// A lesson by its name, its number or its file.
+Result<ShelvedLesson> findLesson(const Registry& registry, const std::string& name) {
+  std::error_code error;
+  if (std::filesystem::is_regular_file(name, error)) return readLessonFile(registry, name);
+  std::vector<std::string> names;
+  for (ShelvedLesson& one : lessonsIn(registry, resourceFolder("lessons"))) {
+    if (!one.lesson) continue;
+    if (one.lesson->name == name || one.lesson->number == name) return std::move(one);
+    names.push_back(one.lesson->name);
+  }
+  return Error{fmt::format("lessons handout: there is no lesson \"{}\"; there are {}.", printable(shortened(name)),
+                           joinWords(names))};
+}
+
+int printHandout(const Registry& registry, const LessonsRequest& request) {
+  if (request.words.size() != 2) return fail({"lessons handout: it takes the name or the file of one lesson."});
+  if (!request.out) return fail({"lessons handout: --out FILE.pdf is needed."});
+  if (!FigureDrawer::canDraw()) return fail({"lessons handout: this program was built without Qt and cannot draw."});
+  const auto one = findLesson(registry, request.words[1]);
+  if (!one) return fail(one.error());
+  if (!one->lesson) return fail({complaintText(one->path, one->complaints.at(0))});
+  auto file = WholeFile::createNew("--out", *request.out);
+  if (!file) return fail(file.error());
+  std::vector<ToldStep> told;
+  const std::uint64_t seed = one->lesson->seedOfStudent ? kSeed : one->lesson->start.seed;
+  if (request.solutions) static_cast<void>(liveThrough(registry, *one->lesson, seed, &told));
+  const std::string pdf = FigureDrawer().handout(registry, *one->lesson, told);
+  if (const Status s = file->commit(pdf); !s) return fail(s.error());
+  return print(*request.out + "\n");
+}
+
 }  // namespace
 
 int lessonsCommand(const Registry& registry, const LessonsRequest& request) {
   if (request.words.empty()) return listLessons(registry);
   if (request.words[0] == "check") return checkLessons(registry, request);
+  if (request.words[0] == "grade") return gradeLessons(registry, request);
+  if (request.words[0] == "handout") return printHandout(registry, request);
   return fail(
-      {fmt::format("lessons: it takes check and the files of lessons, not \"{}\": `surefoot lessons check "
+      {fmt::format("lessons: it takes check, grade or handout, not \"{}\": `surefoot lessons check "
                    "FILE…`; without a word it lists the program's lessons.",
                    request.words[0])});
 }

@@ -2,6 +2,7 @@
 // Figures as pictures, if the program was built with its window.
 #pragma once
 
+#include "core/lessons/lesson_check.h"
 #include "core/recipes/figure.h"
 
 namespace surefoot {
@@ -15,6 +16,8 @@ class FigureDrawer {
   static bool canDraw();
   /// Writes FOLDER/NAME.png and .pdf.
   Status draw(const Figure& figure, const std::string& folder);
+  /// A lesson as a PDF to write on; with `told` (lesson_check.h) it has the answers.
+  std::string handout(const Registry& registry, const Lesson& lesson, const std::vector<ToldStep>& told);
 
  private:
   struct Application;

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "app/requests/laboratory_line.h"
+#include "app/requests/lessons_line.h"
 #include "app/requests/requests.h"
 #include "core/text/text.h"
 #include "core/text/words.h"
@@ -121,7 +122,7 @@ struct CommandLine {
   CLI::App* replay = app.add_subcommand("replay", "live a journal again");
   CLI::App* bench = app.add_subcommand("bench", "how fast this machine learns");
   CLI::App* probabilities = app.add_subcommand("probabilities", "the probability of every action, given its value");
-  CLI::App* lessons = app.add_subcommand("lessons", "the program's lessons; check those that you wrote");
+  LessonsLine lessons{app, *window};
   LaboratoryLine laboratory{app};
   TrainOptions trainOptions, windowOptions;
   ListRequest listOptions;
@@ -132,7 +133,6 @@ struct CommandLine {
   ResampleRequest resampleOptions;
   ReplayRequest replayOptions;
   BenchRequest benchOptions;
-  LessonsRequest lessonsOptions;
 
   CommandLine() {
     app.require_subcommand(0, 1);
@@ -151,7 +151,7 @@ struct CommandLine {
     probabilities->add_flag("--json", probabilitiesOptions.json, "as JSON");
     std::vector<CLI::App*> commands = laboratory.commands();
     for (CLI::App* c :
-         {&app, train, window, list, probabilities, query, slice, inspect, resample, replay, bench, lessons})
+         {&app, train, window, list, probabilities, query, slice, inspect, resample, replay, bench, lessons.lessons})
       commands.push_back(c);
     for (CLI::App* command : commands) {
       command->set_help_flag("-h,--help", "print this help");
@@ -185,11 +185,6 @@ struct CommandLine {
     addOption(*resample, "--save", resampleOptions.save, "the file to write, which must not exist yet", "FILE");
     resample->add_flag("--json", resampleOptions.json, "report as JSON");
 
-    lessons
-        ->add_option("check FILES", lessonsOptions.words,
-                     "read the files (those of the program if none is named), and live through what their steps ask")
-        ->type_name("");
-    lessons->add_flag("--show", lessonsOptions.show, "with check: print what a student reads, with its numbers");
     bench->add_flag("--json", benchOptions.json, "as JSON");
     file(replay, replayOptions.file, "a journal");
     replay->add_flag("--verify", replayOptions.verify, "fail unless the hash is that of the journal");
@@ -239,10 +234,12 @@ Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv
   if (line.resample->parsed()) return Request(line.resampleOptions);
   if (line.bench->parsed()) return Request(line.benchOptions);
   if (line.replay->parsed()) return Request(line.replayOptions);
-  if (line.lessons->parsed()) return Request(line.lessonsOptions);
+  if (line.lessons.lessons->parsed()) return Request(line.lessons.request);
   auto request = makeTrainRequest(registry, line.windowOptions, true);
   if (!request) return request.error();
-  return Request(WindowRequest{std::move(*request)});
+  WindowRequest shown{std::move(*request)};
+  if (const Status s = line.lessons.complete(shown); !s) return s.error();
+  return Request(std::move(shown));
 }
 
 }  // namespace surefoot

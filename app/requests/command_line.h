@@ -42,7 +42,11 @@ struct TrainRequest {
   Versions versions = Versions::Same;         ///< for a life that goes on
   std::optional<std::int64_t> mostSteps;      ///< limit of a life that is lived anew, if it has no other
 };
-struct WindowRequest : TrainRequest {};
+struct WindowRequest : TrainRequest {
+  std::optional<std::string> lesson{}, kiosk{};  ///< begins with a lesson, or shows nothing else
+  std::string student{}, classFolder{};          ///< answers are appended to a file of the student in a shared folder
+  int resetAfter = 90;                           ///< [s] without a touch, after which a kiosk begins again
+};
 
 /// `surefoot query`: the learned values of one state.
 struct QueryRequest {
@@ -121,10 +125,11 @@ struct StatisticsRequest {
   bool json = false, csv = false, latex = false;
 };
 
-/// `surefoot lessons`: nothing (the list), or "check" and files.
+/// `surefoot lessons`: nothing (the list), or a word and what it is about.
 struct LessonsRequest {
   std::vector<std::string> words;
-  bool show = false;
+  bool show = false, solutions = false;
+  std::optional<std::string> out;
 };
 
 /// --help or --version: the text to print.

@@ -35,6 +35,13 @@ Compiler::Meaning Compiler::call(const Token& name, const ExpressionFunction& f)
       fail(comma, fmt::format("{} takes {} values with commas between them.", f.name, f.arguments));
     values[i] = choice();
   }
+  if (f.operation == Operation::Min || f.operation == Operation::Max)
+    while (tokens_.take(",")) {  // of more than two
+      add({f.operation}, -1);
+      const Meaning another = choice();
+      values[0] = {Kind::Number, rangeOf(f.operation, values[0].range, values[1].range)};
+      values[1] = another;
+    }
   close(f.name);
   add({f.operation}, 1 - f.arguments);
   if (f.arguments == 1) return {Kind::Number, rangeOf(f.operation, values[0].range)};

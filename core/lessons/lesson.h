@@ -143,6 +143,14 @@ struct LessonStep {
   double minutes = 0.0;  ///< for the teacher
 };
 
+/// What a kiosk shows of a lesson: the same robot twice, that explores equally often in two ways.
+struct LessonKiosk {
+  std::string question, note, explain;
+  std::string word;             ///< with Ctrl+Shift+K and this word one leaves it
+  double share = 0.1;           ///< of exploring steps, at first
+  std::int64_t episodes = 300;  ///< then the sentence becomes a result
+};
+
 /// "predict", "watch", "choose, because", "task" …: what a step asks of a person, in a word or two.
 std::string kindOf(const LessonStep& step);
 /// The question of a step, in the student's words; empty: there is none.
@@ -158,6 +166,7 @@ struct Lesson {
   Configuration start{};
   bool seedOfStudent = false;  ///< the seed comes from the student's name
   std::vector<LessonStep> steps{};
+  std::optional<LessonKiosk> kiosk{};
   std::vector<LessonQuantity> quantities{};  ///< the places of all conditions' values
   std::size_t ways = 0;                      ///< of all steps' lives
   std::string notes{};                       ///< for the teacher

@@ -31,11 +31,9 @@ class StepCheck {
       complain(fmt::format("the run does not end: {}.", step_.run->until->text));
   }
 
-  void live(std::string* told = nullptr) {
+  void live(ToldStep* told = nullptr) {
     begin();
-    if (told)
-      *told = fmt::format("{}. {} ({})\n{}\n", number_ + 1, step_.title, kindOf(step_),
-                          lived_.values().text(step_.say, lived_.life()));
+    if (told) told->say = lived_.values().text(step_.say, lived_.life());
     if (step_.predict) predict(*step_.predict);
     if (const auto* point = step_.ask ? std::get_if<PointQuestion>(&*step_.ask) : nullptr) this->point(*point);
     if (step_.done)
@@ -45,7 +43,7 @@ class StepCheck {
     if (step_.observe) lived_.values().observe(number_, lived_.valueOf(*step_.observe));
     for (const LessonCondition& expected : step_.expect)
       if (!lived_.holds(expected)) complain(fmt::format("the text says what does not hold: {}.", expected.text));
-    if (told) *told += cameTo();
+    if (told) told->came = cameTo();
   }
 
  private:
@@ -139,14 +137,14 @@ void liveWrongly(const Registry& registry, const Lesson& lesson, std::size_t num
 }  // namespace
 
 std::vector<Complaint> liveThrough(const Registry& registry, const Lesson& lesson, std::uint64_t seed,
-                                   std::vector<std::string>* texts) {
+                                   std::vector<ToldStep>* told) {
   auto lived = LessonLife::begin(registry, lesson, seed);
   if (!lived) return {{{}, lived.error().message}};
   std::vector<Complaint> complaints;
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
-    std::string told;
-    StepCheck(registry, lesson, i, *lived, complaints).live(texts ? &told : nullptr);
-    if (texts) texts->push_back(std::move(told));
+    ToldStep step;
+    StepCheck(registry, lesson, i, *lived, complaints).live(told ? &step : nullptr);
+    if (told) told->push_back(std::move(step));
   }
   for (std::size_t i = 0; i < lesson.steps.size(); ++i)
     if (lesson.steps[i].done && !lesson.steps[i].wrong.empty()) liveWrongly(registry, lesson, i, seed, complaints);

@@ -61,6 +61,19 @@ void readStart(const Registry& registry, TomlReader& root, Lesson& lesson, std::
   lesson.start.seed = static_cast<std::uint64_t>(number);
 }
 
+void readKiosk(TomlReader& root, Lesson& lesson, std::vector<Complaint>& complaints) {
+  const TomlNode* table = root.table("kiosk");
+  if (!table) return;
+  TomlReader reader(*table, complaints);
+  lesson.kiosk = LessonKiosk{.question = reader.neededText("question"),
+                             .note = reader.text("note"),
+                             .explain = reader.neededText("explain"),
+                             .word = reader.text("word", lesson.name),
+                             .share = reader.number("share", 0, 0.5, 0.1),
+                             .episodes = reader.whole("episodes", 10, 100'000, 300)};
+  reader.end();
+}
+
 /// The name without the number in front and the ending: "exploring-costs-falls".
 std::string plainName(const std::string& file) {
   std::string name = std::filesystem::path(file).stem().string();
@@ -136,6 +149,7 @@ std::optional<Lesson> readLesson(const Registry& registry, std::string_view text
     lesson.discuss = reader.texts("discuss");
     reader.end();
   }
+  readKiosk(root, lesson, complaints);
   const auto steps = root.tables("step");
   root.end();
   if (steps.empty() || steps.size() > kMostSteps)

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/lessons/verdict.h"
 #include "core/text/text.h"
 
 namespace surefoot {
@@ -73,6 +74,15 @@ double LessonValues::ofWay(const LessonQuantity& quantity) const {
   return std::accumulate(values->begin(), values->end(), 0.0) / static_cast<double>(values->size());
 }
 
+double LessonValues::ofTwoWays(const LessonQuantity& quantity) const {
+  const std::vector<double>*first = lives(quantity.index), *second = lives(quantity.other);
+  if (!first || !second) return std::nan("");
+  const Compared compared = compare(*first, *second).answer;
+  const bool holds =
+      quantity.kind == LessonQuantity::Kind::Lower ? compared == Compared::First : compared != Compared::CannotTell;
+  return holds ? 1.0 : 0.0;
+}
+
 double LessonValues::valueOf(const LessonQuantity& quantity, const Life& life, const PointedAt* place) const {
   using Of = LessonQuantity::Kind;
   const bool elsewhere = place && !place->state.empty();
@@ -87,6 +97,9 @@ double LessonValues::valueOf(const LessonQuantity& quantity, const Life& life, c
     case Of::Least:
     case Of::Most:
       return ofWay(quantity);
+    case Of::Lower:
+    case Of::Tells:
+      return ofTwoWays(quantity);
     case Of::Visits:
       return values.visits(state);
     case Of::Parameter:

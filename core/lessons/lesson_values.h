@@ -59,6 +59,7 @@ class LessonValues {
   std::span<const double> valuesFor(const LessonCondition& condition, const Life& life, const PointedAt* place) const;
   double valueOf(const LessonQuantity& quantity, const Life& life, const PointedAt* place) const;
   double ofWay(const LessonQuantity& quantity) const;
+  double ofTwoWays(const LessonQuantity& quantity) const;
   static std::optional<double> known(const std::map<std::size_t, double>& of, std::size_t step);
 
   const Lesson* lesson_;

@@ -15,9 +15,10 @@ Result<std::vector<std::vector<double>>> liveWays(const Registry& registry, cons
     const std::size_t way = static_cast<std::size_t>(number) / count, life = static_cast<std::size_t>(number) % count;
     auto lived = LessonLife::begin(registry, lesson, begun, static_cast<int>(life), interrupted);
     if (!lived) return lived.error();
+    lived->values() = values;
     if (const Status s = lived->act(lives.ways[way].first); !s) return s;
     lived->run(lives.after);
-    results[way][life] = LessonValues(values).of(lives.of, lived->life());  // a copy, because lives run at once
+    results[way][life] = lived->valueOf(lives.of);
     return Done{};
   };
   if (const Status s = pool.run(static_cast<std::int64_t>(lives.ways.size() * count), live, {}); !s) return s.error();

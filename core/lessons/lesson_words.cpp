@@ -78,9 +78,28 @@ Result<Quantity> LessonWords::find(std::string_view name, std::optional<std::str
   for (std::size_t d = 0; d < task_.state.size(); ++d)
     if (task_.state[d].key == name)
       return placed({.kind = QuantityKind::State, .index = d}, task_.state[d].low, task_.state[d].high);
-  for (const char* needs : {"q", "probability", "observed", "predicted", "mean", "least", "most"})
+  for (const char* needs : {"q", "probability", "observed", "predicted", "mean", "least", "most", "lower", "tells"})
     if (name == needs) return Error{fmt::format("{} needs something in parentheses.", name)};
   return Error{};
+}
+
+std::optional<std::size_t> LessonWords::wayNamed(std::string_view label) const {
+  const auto way = std::find(known_.ways.begin(), known_.ways.end(), label);
+  if (way == known_.ways.end()) return std::nullopt;
+  return static_cast<std::size_t>(way - known_.ways.begin());
+}
+
+/// "ε 0.05, ε 0.25": the labels of two ways.
+Result<Quantity> LessonWords::ofTwoWays(QuantityKind kind, std::string_view argument) const {
+  for (std::size_t comma = argument.find(", "); comma != argument.npos; comma = argument.find(", ", comma + 1)) {
+    const auto first = wayNamed(argument.substr(0, comma)), second = wayNamed(argument.substr(comma + 2));
+    if (!first || !second) continue;
+    Quantity quantity = placed({.kind = kind, .index = *first, .other = *second}, 0.0, 1.0);
+    quantity.kind = ValueKind::Flag;
+    return quantity;
+  }
+  return Error{fmt::format("\"{}\" are not two ways of lives up to this step, with a comma between them.",
+                           printable(shortened(argument)))};
 }
 
 Result<Quantity> LessonWords::withArgument(std::string_view name, std::string_view argument) const {
@@ -96,11 +115,12 @@ Result<Quantity> LessonWords::withArgument(std::string_view name, std::string_vi
       {"mean", QuantityKind::Mean}, {"least", QuantityKind::Least}, {"most", QuantityKind::Most}};
   for (const auto& [word, kind] : ofWays) {
     if (word != name) continue;
-    const auto way = std::find(known_.ways.begin(), known_.ways.end(), argument);
-    if (way == known_.ways.end())
-      return Error{fmt::format("no lives are called \"{}\" up to this step.", printable(shortened(argument)))};
-    return placed({.kind = kind, .index = static_cast<std::size_t>(way - known_.ways.begin())});
+    const auto way = wayNamed(argument);
+    if (!way) return Error{fmt::format("no lives are called \"{}\" up to this step.", printable(shortened(argument)))};
+    return placed({.kind = kind, .index = *way});
   }
+  if (name == "lower") return ofTwoWays(QuantityKind::Lower, argument);
+  if (name == "tells") return ofTwoWays(QuantityKind::Tells, argument);
   if (name != "observed" && name != "predicted") return Error{};
   const std::vector<bool>& may = name == "observed" ? known_.observes : known_.predicts;
   std::size_t step = 0;
@@ -113,8 +133,8 @@ Result<Quantity> LessonWords::withArgument(std::string_view name, std::string_vi
 }
 
 std::vector<std::string> LessonWords::names() const {
-  std::vector<std::string> all = {"visits",     "replays", "q(",     "probability(", "observed(",
-                                  "predicted(", "mean(",   "least(", "most("};
+  std::vector<std::string> all = {"visits", "replays", "q(",    "probability(", "observed(", "predicted(",
+                                  "mean(",  "least(",  "most(", "lower(",       "tells("};
   if (known_.pointing) all.emplace_back("pointed");
   for (const OfALife& q : kOfALife) {
     all.emplace_back(q.name);

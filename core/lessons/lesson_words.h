@@ -11,6 +11,8 @@
 //   visits                                                  of that state
 //   observed(2)  predicted(2)                               what step 2 came to, and what was said beforehand
 //   mean("ε 0.05")  least("ε 0.05")  most("ε 0.05")         over the lives of a way, of this step or an earlier one
+//   lower("ε 0.05, ε 0.25")  tells("ε 0.05, ε 0.25")        1 if the 95 % interval of the mean difference of the two
+//                                                           ways leaves out 0 (lower: and the first is the lower one)
 //   replays                                                 falls that were looked at again
 //   pointed                                                 the episode of a fall, or the action, that is pointed at
 //
@@ -41,6 +43,8 @@ struct LessonQuantity {
     Mean,
     Least,
     Most,
+    Lower,
+    Tells,
     Visits,
     Parameter,
     State,
@@ -53,6 +57,7 @@ struct LessonQuantity {
   bool before = false;    ///< of the life before
   std::string key{};      ///< of a parameter
   std::size_t index = 0;  ///< of a state variable, an action, a step (from 0) or a way of lives
+  std::size_t other = 0;  ///< another way
 
   bool operator==(const LessonQuantity&) const = default;
 };
@@ -77,6 +82,8 @@ class LessonWords : public Vocabulary {
   const std::vector<LessonQuantity>& quantities() const { return quantities_; }
 
  private:
+  Result<Quantity> ofTwoWays(LessonQuantity::Kind kind, std::string_view argument) const;
+  std::optional<std::size_t> wayNamed(std::string_view label) const;
   Result<Quantity> withArgument(std::string_view name, std::string_view argument) const;
   Quantity placed(LessonQuantity quantity, double low = -kInfinity, double high = kInfinity) const;
 

@@ -14,7 +14,7 @@ namespace surefoot {
 namespace {
 
 constexpr int kMostAncestors = 4;  ///< lives that a life has learned from, one from the other
-constexpr std::int64_t kMostRecorded = 100'000'000;
+constexpr std::int64_t kMostRecorded = 20'000'000;
 
 std::string hexOf(std::uint64_t hash) {
   return fmt::format("{:016x}", hash);

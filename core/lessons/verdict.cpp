@@ -11,19 +11,19 @@
 
 namespace surefoot {
 
-Verdict judge(const ChoiceQuestion& question, std::size_t chosen) {
+LessonVerdict judge(const ChoiceQuestion& question, std::size_t chosen) {
   if (chosen == question.answer) return {true, question.why};
   const bool has = chosen < question.remarks.size() && !question.remarks[chosen].empty();
   return {false, has ? question.remarks[chosen] : "That does not explain it. Look again at what is on the screen."};
 }
 
-Verdict judge(const NumberQuestion& question, double said, double answer) {
+LessonVerdict judge(const NumberQuestion& question, double said, double answer) {
   constexpr double kRounding = 1e-9;
   if (std::abs(said - answer) <= question.tolerance + kRounding * std::abs(answer)) return {true, ""};
   return {false, said < answer ? "It is more than that." : "It is less than that."};
 }
 
-Verdict judge(const OrderQuestion& question, const std::vector<std::size_t>& order) {
+LessonVerdict judge(const OrderQuestion& question, const std::vector<std::size_t>& order) {
   if (order == question.answer) return {true, ""};
   std::size_t inPlace = 0;
   for (std::size_t i = 0; i < std::min(order.size(), question.answer.size()); ++i)
@@ -45,7 +45,7 @@ WaysCompared compare(const std::vector<double>& first, const std::vector<double>
   return result;
 }
 
-Verdict judge(const WaysCompared& comparison, Compared said) {
+LessonVerdict judge(const WaysCompared& comparison, Compared said) {
   const std::string interval =
       fmt::format("The mean difference is {}, its 95 % interval {} to {}", fixedText(comparison.difference.value, 1),
                   fixedText(comparison.difference.low, 1), fixedText(comparison.difference.high, 1));

@@ -7,15 +7,15 @@
 
 namespace surefoot {
 
-struct Verdict {
+struct LessonVerdict {
   bool right = false;
   std::string remark{};  ///< one sentence, or empty
 };
 
 /// Wrong options have a remark of their own, or a plain one.
-Verdict judge(const ChoiceQuestion& question, std::size_t chosen);
-Verdict judge(const NumberQuestion& question, double said, double answer);
-Verdict judge(const OrderQuestion& question, const std::vector<std::size_t>& order);
+LessonVerdict judge(const ChoiceQuestion& question, std::size_t chosen);
+LessonVerdict judge(const NumberQuestion& question, double said, double answer);
+LessonVerdict judge(const OrderQuestion& question, const std::vector<std::size_t>& order);
 
 enum class Compared { First, Second, CannotTell };
 
@@ -27,7 +27,7 @@ struct WaysCompared {
   Compared answer = Compared::CannotTell;
 };
 WaysCompared compare(const std::vector<double>& first, const std::vector<double>& second);
-Verdict judge(const WaysCompared& comparison, Compared said);
+LessonVerdict judge(const WaysCompared& comparison, Compared said);
 
 /// The mean of a way's lives with its 95 % interval.
 Interval meanWithInterval(const std::vector<double>& lives);

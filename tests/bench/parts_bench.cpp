@@ -2,6 +2,7 @@
 // The parts of a step, and what the window and the files ask for.
 #include <benchmark/benchmark.h>
 
+#include "core/expression/compile.h"
 #include "core/features/tile_coder.h"
 #include "core/register/register.h"
 #include "core/saved/q_file.h"
@@ -104,6 +105,27 @@ void slice(benchmark::State& state) {
       }
 }
 BENCHMARK(slice)->Unit(benchmark::kMillisecond);
+
+/// Conditions of lessons and, later, expressions of robots.
+class TwoNames final : public Vocabulary {
+ public:
+  Result<Quantity> find(std::string_view name, std::optional<std::string_view>) const override {
+    return Quantity{name == "falls" ? 0 : 1};
+  }
+  std::vector<std::string> names() const override { return {}; }
+};
+
+void expression(benchmark::State& state, const char* text) {
+  const auto compiled = compile(text, ValueKind::Flag, TwoNames());
+  double values[] = {17.0, 0.3};
+  for (auto _ : state) {
+    values[0] += 1e-9;
+    benchmark::DoNotOptimize(compiled->evaluate(values));
+  }
+}
+BENCHMARK_CAPTURE(expression, condition, "falls >= 2 * x and falls < 200");
+BENCHMARK_CAPTURE(expression, reward, "-2 * square(x) - 0.1 * square(falls) - 1");
+BENCHMARK_CAPTURE(expression, sine, "sin(x) * falls + cos(x)");
 
 void saveQ(benchmark::State& state) {
   const Learned learned;

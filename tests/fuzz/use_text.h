@@ -5,6 +5,7 @@
 
 #include "core/expression/compile.h"
 #include "core/files/limited_json.h"
+#include "core/lessons/hand_in.h"
 #include "core/lessons/lesson_reading.h"
 #include "core/recipes/recipe.h"
 #include "core/text/latex.h"
@@ -40,6 +41,7 @@ inline void useText(const Registry& registry, const std::string& text) {
   useExpression(text);
   std::vector<Complaint> complaints;
   static_cast<void>(readLesson(registry, text, "lesson.toml", complaints));
+  if (const auto handIn = parseHandIn(text)) static_cast<void>(handIn->finished());
   const auto equals = text.find('=');
   auto usual = configure(registry, {}, {});
   if (usual && equals != text.npos)

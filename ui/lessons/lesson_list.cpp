@@ -101,6 +101,7 @@ void LessonList::currentChanged(const QModelIndex& current, const QModelIndex& b
 void LessonList::keyPressEvent(QKeyEvent* event) {
   const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
   if (enter && chosen() >= 0) return Q_EMIT startAsked(chosen());
+  if (event->key() == Qt::Key_Home) return choose(0);
   QListView::keyPressEvent(event);
 }
 

@@ -3,6 +3,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <utility>
 
 #include "core/files/read_file.h"
@@ -10,17 +11,31 @@
 
 namespace surefoot {
 
-LessonStore::LessonStore(QString folder, QString student) : folder_(std::move(folder)), student_(std::move(student)) {}
+Status LessonStore::setClass(const QString& folder, const QString& student) {
+  if (!folder.isEmpty()) {
+    FileLock present = FileLock::take(QDir(folder).filePath(QStringLiteral(".%1.lock").arg(student)));
+    if (!present.held() && QFileInfo(folder).isWritable())
+      return Error{"Another " + student.toStdString() + " is in this class now; take another name, such as " +
+                   student.toStdString() + " 2."};
+    present_ = std::move(present);
+  }
+  class_ = folder;
+  student_ = student;
+  kept_.clear();
+  return Done{};
+}
 
-std::string LessonStore::pathOf(const Lesson& lesson) const {
-  return QDir(folder_).filePath(QString::fromStdString(lesson.name) + QStringLiteral(".jsonl")).toStdString();
+std::string LessonStore::pathOf(const Lesson& lesson, const QString& folder) const {
+  const QString name = QString::fromStdString(lesson.name);
+  const QString file = student_.isEmpty() ? name : QStringLiteral("%1 %2").arg(student_, name);
+  return QDir(folder).filePath(file + QStringLiteral(".jsonl")).toStdString();
 }
 
 LessonStore::Kept& LessonStore::kept(const Lesson& lesson) {
   if (const auto found = kept_.find(lesson.name); found != kept_.end()) return found->second;
   Kept kept;
-  const auto text = readText(pathOf(lesson));
   std::uint64_t check = 0;
+  auto text = readText(pathOf(lesson, class_.isEmpty() ? own_ : class_));
   auto read = text ? parseHandIn(*text, &check) : Result<HandIn>(Error{"none"});
   // A lesson that was rewritten, or lives of another version, begin anew: what was done does not hold there.
   if (read && read->lessonHash == lesson.hash) {
@@ -43,13 +58,38 @@ Status LessonStore::add(const Lesson& lesson, const LessonMark& mark) {
   if (kept.text.empty()) kept.text = kept.writer.header(kept.handIn);
   kept.text += kept.writer.line(mark);
   kept.handIn.marks.push_back(mark);
-  QDir().mkpath(folder_);
-  return writeWhole("lessons", pathOf(lesson), kept.text);
+  if (class_.isEmpty()) {
+    QDir().mkpath(own_);
+    return writeWhole("lessons", pathOf(lesson, own_), kept.text);
+  }
+  const Status s = QDir(class_).exists() ? writeWhole("lessons", pathOf(lesson, class_), kept.text)
+                                         : Status(Error{"The class's folder is gone: " + class_.toStdString() + "."});
+  if (s) return s;
+  QDir().mkpath(own_);
+  if (const Status here = writeWhole("lessons", pathOf(lesson, own_), kept.text); !here) return here;
+  return Error{s.error().message + " It is kept on this computer, and goes there when it can."};
+}
+
+namespace {
+constexpr const char* kDraft = "draft.toml";
+}
+
+QString LessonStore::draft() const {
+  const auto text = readText(QDir(own_).filePath(QLatin1String(kDraft)).toStdString());
+  return text ? QString::fromStdString(*text) : QString();
+}
+
+void LessonStore::keepDraft(const QString& text) const {
+  const QString path = QDir(own_).filePath(QLatin1String(kDraft));
+  if (text.isEmpty()) return static_cast<void>(QFile::remove(path));
+  QDir().mkpath(own_);
+  const Status kept = writeWhole("draft", path.toStdString(), text.toStdString());
+  static_cast<void>(static_cast<bool>(kept));  // a help, no promise
 }
 
 Status LessonStore::forget(const Lesson& lesson) {
   kept_.erase(lesson.name);
-  const QString path = QString::fromStdString(pathOf(lesson));
+  const QString path = QString::fromStdString(pathOf(lesson, class_.isEmpty() ? own_ : class_));
   if (!QFile::exists(path) || QFile::remove(path)) return Done{};
   return Error{"The file " + path.toStdString() + " cannot be removed."};
 }

@@ -6,13 +6,17 @@
 #include <map>
 
 #include "core/lessons/hand_in.h"
+#include "ui/support/file_lock.h"
 
 namespace surefoot {
 
 class LessonStore {
  public:
-  /// The folder is made when something is kept there first. `student`: whose it is; empty: nobody's in particular.
-  LessonStore(QString folder, QString student);
+  /// The folder is made when something is kept there first.
+  explicit LessonStore(QString folder) : own_(std::move(folder)) {}
+  /// In a class the files are in its folder, with the student's name in front. While it cannot be written to, they are
+  /// in the own folder. An error: another student of this name is there now.
+  Status setClass(const QString& folder, const QString& student);
 
   /// What was done before, or an empty one.
   HandIn handIn(const Lesson& lesson);
@@ -20,8 +24,13 @@ class LessonStore {
   Status add(const Lesson& lesson, const LessonMark& mark);
   /// Forgets a lesson, and its file.
   Status forget(const Lesson& lesson);
+  /// A lesson's text that was not saved, from before; empty: none.
+  QString draft() const;
+  /// Keeps it, or forgets it (empty).
+  void keepDraft(const QString& text) const;
   const QString& student() const { return student_; }
-  const QString& folder() const { return folder_; }
+  /// The folder of a class; empty: there is none.
+  const QString& classFolder() const { return class_; }
 
  private:
   struct Kept {
@@ -30,9 +39,11 @@ class LessonStore {
     HandInWriter writer;
   };
   Kept& kept(const Lesson& lesson);
-  std::string pathOf(const Lesson& lesson) const;
+  std::string pathOf(const Lesson& lesson, const QString& folder) const;
 
-  const QString folder_, student_;
+  const QString own_;
+  QString class_, student_;
+  FileLock present_;
   std::map<std::string, Kept> kept_;
 };
 

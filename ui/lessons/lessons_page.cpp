@@ -3,6 +3,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -64,11 +65,12 @@ LessonsPage::LessonsPage(const Registry& registry, QString lessons, QString stor
     : QStackedWidget(parent),
       registry_(registry),
       folder_(std::move(lessons)),
-      store_(std::move(store), {}) {
+      store_(std::move(store)) {
   addWidget(makeListPage());
 }
 
 LessonsPage::~LessonsPage() {
+  disconnect();  // whoever listens is being destroyed
   delete view_;  // its panels know what belongs to it
 }
 
@@ -120,8 +122,16 @@ QWidget* LessonsPage::makeListPage() {
   column->setSpacing(0);
   column->addWidget(makeBar());
   column->addWidget(new Hairline(Qt::Horizontal));
-  auto* row = new QHBoxLayout;
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* parts = new QWidget;
+  auto* row = parts_ = new QBoxLayout(QBoxLayout::LeftToRight, parts);
+  row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(0);
+  scroll->setWidget(parts);
   auto* left = new QVBoxLayout;
   left->setSpacing(0);
   auto* head = new QHBoxLayout;
@@ -129,7 +139,7 @@ QWidget* LessonsPage::makeListPage() {
   title->setText(tr("Lessons"));
   auto* note = makeWords(11, 400, true);
   note->setText(tr("twelve, about two hours in all; a double lesson of 90 minutes is 1, 2, 3, 5, 6, 7, 8, 11, 12"));
-  note->setMinimumWidth(10);
+  note_ = note;
   head->addWidget(title);
   head->addWidget(note, 1);
   whenScaled(page, [head] {
@@ -139,30 +149,25 @@ QWidget* LessonsPage::makeListPage() {
   left->addLayout(head);
   list_ = new LessonList(registry_);
   left->addWidget(list_, 1);
+  left->addWidget(makeFoot());
   details_ = new LessonDetails(registry_);
-  whenScaled(details_, [this] { details_->setFixedWidth(scaled(424)); });
+  whenScaled(details_, [this] { fit(); });
   row->addLayout(left, 1);
   row->addWidget(new Hairline(Qt::Vertical));
   row->addWidget(details_);
-  column->addLayout(row, 1);
+  column->addWidget(scroll, 1);
   connect(list_, &LessonList::chosenChanged, this, [this](int lesson) {
     const auto all = listed();
     if (lesson < static_cast<int>(all.size())) details_->show(all[static_cast<std::size_t>(lesson)], all);
   });
-  const auto chosen = [this]() -> const Lesson* {
-    const int lesson = list_->chosen();
-    if (lesson < 0 || lesson >= static_cast<int>(lessons_.size())) return nullptr;
-    const auto& own = lessons_[static_cast<std::size_t>(lesson)].lesson;
-    return own ? &*own : nullptr;
-  };
-  connect(list_, &LessonList::startAsked, this, [this, chosen] {
-    if (const Lesson* lesson = chosen()) startLesson(*lesson, false);
+  connect(list_, &LessonList::startAsked, this, [this] {
+    if (const Lesson* lesson = chosenLesson()) startLesson(*lesson, false);
   });
-  connect(details_, &LessonDetails::startAsked, this, [this, chosen] {
-    if (const Lesson* lesson = chosen()) startLesson(*lesson, false);
+  connect(details_, &LessonDetails::startAsked, this, [this] {
+    if (const Lesson* lesson = chosenLesson()) startLesson(*lesson, false);
   });
-  connect(details_, &LessonDetails::beginAgainAsked, this, [this, chosen] {
-    const Lesson* lesson = chosen();
+  connect(details_, &LessonDetails::beginAgainAsked, this, [this] {
+    const Lesson* lesson = chosenLesson();
     if (!lesson) return;
     Q_EMIT beginAgainAsked(
         tr("What was said and done in “%1” is forgotten when it begins again.").arg(toText(lesson->title)),
@@ -171,10 +176,17 @@ QWidget* LessonsPage::makeListPage() {
             if (one.lesson && one.lesson->name == name) return startLesson(*one.lesson, true);
         });
   });
-  connect(details_, &LessonDetails::exploreAsked, this, [this, chosen] {
-    if (const Lesson* lesson = chosen()) exploreStart(*lesson);
+  connect(details_, &LessonDetails::exploreAsked, this, [this] {
+    if (const Lesson* lesson = chosenLesson()) exploreStart(*lesson);
   });
   return page;
+}
+
+const Lesson* LessonsPage::chosenLesson() const {
+  const int lesson = list_->chosen();
+  if (lesson < 0 || lesson >= static_cast<int>(lessons_.size())) return nullptr;
+  const auto& own = lessons_[static_cast<std::size_t>(lesson)].lesson;
+  return own ? &*own : nullptr;
 }
 
 const std::vector<ShelvedLesson>& LessonsPage::lessons() {
@@ -259,18 +271,51 @@ void LessonsPage::showEvent(QShowEvent* event) {
   refreshStatus();
 }
 
+void LessonsPage::resizeEvent(QResizeEvent* event) {
+  QStackedWidget::resizeEvent(event);
+  fit();
+}
+
+/// The chosen lesson stands beside the list where there is room for both, else below it, and the page scrolls.
+void LessonsPage::fit() {
+  if (!details_) return;
+  const bool beside = width() >= scaled(960), wide = width() >= scaled(1180);
+  parts_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  details_->setMinimumWidth(beside ? scaled(wide ? 424 : 340) : 0);
+  details_->setMaximumWidth(beside ? scaled(wide ? 424 : 340) : QWIDGETSIZE_MAX);
+  list_->setMinimumHeight(beside ? scaled(120) : scaled(320));
+  details_->setMinimumHeight(beside ? scaled(120) : scaled(480));
+  const int list = beside ? width() - details_->maximumWidth() : width();
+  drop_->setVisible(list >= scaled(700));
+  note_->setVisible(list >= scaled(640));
+}
+
 Status LessonsPage::open(const QString& path) {
+  const auto index = addFile(path);
+  if (!index) return index.error();
+  showList();
+  list_->choose(*index);
+  return Done{};
+}
+
+/// The place of a lesson's file in the list, which it is added to.
+Result<int> LessonsPage::addFile(const QString& path) {
   read();
   auto one = readLessonFile(registry_, path.toStdString());
   if (!one) return one.error();
   const auto same = std::find_if(lessons_.begin(), lessons_.end(), [&](const auto& l) { return l.path == one->path; });
-  const auto index = same - lessons_.begin();
+  const auto index = static_cast<int>(same - lessons_.begin());
   if (same == lessons_.end())
     lessons_.push_back(std::move(*one));
   else
     *same = std::move(*one);
-  showList();
-  list_->choose(static_cast<int>(index));
+  return index;
+}
+
+Status LessonsPage::setClass(const QString& folder, const QString& student) {
+  if (const Status s = store_.setClass(folder, student); !s) return s;
+  if (read_) refresh();
+  refreshStatus();
   return Done{};
 }
 
@@ -279,6 +324,14 @@ bool LessonsPage::start(const std::string& name) {
   for (const ShelvedLesson& one : lessons_)
     if (one.lesson && one.lesson->name == name) return startLesson(*one.lesson, false), true;
   return false;
+}
+
+Status LessonsPage::startChosen() {
+  const int chosen = list_->chosen();
+  const ShelvedLesson& one = lessons_[static_cast<std::size_t>(std::max(chosen, 0))];
+  if (!one.lesson) return Error{complaintText(one.path, one.complaints.at(0))};
+  startLesson(*one.lesson, false);
+  return Done{};
 }
 
 void LessonsPage::startLesson(const Lesson& lesson, bool again) {
@@ -301,6 +354,11 @@ void LessonsPage::startLesson(const Lesson& lesson, bool again) {
     if (const Status s = store_.add(view_->driver().lesson(), mark); !s)
       Q_EMIT refused(tr("What you do cannot be kept: %1").arg(toText(s.error().message)));
   });
+  connect(view_, &LessonView::teacherAsked, this, &LessonsPage::showTeacher);
+  connect(&view_->driver(), &LessonDriver::stepChanged, this, [this] {
+    if (teacher_) teacher_->follow(view_->driver().number());
+  });
+  delete teacher_;
   view_->begin(handIn.marks.empty() ? 0 : handIn.reached(lesson));
   refreshStatus();
 }
@@ -321,9 +379,15 @@ void LessonsPage::showList() {
     view_ = nullptr;
   }
   setCurrentIndex(0);
+  read();
   refresh();
   list_->setFocus(Qt::OtherFocusReason);
   refreshStatus();
+}
+
+void LessonsPage::focusHome() {
+  if (currentIndex() != 0 && currentWidget() == view_) return view_->focusHome();
+  currentIndex() == 0 ? list_->setFocus(Qt::OtherFocusReason) : currentWidget()->setFocus(Qt::OtherFocusReason);
 }
 
 void LessonsPage::refreshStatus() {
@@ -332,7 +396,10 @@ void LessonsPage::refreshStatus() {
     const Configuration& c = view_->driver().session().life().configuration();
     left << tr("seed %1").arg(c.seed);
   }
-  Q_EMIT statusChanged(left.join(QStringLiteral("  ")), tr("answers are kept on this computer only"));
+  Q_EMIT statusChanged(left.join(QStringLiteral("  ")),
+                       store_.classFolder().isEmpty()
+                           ? tr("answers are kept on this computer only")
+                           : tr("answers of %1 are kept in %2").arg(store_.student(), store_.classFolder()));
 }
 
 }  // namespace surefoot

@@ -2,6 +2,7 @@
 // The Lessons page: the list with the chosen lesson beside it, or a lesson being taken.
 #pragma once
 
+#include <QPointer>
 #include <QStackedWidget>
 #include <functional>
 #include <memory>
@@ -9,12 +10,16 @@
 #include "core/lessons/lesson_library.h"
 #include "ui/lessons/lesson_list.h"
 #include "ui/lessons/lesson_store.h"
+#include "ui/lessons/teacher/teacher_window.h"
+#include "ui/support/background.h"
 
+class QBoxLayout;
 class QLabel;
 
 namespace surefoot {
 
 class LessonDetails;
+class LessonEditor;
 class LessonView;
 class TextButton;
 
@@ -29,9 +34,19 @@ class LessonsPage final : public QStackedWidget {
 
   /// Starts a lesson by its name, or goes on with it; false: there is none.
   bool start(const std::string& name);
+  /// The same for the chosen one; an error: it has one.
+  Status startChosen();
   /// A lesson's file is added to the list and chosen.
   Status open(const QString& path);
+  /// Answers are kept in a shared folder, in files of the student's own.
+  Status setClass(const QString& folder, const QString& student);
+  /// An editor with the chosen lesson (the program's own are opened as copies), or with a template.
+  void editChosen();
+  void editTemplate();
+  LessonEditor* editor() const { return editor_; }
   void showList();
+  /// The focus goes to the list, or to what the lesson asks.
+  void focusHome();
   LessonView* view() const { return view_; }
   LessonList& list() { return *list_; }
   const std::vector<ShelvedLesson>& lessons();
@@ -49,13 +64,23 @@ class LessonsPage final : public QStackedWidget {
 
  protected:
   void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   QWidget* makeListPage();
   QWidget* makeBar();
+  QWidget* makeFoot();
   void read();
+  void fit();
   void refresh();
   std::vector<ListedLesson> listed();
+  const Lesson* chosenLesson() const;
+  void edit(const QString& text, const QString& path);
+  Result<int> addFile(const QString& path);
+  void askForClass();
+  void startKiosk();
+  void printHandout(bool solutions);
+  void showTeacher();
   void startLesson(const Lesson& lesson, bool again);
   void exploreStart(const Lesson& lesson);
   void refreshStatus();
@@ -70,8 +95,12 @@ class LessonsPage final : public QStackedWidget {
   LessonDetails* details_ = nullptr;
   TextButton* continue_ = nullptr;
   QLabel *next_ = nullptr, *asked_ = nullptr, *left_ = nullptr, *count_ = nullptr;
-  QWidget* progress_ = nullptr;
+  QWidget *progress_ = nullptr, *drop_ = nullptr, *note_ = nullptr;
+  QBoxLayout* parts_ = nullptr;  // the list, and the chosen lesson beside or below it
   LessonView* view_ = nullptr;
+  QPointer<TeacherWindow> teacher_;
+  LessonEditor* editor_ = nullptr;
+  Background printing_;
   int nextLesson_ = -1;
 };
 

@@ -137,7 +137,7 @@ QString LivePage::fallsNote(const ChartSpan& span) const {
   const QString end = toText(countText(span.to()));
   const QString counted = all                ? tr("cumulative")
                           : span.inMinutes() ? tr("up to minute %1").arg(end)
-                                                            : tr("up to episode %1").arg(end);
+                                             : tr("up to episode %1").arg(end);
   const std::int64_t byHand = session_.life().numbers().fallsByHand;
   const QString hands = toText(countText(static_cast<double>(byHand)));
   return byHand > 0 ? tr("%1; %2 after a push or placing by hand").arg(counted, hands)

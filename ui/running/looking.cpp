@@ -107,6 +107,7 @@ const ActionValueFunction* Looking::valuesShown() const {
 void Looking::hold(std::optional<double> target) {
   viewer_->hold(target);
   life_.hold(target);
+  Q_EMIT held(target);
 }
 
 void Looking::examine(const std::optional<std::vector<double>>& state) {

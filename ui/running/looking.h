@@ -42,6 +42,8 @@ class Looking final : public QObject {
   const std::deque<Fall>& falls() const { return seen_.falls; }
   /// Shows the last seconds of one of them again.
   void replayFall(std::size_t index);
+  /// The same, slower, and not by a person: a lesson shows the last one.
+  void showLastFall();
 
   /// Goes back (or forth) by some frames that the window has shown; past the end it is live again.
   void lookBack(int frames);
@@ -70,6 +72,7 @@ class Looking final : public QObject {
   void examinedChanged();
   void fallsArrived();
   void playbackChanged();
+  void held(std::optional<double> target);  ///< a person holds the body there, or lets go
   void fallReplayed(std::int64_t episode);  ///< a person looks at the fall of this episode again
 
  private:
@@ -77,6 +80,7 @@ class Looking final : public QObject {
   void show(double seconds);
   void showPlayback(double seconds);
   void takeFalls();
+  bool showFall(std::size_t index);
   bool copyable() const;  ///< the values are small enough to be kept with a fall
   void fillParts(const ActionValueFunction& values);
   void makeViewer();

@@ -32,7 +32,19 @@ void Looking::takeFalls() {
 }
 
 void Looking::replayFall(std::size_t index) {
-  if (index >= seen_.falls.size()) return;
+  if (showFall(index)) Q_EMIT fallReplayed(seen_.falls[index].episode);
+}
+
+void Looking::showLastFall() {
+  if (seen_.falls.empty() || !showFall(seen_.falls.size() - 1) || !playback_) return;
+  playback_->usualRate /= 2;
+  playback_->rate /= 2;
+  playback_->title = tr("fall %1, at a quarter of the speed").arg(seen_.falls.back().number);
+  Q_EMIT playbackChanged();
+}
+
+bool Looking::showFall(std::size_t index) {
+  if (index >= seen_.falls.size()) return false;
   const Fall& fall = seen_.falls[index];
   std::shared_ptr<const ActionValueFunction> then;
   for (const auto& [number, values] : seen_.values)
@@ -41,7 +53,7 @@ void Looking::replayFall(std::size_t index) {
   const bool kept = then != nullptr;
   if (!kept && life_.values()) then = {std::shared_ptr<void>(), life_.values()->values.get()};  // for the frames only
   Playback playback = playbackOf(fall, life_.registry(), life_.configuration().names.environment, std::move(then));
-  if (playback.frames.empty()) return;
+  if (playback.frames.empty()) return false;
   if (!kept) playback.values.reset();
   if (reducedMotion()) {  // the playback stops at the fall; a person steps through it by hand
     playback.rate = 0;
@@ -49,7 +61,7 @@ void Looking::replayFall(std::size_t index) {
   }
   playback_ = std::move(playback);
   Q_EMIT playbackChanged();
-  Q_EMIT fallReplayed(fall.episode);
+  return true;
 }
 
 bool Looking::copyable() const {

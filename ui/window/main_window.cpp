@@ -43,7 +43,8 @@ MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent)
   new FocusHome(
       this, [this] { focusHome(); }, [this] { return messages_->cancel(); },
       [this](const QWidget& field) {
-        return live_->isAncestorOf(&field) || qobject_cast<const QAbstractSpinBox*>(&field);
+        return live_->isAncestorOf(&field) ||
+               (qobject_cast<const QAbstractSpinBox*>(&field) && !lessons_->isAncestorOf(&field));
       });
   makeActions();
   bar_ = new RunBar(session_.life(), session_.editing(), run_);
@@ -113,7 +114,7 @@ void MainWindow::setPage(int page) {
   tabs_[static_cast<std::size_t>(page)]->setChecked(true);
   placeMessages();
   for (QAction* action : liveActions_) action->setEnabled(page == 0);  // no key of one page works on another
-  if (page == 0) focusHome();
+  if (page != 1) focusHome();
   refresh();
   refreshStatus();
 }
@@ -121,6 +122,8 @@ void MainWindow::setPage(int page) {
 void MainWindow::focusHome() {
   if (pages_->currentIndex() == 0 && live_->world().isVisible())
     live_->world().setFocus(Qt::OtherFocusReason);
+  else if (pages_->currentWidget() == lessons_)
+    lessons_->focusHome();
   else
     pages_->currentWidget()->setFocus(Qt::OtherFocusReason);
 }

@@ -9,6 +9,7 @@
 #include "ui/controls/message_bar.h"
 #include "ui/experiment/experiment_page.h"
 #include "ui/experiment/suggested_command.h"
+#include "ui/lessons/lessons_page.h"
 #include "ui/session/session.h"
 #include "ui/style/symbol_text.h"
 #include "ui/support/ask_for_file.h"
@@ -24,6 +25,12 @@ bool belongsToExperiments(const QString& path) {
   const auto head = readHead(path.toStdString(), 15);
   return path.endsWith(QStringLiteral(".toml")) || (head && *head == "SQLite format 3");
 }
+/// A plan has conditions, a lesson has steps.
+bool isLesson(const QString& path) {
+  constexpr std::size_t kMost = 256u << 10;
+  const auto text = path.endsWith(QStringLiteral(".toml")) ? readHead(path.toStdString(), kMost) : Error{"none"};
+  return text && text->find("[[step]]") != std::string::npos;
+}
 }  // namespace
 
 void MainWindow::begin(const std::function<Status()>& what) {
@@ -38,6 +45,11 @@ void MainWindow::openWithDialog() {
 }
 
 void MainWindow::openFile(const QString& path) {
+  if (isLesson(path)) {
+    setPage(2);
+    const Status s = lessons_->open(path);
+    return s ? remember(path) : messages_->say(toText(s.error().message));
+  }
   if (belongsToExperiments(path)) {
     setPage(1);
     experiment_->open(path);

@@ -11,6 +11,7 @@
 #include "ui/controls/message_bar.h"
 #include "ui/controls/panel.h"
 #include "ui/experiment/experiment_page.h"
+#include "ui/lessons/lessons_page.h"
 #include "ui/live/live_page.h"
 #include "ui/live/world/world_view.h"
 #include "ui/session/session.h"
@@ -220,6 +221,11 @@ void MainWindow::makeMenus() {
           &MainWindow::showShortcuts);
   connect(addAction(help, tr("&Words"), tr("What the words mean, with their formulas"), {}), &QAction::triggered, this,
           [this] { showWords({}); });
+  connect(addAction(help, tr("Write a &lesson"), tr("A lesson of one's own as text, from a template"), {}),
+          &QAction::triggered, this, [this] {
+            setPage(2);
+            lessons_->editTemplate();
+          });
   connect(addAction(help, tr("&About Surefoot"), tr("What this is"), {}), &QAction::triggered, this,
           &MainWindow::showAbout);
   menuBar()->setCornerWidget(makeTabs());

@@ -4,84 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "core/lessons/grading.h"
-#include "core/lessons/lesson_check.h"
-#include "core/lessons/lesson_reading.h"
-#include "core/life/lives_version.h"
-#include "core/register/register.h"
+#include "tests/core/lessons/taught.h"
 
 namespace surefoot {
 
 namespace {
-
-const char* const kTaught =
-    "title = \"a\"\ngoal = \"b\"\n[start]\nenvironment = \"cliff\"\nfeatures = \"table\"\nseed = \"student\"\n"
-    "set.policy.epsilon = 0.05\nshow = [\"falls\", \"policy.epsilon\"]\n"
-    "[[step]]\ntitle = \"s\"\nsay = \"a\"\n"
-    "predict = {kind = \"number\", question = \"?\", low = 0, high = 500, of = \"falls\", after = \"100 episodes\"}\n"
-    "[[step]]\ntitle = \"s\"\nsay = \"a\"\nask = {kind = \"choice\", question = \"?\", options = [\"x\", \"y\"], "
-    "answer = 2}\n"
-    "[[step]]\ntitle = \"s\"\nsay = \"a\"\nask = {kind = \"number\", question = \"?\", answer = \"falls\", tolerance = "
-    "0.5}\n"
-    "[[step]]\ntitle = \"s\"\nsay = \"a\"\ntask = \"t\"\ndone = \"episodes >= 50 and falls > before.falls\"\n"
-    "par = \"policy.epsilon <= 0.3\"\n"
-    "solution = [{set = \"policy.epsilon = 0.3\"}, {restart = true}, {run = \"100 episodes\"}]\n"
-    "[[step]]\ntitle = \"s\"\nsay = \"a\"\nask = {kind = \"words\", question = \"?\", model = \"m\"}\n";
-
-const Registry& registryOfCore() {
-  static const Registry all = [] {
-    Registry r;
-    registerCore(r);
-    return r;
-  }();
-  return all;
-}
-
-const Lesson& taught() {
-  static const Lesson lesson = [] {
-    std::vector<Complaint> complaints;
-    auto read = readLesson(registryOfCore(), kTaught, "05-taught.toml", complaints);
-    EXPECT_TRUE(read) << complaintText("a", complaints.empty() ? Complaint{} : complaints[0]);
-    return read.value_or(Lesson{});
-  }();
-  return lesson;
-}
-
-std::shared_ptr<const LifeRecord> recorded(LessonLife& lived) {
-  return std::make_shared<const LifeRecord>(lived.record());
-}
-
-/// The file of a student who did everything; `wrongFirst`: the choice was wrong once.
-std::string handedIn(const std::string& student, bool wrongFirst = false) {
-  using Kind = LessonMark::Kind;
-  HandIn handIn{.lesson = taught().name,
-                .student = student,
-                .lessonHash = taught().hash,
-                .seed = seedOf(taught(), student),
-                .livesVersion = kLivesVersion};
-  auto lived = LessonLife::begin(registryOfCore(), taught(), handIn.seed);
-  EXPECT_TRUE(lived);
-  HandInWriter writer;
-  std::string text = writer.header(handIn);
-  const auto add = [&](LessonMark mark) { text += writer.line(mark); };
-  add({.kind = Kind::Arrived, .step = 0, .seconds = 0, .life = recorded(*lived)});
-  add({.kind = Kind::Said, .step = 0, .value = 40, .seconds = 60});
-  lived->run(taught().steps[0].predict->after);
-  const double falls = lived->valueOf(taught().steps[0].predict->of);
-  add({.kind = Kind::Observed, .step = 0, .value = falls, .seconds = 60, .life = recorded(*lived)});
-  add({.kind = Kind::Arrived, .step = 1, .seconds = 0, .life = recorded(*lived)});
-  if (wrongFirst) add({.kind = Kind::Answered, .step = 1, .right = false, .text = "1", .seconds = 30});
-  add({.kind = Kind::Answered, .step = 1, .right = true, .text = "2", .because = "so", .seconds = 60});
-  add({.kind = Kind::Arrived, .step = 2, .seconds = 0, .life = recorded(*lived)});
-  add({.kind = Kind::Answered, .step = 2, .right = true, .text = std::to_string(falls), .life = recorded(*lived)});
-  add({.kind = Kind::Arrived, .step = 3, .seconds = 0, .life = recorded(*lived)});
-  const auto before = recorded(*lived);
-  EXPECT_TRUE(lived->act(taught().steps[3].solution));
-  add({.kind = Kind::Done, .step = 3, .right = true, .seconds = 60, .life = recorded(*lived), .before = before});
-  add({.kind = Kind::Arrived, .step = 4, .seconds = 0, .life = recorded(*lived)});
-  add({.kind = Kind::Words, .step = 4, .right = true, .text = "\"=cmd\", she said", .seconds = 60});
-  add({.kind = Kind::Finished, .step = 4, .seconds = 60});
-  return text;
-}
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   const auto at = text.find(from);

@@ -11,6 +11,8 @@
 #include "tests/ui/window/text_recorder.h"
 #include "ui/controls/message_bar.h"
 #include "ui/experiment/experiment_page.h"
+#include "ui/lessons/lessons_page.h"
+#include "ui/lessons/taking/lesson_view.h"
 #include "ui/live/live_page.h"
 #include "ui/style/theme.h"
 #include "ui/window/main_window.h"
@@ -139,6 +141,49 @@ TEST(Readable, TheOtherPagesAtEverySize) {
   check("plan editor");
   w.window->setPage(2);
   check("lessons");
+}
+
+/// The Lessons page with its lessons: the list, and steps of several kinds.
+TEST(Readable, LessonsAtEverySize) {
+  const UsualLook usual;
+  const QTemporaryDir folder;
+  const Registry registry = fullRegistry();
+  Session session(registry, pendulumConfiguration(registry, "trl"), false);
+  WindowSetup setup;
+  setup.lessons = QStringLiteral(SUREFOOT_SOURCE) + QStringLiteral("/resources/lessons");
+  setup.folder = folder.path();
+  setup.asksOnQuit = false;
+  MainWindow window(session, std::move(setup));
+  window.show();
+  window.setPage(2);
+  const auto check = [&](const QString& state) {
+    atEverySize(kScreens, [&](const Screen& screen, const QString& text) {
+      applyTextSize(screen.text);
+      window.resize(screen.size);
+      QTest::qWait(30);
+      expectReadable(window, text + ", " + state);
+    });
+  };
+  check("list");
+  ASSERT_TRUE(window.lessonsPage().start("exploring-costs-falls"));
+  LessonDriver& driver = window.lessonsPage().view()->driver();
+  const auto opens = [&](std::size_t number) {
+    return QTest::qWaitFor([&] { return driver.number() == number && driver.phase() == LessonDriver::Phase::Open; },
+                           20'000);
+  };
+  ASSERT_TRUE(opens(0));
+  driver.next();
+  ASSERT_TRUE(opens(1));
+  check("a prediction");
+  driver.say(40);
+  ASSERT_TRUE(opens(2));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !driver.lives().empty(); }, 20'000));
+  check("what came out");
+  driver.choose(0, "because");
+  driver.choose(1, "because");
+  driver.next();
+  ASSERT_TRUE(opens(3));
+  check("a task");
 }
 
 /// Where every widget that is shown lies in the window.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lessons/taking/lesson_column.h"
 
+#include <QAbstractSpinBox>
 #include <QAccessible>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -50,7 +51,6 @@ LessonColumn::LessonColumn(LessonDriver& driver, QWidget* parent)
   whenScaled(this, [this, column] {
     column->setContentsMargins(scaled({12, 8, 12, 8}));
     column->setSpacing(scaled(8));
-    setFixedWidth(scaled(320));
     title_->setFont(scaledFont(13, 500));
     number_->setFont(scaledFont(11));
   });
@@ -203,10 +203,25 @@ void LessonColumn::showStep() {
     column_->addWidget(makeHead(knobs->count() == 1 ? tr("Knob") : tr("Knobs"), content_));
   }
   column_->addWidget(knobs);
+  if (const QString words = willMove(); !words.isEmpty() && !driver_.predicted(driver_.number()))
+    addText(words, 11, 400)->setForegroundRole(QPalette::PlaceholderText);
   knobs->setVisible(!knobs->empty());
   column_->addStretch(1);
   announce(this, tr("Step %1 of %2: %3").arg(driver_.number() + 1).arg(lesson.steps.size()).arg(toText(step.title)));
   refresh();
+}
+
+/// "ε becomes 0.25 when you commit": what a prediction does to the knobs.
+QString LessonColumn::willMove() const {
+  QStringList words;
+  if (!driver_.step().predict) return {};
+  for (const LessonAction& action : driver_.step().predict->then) {
+    const auto* entry = driver_.session().life().configuration().parameters.find(action.key);
+    if (action.kind != LessonAction::Kind::Set || !entry) continue;
+    const std::string& symbol = entry->parameter.symbol;
+    words << tr("%1 becomes %2").arg(toText(symbol.empty() ? entry->parameter.title : symbol), toText(action.value));
+  }
+  return words.isEmpty() ? QString() : tr("%1 when you commit").arg(words.join(QStringLiteral(", ")));
 }
 
 /// All steps are done: what one knows now, own words beside the model answers, and where to go on.
@@ -242,7 +257,9 @@ void LessonColumn::focusFirst() {
   QWidget* home = question_ ? question_->first() : next_;
   QWidget* now = window()->focusWidget();
   if (now && content_ && content_->isAncestorOf(now) && now != home && driver_.tries() > 0) return;
-  if (isVisible() && driver_.phase() == LessonDriver::Phase::Open) home->setFocus(Qt::OtherFocusReason);
+  if (!isVisible() || driver_.phase() != LessonDriver::Phase::Open) return;
+  home->setFocus(Qt::OtherFocusReason);
+  if (auto* number = qobject_cast<QAbstractSpinBox*>(home)) number->selectAll();
 }
 
 void LessonColumn::refresh() {
@@ -251,7 +268,8 @@ void LessonColumn::refresh() {
   const bool finished = driver_.phase() == Phase::Finished,
              last = driver_.number() + 1 == driver_.lesson().steps.size();
   const bool asks = question_ && !question_->nextWord().isEmpty() && !driver_.answered();
-  const bool task = driver_.step().done && !driver_.taskDone();
+  const bool pointing = driver_.step().ask && !driver_.answered() && !asks;
+  const bool task = (driver_.step().done && !driver_.taskDone()) || pointing;
   back_->setEnabled(driver_.number() > 0 || finished);
   next_->setVisible(!finished && !driver_.step().predict);
   next_->setText(asks ? question_->nextWord() : task ? tr("Skip") : last ? tr("Finish") : tr("Next"));

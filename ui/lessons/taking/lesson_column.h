@@ -30,6 +30,7 @@ class LessonColumn final : public QWidget {
   void goOn();
   void goBack();
   void showHint();
+  void focusFirst();
 
  Q_SIGNALS:
   void exploreAsked();
@@ -44,7 +45,7 @@ class LessonColumn final : public QWidget {
   void showEnd();
   void showResult();
   void refresh();
-  void focusFirst();
+  QString willMove() const;
   QLabel* addText(const QString& text, int pixels, int weight);
   void addLine();
   QVBoxLayout& anew();

@@ -38,9 +38,10 @@ LessonDriver::LessonDriver(const Registry& registry, Lesson lesson, HandIn handI
       k.before = std::make_shared<const LifeRecord>(recordOf(*this_, began, life, from));
     });
   });
-  connect(&session_->life(), &RunningLife::replaced, this, [this] {
-    if (phase_ == Phase::Open) watchTask();
-  });
+  for (const auto changed : {&RunningLife::replaced, &RunningLife::configurationChanged})
+    connect(&session_->life(), changed, this, [this] {
+      if (phase_ == Phase::Open) watchTask();
+    });
 }
 
 LessonDriver::~LessonDriver() {
@@ -126,7 +127,9 @@ void LessonDriver::enter(std::size_t number) {
   session_->life().watch({});
   session_->life().setRunning(false);
   session_->looking().backToLive();
-  session_->looking().setDemonstrating(true);
+  // A body that the step puts somewhere stays there, until the life goes on.
+  const bool placed = !step().begin.empty() && step().begin.back().kind == LessonAction::Kind::Place;
+  session_->looking().setDemonstrating(!placed);
   setPhase(Phase::Preparing);
   Q_EMIT stepChanged();
   auto record = std::make_shared<LessonMark>(LessonMark{.kind = LessonMark::Kind::Arrived, .step = number_});

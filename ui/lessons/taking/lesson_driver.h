@@ -85,7 +85,7 @@ class LessonDriver final : public QObject {
   void phaseChanged();
   void textChanged();
   void livesChanged();
-  void judged(const Verdict& verdict);
+  void judged(const LessonVerdict& verdict);
   void taskChanged();  ///< it is done, or its par is kept, too
   void marked(const LessonMark& mark);
   void refused(const QString& sentence);
@@ -116,12 +116,13 @@ class LessonDriver final : public QObject {
   void run(const LessonRun& run, const Then& then);
   void observe(const LessonCondition& of, const Then& then);
   void watchTask();
+  void noteTask(LessonMark done);
   void renderText();
   void mark(LessonMark mark);
   /// Writes the life, and the one before it, into a mark; on the learner's thread.
   using Record = std::function<void(const Life&, const Knowledge&, LessonMark&)>;
   Record recorder() const;
-  void judge(const Verdict& verdict, LessonMark mark);
+  void judge(const LessonVerdict& verdict, LessonMark mark);
   std::shared_ptr<const LifeRecord> learnedFrom() const;
   LessonValues valuesOfMarks() const;
   /// Calls `look` on the learner's thread, between two steps, and `then` on the window's.

@@ -46,7 +46,7 @@ void LessonDriver::say(double value) {
   });
 }
 
-void LessonDriver::judge(const Verdict& verdict, LessonMark given) {
+void LessonDriver::judge(const LessonVerdict& verdict, LessonMark given) {
   given.right = verdict.right;
   ++tries_;
   answered_ = answered_ || verdict.right || tries_ >= kTries;
@@ -96,7 +96,7 @@ void LessonDriver::point(const PointedAt& place) {
       place.state.empty() ? fmt::format("{}", place.number) : fmt::format("{}", fmt::join(place.state, " "));
   auto given =
       std::make_shared<LessonMark>(LessonMark{.kind = LessonMark::Kind::Answered, .step = number_, .text = at});
-  auto verdict = std::make_shared<Verdict>();
+  auto verdict = std::make_shared<LessonVerdict>();
   visit(
       [verdict, given, accept = question->accept, place, record = recorder()](const Life& life, Knowledge& k) {
         verdict->right = k.values.accepts(accept, life, place);

@@ -152,28 +152,34 @@ void LessonDriver::liveWays() {
         });
 }
 
-/// Looks after every step whether the task is done; once it is, whether its par is kept, too.
+/// Looks now, and after every step, whether the task is done; once it is, whether its par is kept, too.
 void LessonDriver::watchTask() {
   if (!step().done || (taskDone_ && (!step().par || parKept_))) return;
-  session_->life().watch([this, done = *step().done, par = step().par, wasDone = taskDone_, knowledge = knowledge_,
-                          entered = entered_, record = recorder(), step = number_](const Life& life) {
+  const auto look = [this, done = *step().done, par = step().par, wasDone = taskDone_, knowledge = knowledge_,
+                     entered = entered_, record = recorder(), step = number_](const Life& life) {
     const LessonValues& values = knowledge->values;
     if (!values.holds(done, life)) return Watching::GoOn;
     const bool kept = par && values.holds(*par, life);
     if (wasDone && !kept) return Watching::GoOn;
     LessonMark given{.kind = LessonMark::Kind::Done, .step = step, .right = kept};
     record(life, *knowledge, given);
-    calls_.post([this, entered, kept, given = std::move(given)]() mutable {
-      if (entered != entered_) return;
-      taskDone_ = true;
-      parKept_ = kept;
-      mark(std::move(given));
-      renderText();
-      Q_EMIT taskChanged();
-      watchTask();
+    calls_.post([this, entered, given = std::move(given)]() mutable {
+      if (entered == entered_) noteTask(std::move(given));
     });
     return Watching::Enough;
-  });
+  };
+  session_->life().visit([look](const Life& life) { look(life); });  // of a life that rests a knob may do it
+  session_->life().watch(look);
+}
+
+void LessonDriver::noteTask(LessonMark done) {
+  if (taskDone_ && (parKept_ || !done.right)) return;
+  taskDone_ = true;
+  parKept_ = done.right;
+  mark(std::move(done));
+  renderText();
+  Q_EMIT taskChanged();
+  watchTask();
 }
 
 }  // namespace surefoot

@@ -55,7 +55,9 @@ QWidget* LessonPanels::makeContent(const std::string& name, QString& title, QStr
   Looking& looking = session.looking();
   if (name == "world") {
     title = tr("World");
-    return new WorldView(life, looking);
+    auto* world = new WorldView(life, looking);
+    world->setPlain(true);
+    return world;
   }
   if (name == "falls" || name == "reward") {
     const bool falls = name == "falls";

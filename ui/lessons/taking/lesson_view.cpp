@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -37,6 +38,7 @@ LessonView::LessonView(const Registry& registry, Lesson lesson, HandIn handIn, Q
   row->addWidget(new Hairline(Qt::Vertical, this));
   row->addWidget(panels_, 1);
   column->addLayout(row, 1);
+  whenScaled(this, [this] { column_->setFixedWidth(std::min(scaled(320), static_cast<int>(kMostColumn * width()))); });
   panels_->setRunWords([this](const RunCurve& curve) {
     const auto found = runWords_.find(curve.number);
     return found == runWords_.end() ? QString() : found->second;
@@ -54,6 +56,7 @@ LessonView::LessonView(const Registry& registry, Lesson lesson, HandIn handIn, Q
   connect(driver_.get(), &LessonDriver::stepChanged, this, &LessonView::refreshPrediction);
   connect(driver_.get(), &LessonDriver::phaseChanged, this, &LessonView::refreshPrediction);
   connect(driver_.get(), &LessonDriver::stepChanged, this, &LessonView::refresh);
+  connect(driver_.get(), &LessonDriver::phaseChanged, this, &LessonView::showLastFall);
   connect(driver_.get(), &LessonDriver::phaseChanged, this, &LessonView::refresh);
   RunningLife& life = driver_->session().life();
   connect(&life, &RunningLife::stateChanged, this, &LessonView::refresh);
@@ -105,6 +108,10 @@ QWidget* LessonView::makeBar() {
   all->setToolTip(tr("The list of lessons; this one waits at its step"));
   connect(all, &QToolButton::clicked, this, &LessonView::allLessonsAsked);
   row->addWidget(all);
+  auto* teacher = new LinkButton(tr("Teacher"), bar);
+  teacher->setToolTip(tr("Notes, answers and the class, in a window for the teacher's own screen"));
+  connect(teacher, &QToolButton::clicked, this, &LessonView::teacherAsked);
+  row->addWidget(teacher);
   row->addStretch(1);
   falls_ = new QLabel(bar);
   episodes_ = new QLabel(bar);
@@ -123,9 +130,21 @@ QWidget* LessonView::makeBar() {
   return bar;
 }
 
+void LessonView::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  column_->setFixedWidth(std::min(scaled(320), static_cast<int>(kMostColumn * width())));
+}
+
 void LessonView::begin(std::size_t step) {
   nameRun();
   driver_->goOn(std::min(step, driver_->lesson().steps.size() - 1));
+}
+
+void LessonView::focusHome() {
+  if (QWidget* world = panels_->first())
+    world->setFocus(Qt::OtherFocusReason);
+  else
+    column_->focusFirst();
 }
 
 void LessonView::refresh() {
@@ -174,7 +193,22 @@ QString LessonView::knobWords() const {
 }
 
 void LessonView::nameRun() {
+  const RunningLife& life = driver_->session().life();
+  if (!life.running() && life.progress().episodes > 0) return;  // what it was lived with stays
   runWords_[driver_->session().life().curves().live().number] = knobWords();
+}
+
+/// After a prediction of falls the world shows the last one again: why it fell is seen before it is asked.
+void LessonView::showLastFall() {
+  const std::size_t now = driver_->number();
+  if (now == 0 || driver_->phase() != LessonDriver::Phase::Open || !driver_->step().begin.empty()) return;
+  const auto& said = driver_->lesson().steps[now - 1].predict;
+  if (!said || said->of.text != "falls" || !driver_->observed(now - 1)) return;
+  constexpr int kUntilTheyCame = 400;  // [ms]
+  QTimer::singleShot(kUntilTheyCame, this, [this, now] {
+    const bool still = driver_->number() == now && driver_->phase() == LessonDriver::Phase::Open;
+    if (still && !driver_->session().life().running()) driver_->session().looking().showLastFall();
+  });
 }
 
 /// ◇ while a number is said, and beside what came out in the step after it.

@@ -22,15 +22,21 @@ class LessonView final : public QWidget {
  public:
   LessonView(const Registry& registry, Lesson lesson, HandIn handIn, QWidget* parent = nullptr);
   ~LessonView() override;
+  static constexpr double kMostColumn = 0.45;  ///< of the width, for the column
   LessonDriver& driver() { return *driver_; }
   /// Begins, or goes on, with a step.
   void begin(std::size_t step);
+  void focusHome();
 
  Q_SIGNALS:
   void allLessonsAsked();
   void exploreAsked();
+  void teacherAsked();
   void lessonAsked(const QString& name);
   void refused(const QString& sentence);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   QWidget* makeBar();
@@ -39,6 +45,7 @@ class LessonView final : public QWidget {
   void refresh();
   void refreshPrediction();
   void nameRun();
+  void showLastFall();
   QString knobWords() const;
 
   std::unique_ptr<LessonDriver> driver_;

@@ -118,8 +118,7 @@ void LivesView::paintEvent(QPaintEvent*) {
     p.setPen(t.quiet);
     drawSymbol(p, QRectF(xOf(x) - 40, bottom + 5, 80, 14), Qt::AlignHCenter, shortText(x));
   }
-  p.drawText(QRectF(left_, bottom + 20, right_ - left_, 16), Qt::AlignHCenter,
-             tr("%1; ● mean and 95 % interval").arg(unit_));
+  p.drawText(QRectF(12, bottom + 20, width() - 24, 16), Qt::AlignHCenter, tr("dark: mean and 95 % interval"));
 }
 
 }  // namespace surefoot

@@ -3,6 +3,7 @@
 
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <cmath>
@@ -36,7 +37,7 @@ PredictionBox::PredictionBox(LessonDriver& driver, QWidget* parent)
   hint->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   whenScaled(number_, [this] {
     number_->setFont(scaledFont(24, 500));
-    number_->setFixedSize(scaled(QSize(112, 40)));
+    number_->setFixedSize(scaled(QSize(112, 42)));
   });
   auto* row = new QHBoxLayout;
   row->addWidget(number_);
@@ -48,9 +49,9 @@ PredictionBox::PredictionBox(LessonDriver& driver, QWidget* parent)
   slider_->setAccessibleName(tr("The same as a slider"));
   column().addWidget(slider_);
   auto* ends = new QHBoxLayout;
-  for (int i = 0; i <= 3; ++i) {
-    auto* end = new QLabel(toText(countText(p.low + (p.high - p.low) * i / 3)), this);
-    if (!whole) end->setText(toText(fixedText(p.low + (p.high - p.low) * i / 3, 2)));
+  for (int i = 0; i <= 4; ++i) {
+    const double at = p.low + (p.high - p.low) * i / 4;
+    auto* end = new QLabel(toText(whole ? countText(at) : fixedText(at, 2)), this);
     end->setForegroundRole(QPalette::PlaceholderText);
     whenScaled(end, [end] { end->setFont(scaledFont(11)); });
     if (i > 0) ends->addStretch(1);
@@ -73,10 +74,21 @@ PredictionBox::PredictionBox(LessonDriver& driver, QWidget* parent)
     const double value = asked.low + (asked.high - asked.low) * position / Slider::kSteps;
     number_->setValue(number_->decimals() == 0 ? std::round(value) : value);
   });
+  number_->installEventFilter(this);
   connect(commit_, &QAbstractButton::clicked, this, [this] { driver_.say(number_->value()); });
   connect(&driver_, &LessonDriver::phaseChanged, this, &PredictionBox::refresh);
   setValue(driver.predicted(driver.number()).value_or((p.low + p.high) / 2));
   refresh();
+}
+
+/// Enter commits.
+bool PredictionBox::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() != QEvent::KeyPress) return QuestionBox::eventFilter(watched, event);
+  const int key = static_cast<QKeyEvent&>(*event).key();
+  if (key != Qt::Key_Return && key != Qt::Key_Enter) return QuestionBox::eventFilter(watched, event);
+  number_->interpretText();
+  commit_->click();
+  return true;
 }
 
 QWidget* PredictionBox::first() {

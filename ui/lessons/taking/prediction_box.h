@@ -21,6 +21,9 @@ class PredictionBox final : public QuestionBox {
   void setValue(double value);
   double value() const;
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   void refresh();
   QString said() const;

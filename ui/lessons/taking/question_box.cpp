@@ -58,7 +58,7 @@ QLabel* QuestionBox::addNote(const QString& text) {
   return label;
 }
 
-void QuestionBox::tell(const Verdict& verdict) {
+void QuestionBox::tell(const LessonVerdict& verdict) {
   const QString remark = toText(verdict.remark);
   const QString text = verdict.right ? (remark.isEmpty() ? tr("✓ Right.") : tr("✓ Right. %1").arg(remark))
                                      : tr("Not yet. %1").arg(remark);

@@ -29,7 +29,7 @@ class QuestionBox : public QWidget {
 
  protected:
   /// The driver's judgement of the last answer.
-  void tell(const Verdict& verdict);
+  void tell(const LessonVerdict& verdict);
   QVBoxLayout& column() { return *column_; }
   QLabel* addQuestion(const QString& text);
   QLabel* addNote(const QString& text);

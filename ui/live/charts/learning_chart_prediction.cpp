@@ -29,6 +29,13 @@ void LearningChart::setRunWords(std::function<QString(const RunCurve&)> words) {
   refresh();
 }
 
+/// The axis has the range of what can be said, in quarters; more if the curves go beyond it.
+void LearningChart::fitPrediction(double most) {
+  if (most > prediction_->high) return roundRange(std::min(prediction_->low, 0.0), most);
+  yLeast_ = prediction_->low, yMost_ = prediction_->high;
+  yStep_ = (yMost_ - yLeast_) / 4;
+}
+
 bool LearningChart::movesPrediction(const QPointF& at) const {
   if (!prediction_ || prediction_->locked) return false;
   const double y = toPixel(0, prediction_->value).y();

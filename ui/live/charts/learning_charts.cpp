@@ -162,8 +162,8 @@ void LearningChart::chooseRanges() {
   if (shows_ == Shows::Falls) {
     const bool part = span_.shows() == ChartSpan::Shows::Part && least < most;
     if (!part) least = 0;
-    if (prediction_) least = std::min(least, prediction_->low), most = std::max(most, prediction_->high);
     roundRange(least, std::max(most, least + 10));
+    if (prediction_ && !part) fitPrediction(most);
   } else {
     chooseRewards();
   }

@@ -141,6 +141,7 @@ class LearningChart final : public Painted<QChartView>, public CsvSource {
   void drawCursor(QPainter& p, const Theme& t) const;
   void drawPrediction(QPainter& p, const Theme& t) const;
   void drawOutcome(QPainter& p, const Theme& t) const;
+  void fitPrediction(double most);
   bool movesPrediction(const QPointF& at) const;
   void movePrediction(double pixel);
 

@@ -46,7 +46,6 @@ class ResetButton final : public Painted<QToolButton> {
 
 void ParameterRow::makeReset(const QString& name) {
   reset_ = new ResetButton(this);
-  reset_->setText(tr("Reset"));
   reset_->setAccessibleName(tr("Reset %1 to its default").arg(name));
   reset_->setCursor(Qt::PointingHandCursor);
   reset_->hide();
@@ -60,7 +59,7 @@ void ParameterRow::layOut() {
   const int unit = std::max(kUnit, static_cast<int>(std::ceil(unitWidth)));
   const int right = w - unit - 2;
   // Reset stands in the marker's place. A policy's parameter has a marker but no unit: there it takes the unit's place.
-  place(*reset_, {policy_.empty() ? 0 : w - kReset, (kRow - kReset) / 2, kReset, kReset});
+  place(*reset_, {policy_.empty() ? 0 : w - kReset - 1, (kRow - kReset) / 2, kReset, kReset});
   if (choice_) {
     place(*choice_, {w / 2, 1, w - w / 2 - (policy_.empty() ? 0 : kReset + 2), kRow - 2});
     return;

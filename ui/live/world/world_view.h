@@ -34,6 +34,10 @@ class WorldView final : public Painted<> {
   /// this world's name in the caption, which also shows the policy and agent.
   void setBeside(WorldView* other, const QString& which);
   double pixelsPerMetre() const;  ///< the scale of the picture
+  /// Without the numbers below the picture.
+  void setPlain(bool plain) { plain_ = plain; }
+  /// Where the tip that one takes hold of is [px].
+  QPointF tip() const { return toPixel(scene_.tip); }
 
  protected:
   void paintEvent(QPaintEvent*) override;
@@ -60,6 +64,7 @@ class WorldView final : public Painted<> {
   void drawPicture(QPainter& painter, const Theme& theme) const;
   void drawReadOuts(QPainter& painter, const Theme& theme) const;
   void drawCaption(QPainter& painter, const Theme& theme) const;
+  void drawChoice(QPainter& painter, const Theme& theme) const;
 
   RunningLife& life_;
   Looking& looking_;
@@ -71,7 +76,7 @@ class WorldView final : public Painted<> {
   double readOutsHeight_ = 0;         // [px]
   double band_ = 0;                   // height of all below the floor while the picture is not moved [px]
   double fit_ = 0;                    // [px/m]
-  bool ring_ = false;
+  bool ring_ = false, plain_ = false;
   double camera_ = 0;                        // x in the middle of the picture [m]
   static constexpr std::size_t kTrail = 14;  // frames
   std::deque<Point> trail_;

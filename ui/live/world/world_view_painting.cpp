@@ -51,7 +51,10 @@ double readOutWidth(const ReadOut& r) {
 
 /// Finds how many read-outs with units fit in a row, and the scale at which all is visible, also the words.
 void WorldView::measure() {
-  readOuts_ = life_.environment().readOuts(looking_.shown().pose);
+  if (plain_)
+    readOuts_.clear();
+  else
+    readOuts_ = life_.environment().readOuts(looking_.shown().pose);
   const double k = textScale();
   double widest = 1;
   for (const ReadOut& r : readOuts_) widest = std::max(widest, readOutWidth(r) + 12);
@@ -126,6 +129,7 @@ void WorldView::paintEvent(QPaintEvent*) {
   p.restore();
   drawReadOuts(p, t);
   drawCaption(p, t);
+  if (plain_ && looking_.playback()) drawChoice(p, t);
   if (ring_) drawFocusRing(p, *this);
 }
 
@@ -198,6 +202,31 @@ void WorldView::drawCaption(QPainter& p, const Theme& t) const {
   drawSymbol(p, x + 9 * k, baseline,
              title(findEntry(registry.policies, "policy", names.policy), names.policy) + QStringLiteral(", ") +
                  title(findEntry(registry.agents, "agent", names.agent), names.agent));
+}
+
+/// In a replay: whether the action that was taken was the best one by what the robot knew.
+void WorldView::drawChoice(QPainter& p, const Theme& t) const {
+  const Shown& shown = looking_.shown();
+  const Task& task = life_.task();
+  if (shown.action < 0 || shown.q.size() != task.actions.size() || shown.q.size() < 2) return;
+  const auto name = [&](std::size_t a) {
+    if (a < task.actionNames.size()) return toText(task.actionNames[a]);
+    return toText(fixedText(task.actions[a], 2) + " " + task.actionUnit);
+  };
+  const auto taken = static_cast<std::size_t>(shown.action);
+  const auto best = static_cast<std::size_t>(std::max_element(shown.q.begin(), shown.q.end()) - shown.q.begin());
+  const bool explores = shown.q[taken] < shown.q[best];
+  const double y = height() - 12;
+  p.setFont(textFont(13, 500));
+  p.setPen(explores ? t.fallText : t.ink);
+  const QString words =
+      explores ? tr("taken at random: %1").arg(name(taken)) : tr("taken, the best: %1").arg(name(taken));
+  drawSymbol(p, 12, y, words);
+  if (!explores) return;
+  const double x = 12 + symbolWidth(p.font(), words) + 24;
+  p.setFont(textFont(13));
+  p.setPen(t.ink);
+  drawSymbol(p, x, y, tr("the best: %1").arg(name(best)));
 }
 
 void WorldView::drawReadOuts(QPainter& p, const Theme& t) const {

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/lessons/taking/lesson_driver.h"
+
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include "core/lessons/grading.h"
+#include "core/lessons/lesson_reading.h"
+#include "core/life/lives_version.h"
+#include "tests/core/experiment/test_setup.h"
+
+namespace surefoot {
+
+namespace {
+
+using Phase = LessonDriver::Phase;
+
+const char* const kSteps =
+    "title = \"a\"\ngoal = \"b\"\n[start]\nenvironment = \"cliff\"\nfeatures = \"table\"\nseed = 7\n"
+    "set.policy.epsilon = 0.05\nshow = [\"world\", \"falls\", \"policy.epsilon\", \"run\", \"restart\", \"turbo\"]\n"
+    "[[step]]\ntitle = \"s\"\nsay = \"{falls} falls\"\nrun = {for = \"100 episodes\", turbo = true}\nobserve = "
+    "\"falls\"\n"
+    "[[step]]\ntitle = \"s\"\nsay = \"It fell {observed(1)} times.\"\n"
+    "[step.predict]\nkind = \"number\"\nquestion = \"?\"\nlow = 0\nhigh = 500\nof = \"falls\"\nafter = \"100 "
+    "episodes\"\n"
+    "then = [{set = \"policy.epsilon = 0.25\"}, {restart = true}]\n"
+    "[[step]]\ntitle = \"s\"\nsay = \"{observed(2)} against {observed(1)}\"\n"
+    "ask = {kind = \"choice\", question = \"?\", options = [\"x\", \"y\"], answer = 2}\n"
+    "[[step]]\ntitle = \"s\"\nsay = \"a\"\ntask = \"t\"\ndone = \"episodes >= 50 and falls > 0\"\n"
+    "begin = [{set = \"policy.epsilon = 0\"}, {restart = true}]\n"
+    "solution = [{set = \"policy.epsilon = 0.5\"}, {restart = true}, {run = \"60 episodes\"}]\n"
+    "[[step]]\ntitle = \"s\"\nsay = \"a\"\nbegin = [{run = \"50 episodes\"}, {transfer = true}]\n"
+    "lives = {count = 3, of = \"falls\", after = \"20 episodes\", ways = [{label = \"low\"}, {label = \"high\", first "
+    "= "
+    "[{set = \"policy.epsilon = 0.9\"}, {restart = true}]}]}\nask = {kind = \"compare\", question = \"?\"}\n"
+    "[[step]]\ntitle = \"s\"\nsay = \"a\"\n"
+    "ask = {kind = \"number\", question = \"?\", answer = \"1 + falls\", tolerance = 0.1}\n";
+
+struct Taking {
+  explicit Taking(HandIn before = {}) : registry(fullRegistry()) {
+    std::vector<Complaint> complaints;
+    auto read = readLesson(registry, kSteps, "a.toml", complaints);
+    EXPECT_TRUE(read) << complaintText("a", complaints.empty() ? Complaint{} : complaints[0]);
+    if (before.lesson.empty())
+      before = {.lesson = "a", .student = {}, .lessonHash = read->hash, .seed = 7, .livesVersion = kLivesVersion};
+    driver = std::make_unique<LessonDriver>(registry, *read, before);
+    QObject::connect(driver.get(), &LessonDriver::refused,
+                     [](const QString& sentence) { ADD_FAILURE() << sentence.toStdString(); });
+  }
+  bool opens(std::size_t number) {
+    return QTest::qWaitFor([&] { return driver->number() == number && driver->phase() == Phase::Open; }, 20'000) &&
+           QTest::qWaitFor([&] { return !driver->text().isEmpty(); }, 5'000);
+  }
+  std::uint64_t hash() {
+    std::uint64_t value = 0;
+    bool seen = false;
+    driver->session().life().visit([&](const Life& life) { value = life.hash(), seen = true; });
+    EXPECT_TRUE(QTest::qWaitFor([&] { return seen; }, 5'000));
+    return value;
+  }
+  const Lesson& lesson() const { return driver->lesson(); }
+
+  Registry registry;
+  std::unique_ptr<LessonDriver> driver;
+};
+
+}  // namespace
+
+// Whatever is shown and whoever looks, the lesson's life is the one that is lived without a window, bit for bit.
+TEST(LessonDriver, LivesTheLessonAsItIsLivedWithoutAWindow) {
+  Taking t;
+  auto lived = LessonLife::begin(t.registry, t.lesson(), 7);
+  ASSERT_TRUE(lived);
+  t.driver->enter(0);
+  ASSERT_TRUE(t.opens(0));
+  lived->run(*t.lesson().steps[0].run->amount);
+  EXPECT_EQ(t.hash(), lived->life().hash()) << "the run stops at its end, not at a look";
+  const double falls = static_cast<double>(lived->life().log().totals().falls);
+  EXPECT_EQ(t.driver->observed(0), falls);
+
+  t.driver->next();
+  ASSERT_TRUE(t.opens(1));
+  EXPECT_EQ(t.driver->text(), QStringLiteral("It fell %1 times.").arg(falls));
+  EXPECT_FALSE(t.driver->mayGoOn());
+  t.driver->say(40);
+  ASSERT_TRUE(t.opens(2)) << "the prediction's run leads on by itself";
+  ASSERT_TRUE(lived->act(t.lesson().steps[1].predict->then));
+  lived->run(t.lesson().steps[1].predict->after);
+  EXPECT_EQ(t.hash(), lived->life().hash());
+  EXPECT_EQ(t.driver->observed(1), static_cast<double>(lived->life().log().totals().falls));
+  EXPECT_EQ(t.driver->predicted(1), 40.0);
+
+  QSignalSpy judged(t.driver.get(), &LessonDriver::judged);
+  t.driver->choose(0, "so");
+  EXPECT_FALSE(t.driver->mayGoOn());
+  t.driver->choose(1, "so");
+  EXPECT_TRUE(t.driver->mayGoOn());
+  EXPECT_EQ(judged.count(), 2);
+
+  t.driver->next();
+  ASSERT_TRUE(t.opens(3));
+  ASSERT_TRUE(lived->act(t.lesson().steps[3].begin));
+  EXPECT_EQ(t.hash(), lived->life().hash());
+  EXPECT_EQ(t.driver->session().life().configuration().parameters.get("policy.epsilon"), 0);
+}
+
+TEST(LessonDriver, ATaskTicksItselfAfterTheStepThatDoesIt) {
+  Taking t;
+  t.driver->enter(3);
+  ASSERT_TRUE(t.opens(3));
+  EXPECT_FALSE(t.driver->mayGoOn());
+  Session& session = t.driver->session();
+  ASSERT_TRUE(session.editing().setParameter("policy.epsilon", 0.5));
+  ASSERT_TRUE(session.newLives().restart());
+  session.life().setTurbo(true);
+  session.life().setRunning(true);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return t.driver->taskDone(); }, 20'000)) << "it is watched over a restart";
+  const LessonMark* done = t.driver->handIn().last(LessonMark::Kind::Done, 3);
+  ASSERT_TRUE(done && done->life);
+  const auto again = relive(t.registry, t.lesson(), *done->life);
+  ASSERT_TRUE(again) << again.error().message;
+  EXPECT_EQ(again->life->log().totals().episodes, 50) << "the very step";
+  EXPECT_TRUE(session.life().running()) << "the life goes on";
+}
+
+TEST(LessonDriver, AStepThatIsResetBeginsAsItBegan) {
+  Taking t;
+  t.driver->enter(0);
+  ASSERT_TRUE(t.opens(0));
+  t.driver->next();
+  ASSERT_TRUE(t.opens(1));
+  const std::uint64_t before = t.hash();
+  t.driver->session().life().setTurbo(true);
+  t.driver->session().life().setRunning(true);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return t.driver->session().life().numbers().episodes > 150; }, 20'000));
+  t.driver->resetStep();
+  ASSERT_TRUE(t.opens(1));
+  EXPECT_EQ(t.hash(), before);
+  t.driver->say(10);
+  ASSERT_TRUE(t.opens(2));
+}
+
+TEST(LessonDriver, SeveralLivesAreThoseOfTheProgram) {
+  Taking t;
+  t.driver->enter(4);
+  ASSERT_TRUE(t.opens(4));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !t.driver->lives().empty(); }, 20'000));
+  auto lived = LessonLife::begin(t.registry, t.lesson(), 7);
+  ASSERT_TRUE(lived);
+  ASSERT_TRUE(lived->act(t.lesson().steps[4].begin));
+  EXPECT_EQ(t.hash(), lived->life().hash());
+  const auto ways =
+      liveWays(t.registry, t.lesson(), *t.lesson().steps[4].lives, lived->configuration(), lived->values(), 1);
+  ASSERT_TRUE(ways);
+  EXPECT_EQ(t.driver->lives(), *ways);
+  QSignalSpy judged(t.driver.get(), &LessonDriver::judged);
+  t.driver->compared(Compared::First);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return judged.count() > 0; }, 5'000));
+  EXPECT_EQ(t.driver->mayGoOn(), surefoot::compare((*ways)[0], (*ways)[1]).answer == Compared::First);
+}
+
+// Left in the middle and gone on with another day, from the file alone; and what was done is graded as it was.
+TEST(LessonDriver, GoesOnFromWhatWasWrittenDown) {
+  std::string text;
+  std::uint64_t hash = 0;
+  {
+    Taking t;
+    HandInWriter writer;
+    text = writer.header(t.driver->handIn());
+    QObject::connect(t.driver.get(), &LessonDriver::marked, [&](const LessonMark& mark) { text += writer.line(mark); });
+    t.driver->enter(0);
+    ASSERT_TRUE(t.opens(0));
+    t.driver->next();
+    ASSERT_TRUE(t.opens(1));
+    t.driver->say(40);
+    ASSERT_TRUE(t.opens(2));
+    t.driver->choose(1, "so");
+    t.driver->next();
+    ASSERT_TRUE(t.opens(3));
+    t.driver->next();
+    ASSERT_TRUE(t.opens(4)) << "a task can be skipped";
+    t.driver->next();
+    ASSERT_TRUE(t.opens(5));
+    hash = t.hash();
+  }
+  const auto handIn = parseHandIn(text);
+  ASSERT_TRUE(handIn) << handIn.error().message;
+  Taking again(*handIn);
+  EXPECT_EQ(handIn->reached(again.lesson()), 5u);
+  again.driver->goOn(5);
+  ASSERT_TRUE(again.opens(5));
+  EXPECT_EQ(again.hash(), hash);
+  EXPECT_EQ(again.driver->predicted(1), 40.0);
+  QSignalSpy judged(again.driver.get(), &LessonDriver::judged);
+  again.driver->number(1);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return judged.count() > 0; }, 5'000));
+
+  const Grade grade = gradeOf(again.registry, again.lesson(), *handIn);
+  EXPECT_TRUE(grade.trusted) << (grade.remarks.empty() ? "" : grade.remarks[0]);
+  EXPECT_EQ(grade.rightAtOnce, 1);
+  EXPECT_EQ(grade.tasksDone, 0);
+}
+
+TEST(LessonDriver, LeavingInTheMiddleOfAnythingIsFine) {
+  for (const int wait : {0, 1, 5, 20, 60}) {
+    Taking t;
+    t.driver->enter(0);
+    QTest::qWait(wait);
+    t.driver->enter(4);
+    QTest::qWait(wait);
+    t.driver->resetStep();
+    t.driver->enter(1);
+    QTest::qWait(wait);
+    t.driver->say(3);
+    QTest::qWait(wait);
+  }
+}
+
+}  // namespace surefoot

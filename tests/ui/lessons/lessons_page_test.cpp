@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/lessons/lessons_page.h"
+
+#include <QFile>
+#include <QPlainTextEdit>
+#include <QTemporaryDir>
+
+#include "tests/ui/window_setup.h"
+#include "ui/lessons/taking/lesson_view.h"
+#include "ui/lessons/writing/lesson_editor.h"
+#include "ui/style/scale.h"
+
+namespace surefoot {
+
+namespace {
+
+/// A window with the program's lessons, and a folder of its own for what is kept.
+struct Lessons {
+  Lessons() : registry(fullRegistry()), configuration(pendulumConfiguration(registry, "trl")) {
+    session = std::make_unique<Session>(registry, configuration, false);
+    open();
+  }
+  void open() {
+    WindowSetup setup;
+    setup.lessons = QStringLiteral(SUREFOOT_SOURCE) + QStringLiteral("/resources/lessons");
+    setup.folder = folder.path();
+    setup.asksOnQuit = false;
+    window = std::make_unique<MainWindow>(*session, std::move(setup));
+    window->resize(1280, 800);
+    window->show();
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+    window->activateWindow();
+    window->setPage(2);
+  }
+  LessonsPage& page() { return window->lessonsPage(); }
+  LessonDriver& driver() { return page().view()->driver(); }
+  bool opens(std::size_t number) {
+    return QTest::qWaitFor([&] { return driver().number() == number && driver().phase() == LessonDriver::Phase::Open; },
+                           20'000) &&
+           QTest::qWaitFor([&] { return !driver().text().isEmpty(); }, 5'000);
+  }
+  void key(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
+    QWidget* target = window->focusWidget() ? window->focusWidget() : window.get();
+    QTest::keyClick(target, static_cast<Qt::Key>(key), modifiers);
+  }
+  QTemporaryDir folder;
+  Registry registry;
+  Configuration configuration;
+  std::unique_ptr<Session> session;
+  std::unique_ptr<MainWindow> window;
+};
+
+}  // namespace
+
+TEST(LessonsPage, ListsTheLessonsInTheirChapters) {
+  Lessons l;
+  EXPECT_EQ(l.page().lessons().size(), 13u);
+  EXPECT_EQ(l.page().list().model()->rowCount(), 13 + 3) << "and three heads";
+  EXPECT_EQ(l.page().list().chosen(), 0) << "the first that is not done";
+  l.page().list().setFocus();
+  l.key(Qt::Key_End);
+  EXPECT_EQ(l.page().list().chosen(), 12);
+  l.key(Qt::Key_Home);
+  l.key(Qt::Key_Down);
+  EXPECT_EQ(l.page().list().chosen(), 1);
+  const QString spoken = l.page().list().currentIndex().data(Qt::AccessibleTextRole).toString();
+  EXPECT_EQ(spoken, "Lesson 2 of 12, What is a state worth?, 10 minutes, level 1 of 3, not begun");
+}
+
+TEST(LessonsPage, ALessonIsTakenByKeysAlone) {
+  Lessons l;
+  l.page().list().setFocus();
+  for (int i = 0; i < 4; ++i) l.key(Qt::Key_Down);
+  l.key(Qt::Key_Return);
+  ASSERT_TRUE(l.page().view());
+  ASSERT_TRUE(l.opens(0));
+  l.key(Qt::Key_Right, Qt::AltModifier);
+  ASSERT_TRUE(l.opens(1));
+  QTest::qWait(50);
+  QTest::keyClicks(l.window->focusWidget(), "40");
+  l.key(Qt::Key_Return);
+  ASSERT_TRUE(l.opens(2)) << "Enter commits";
+  EXPECT_EQ(l.driver().predicted(1), 40.0);
+  QTest::qWait(50);
+  l.key(Qt::Key_2);
+  l.key(Qt::Key_Right, Qt::AltModifier);
+  EXPECT_TRUE(l.driver().answered());
+  l.key(Qt::Key_Right, Qt::AltModifier);
+  ASSERT_TRUE(l.opens(3));
+  l.key(Qt::Key_Left, Qt::AltModifier);
+  ASSERT_TRUE(l.opens(2));
+}
+
+TEST(LessonsPage, WhatWasDoneIsKeptAndGoneOnWith) {
+  Lessons l;
+  ASSERT_TRUE(l.page().start("the-cliff"));
+  ASSERT_TRUE(l.opens(0));
+  l.driver().next();
+  ASSERT_TRUE(l.opens(1));
+  l.page().showList();
+  EXPECT_EQ(l.page().view(), nullptr);
+  EXPECT_TRUE(QFile::exists(l.folder.filePath("lessons/the-cliff.jsonl")));
+  l.window.reset();
+  l.open();
+  ASSERT_TRUE(l.page().start("the-cliff"));
+  ASSERT_TRUE(l.opens(1)) << "at the step where one was";
+}
+
+TEST(LessonsPage, TheLessonsRobotGoesToTheLivePageAndTheLessonWaits) {
+  Lessons l;
+  ASSERT_TRUE(l.page().start("exploring-costs-falls"));
+  ASSERT_TRUE(l.opens(0));
+  const std::int64_t falls = l.driver().session().life().numbers().falls;
+  ASSERT_GT(falls, 0);
+  Q_EMIT l.page().view()->exploreAsked();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return l.session->life().isShown() && l.session->life().numbers().falls == falls; },
+                              10'000));
+  EXPECT_EQ(l.session->life().configuration().parameters.get("policy.epsilon"), 0.05);
+  l.window->setPage(2);
+  ASSERT_TRUE(l.page().view());
+  EXPECT_EQ(l.driver().number(), 0u);
+}
+
+TEST(LessonsPage, AFileWithAnErrorIsListedWithIt) {
+  Lessons l;
+  const QString path = l.folder.filePath("mine.toml");
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write("title = \"Mine\"\ngoal = \"g\"\n[[step]]\ntitle = \"s\"\nsay = \"![x](http://example.org/x.png)\"\n");
+  file.close();
+  ASSERT_TRUE(l.page().open(path));
+  EXPECT_EQ(l.page().lessons().size(), 14u);
+  EXPECT_EQ(l.page().list().chosen(), 13);
+  l.page().list().setFocus();
+  l.key(Qt::Key_Return);
+  EXPECT_EQ(l.page().view(), nullptr) << "it cannot be started";
+}
+
+TEST(LessonsPage, AClassHasAFileForEachStudentAndRefusesASecondOfOneName) {
+  Lessons l, other;
+  QTemporaryDir shared;
+  ASSERT_TRUE(l.page().setClass(shared.path(), "Ada"));
+  EXPECT_FALSE(other.page().setClass(shared.path(), "Ada")) << "another Ada is there";
+  ASSERT_TRUE(other.page().setClass(shared.path(), "Ada 2"));
+  ASSERT_TRUE(l.page().start("the-cliff"));
+  ASSERT_TRUE(l.opens(0));
+  EXPECT_TRUE(QFile::exists(shared.filePath("Ada the-cliff.jsonl")));
+  // The folder goes away: it is told, and nothing is lost.
+  QString told;
+  QObject::connect(&l.page(), &LessonsPage::refused, [&](const QString& sentence) { told = sentence; });
+  shared.remove();
+  l.driver().next();
+  ASSERT_TRUE(l.opens(1));
+  EXPECT_TRUE(told.contains("is gone")) << told.toStdString();
+  EXPECT_TRUE(QFile::exists(l.folder.filePath("lessons/Ada the-cliff.jsonl")));
+}
+
+TEST(LessonsPage, AnOwnLessonIsOpenedLikeAnyFile) {
+  Lessons l;
+  l.window->setPage(0);
+  l.window->openFile(QStringLiteral(SUREFOOT_SOURCE) + QStringLiteral("/resources/lessons/06-the-cliff.toml"));
+  EXPECT_EQ(l.page().lessons().size(), 13u) << "it is in the list already";
+  EXPECT_EQ(l.page().list().chosen(), 5);
+}
+
+TEST(LessonEditor, TellsWhatIsWrongWhileOneTypesAndKeepsWhatIsNotSaved) {
+  Lessons l;
+  l.page().editTemplate();
+  LessonEditor* editor = l.page().editor();
+  ASSERT_TRUE(editor);
+  EXPECT_TRUE(editor->complaints().empty()) << editor->complaints()[0].sentence;
+  ASSERT_TRUE(editor->lesson());
+  auto* text = editor->findChild<QPlainTextEdit*>();
+  ASSERT_TRUE(text);
+  const QString good = text->toPlainText();
+  QString bad = good;
+  bad.replace("falls < 90", "fals < 90");
+  text->setPlainText(bad);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !editor->complaints().empty(); }, 3'000)) << "a moment after the last key";
+  EXPECT_NE(editor->complaints()[0].sentence.find("did you mean falls"), std::string::npos);
+  EXPECT_TRUE(editor->lesson()) << "the preview keeps the last good one";
+  EXPECT_FALSE(text->extraSelections().isEmpty());
+  QTest::keyClick(editor, Qt::Key_F8);
+  l.window.reset();
+  l.open();
+  l.page().editTemplate();
+  EXPECT_EQ(l.page().editor()->text(), bad) << "it was not saved, and is back";
+}
+
+TEST(LessonEditor, ALessonThatIsWrittenCanBeTakenAtOnce) {
+  Lessons l;
+  l.page().editTemplate();
+  Q_EMIT l.page().editor()->tryAsked();
+  ASSERT_TRUE(l.page().view());
+  ASSERT_TRUE(l.opens(0));
+  EXPECT_EQ(l.driver().lesson().name, "my-lesson");
+}
+
+/// Every step of every lesson as a picture, for a person to look at.
+TEST(LessonPictures, OfEveryStep) {
+  const QString folder = qEnvironmentVariable("SUREFOOT_PICTURES");
+  if (folder.isEmpty()) GTEST_SKIP() << "SUREFOOT_PICTURES names no folder";
+  Lessons l;
+  l.window->grab().save(folder + QStringLiteral("/lessons.png"));
+  const QString only = qEnvironmentVariable("SUREFOOT_LESSON");
+  for (const ShelvedLesson& one : l.page().lessons()) {
+    ASSERT_TRUE(one.lesson);
+    const QString name = QString::fromStdString(one.lesson->name);
+    if (!only.isEmpty() && name != only) continue;
+    ASSERT_TRUE(l.page().start(one.lesson->name));
+    for (std::size_t step = 0; step < one.lesson->steps.size(); ++step) {
+      ASSERT_TRUE(QTest::qWaitFor(
+          [&] { return l.driver().number() == step && l.driver().phase() == LessonDriver::Phase::Open; }, 60'000))
+          << one.lesson->name << " " << step + 1;
+      QTest::qWait(one.lesson->steps[step].lives ? 4000 : 400);
+      l.window->grab().save(QStringLiteral("%1/%2-%3.png").arg(folder, name).arg(step + 1));
+      const auto& predict = one.lesson->steps[step].predict;
+      predict ? l.driver().say((predict->low + predict->high) / 2) : l.driver().next();
+    }
+    ASSERT_TRUE(QTest::qWaitFor([&] { return l.driver().phase() == LessonDriver::Phase::Finished; }, 20'000));
+    QTest::qWait(200);
+    l.window->grab().save(QStringLiteral("%1/%2-end.png").arg(folder, name));
+  }
+}
+
+}  // namespace surefoot
