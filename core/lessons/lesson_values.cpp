@@ -124,15 +124,21 @@ double LessonValues::valueOf(const LessonQuantity& quantity, const Life& life, c
   return pi_[quantity.index];
 }
 
+std::string lessonNumber(double value) {
+  if (!std::isfinite(value)) return "…";
+  const double size = std::abs(value);
+  if (value == std::floor(value)) return countText(value);
+  std::string text = fixedText(value, size >= 100 ? 0 : size >= 10 ? 1 : size >= 0.1 ? 2 : 3);
+  if (text.find('.') == text.npos) return text;
+  while (text.back() == '0') text.pop_back();
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
 std::string LessonValues::text(const LessonText& text, const Life& life) const {
-  const auto shown = [](double value) {
-    if (!std::isfinite(value)) return std::string("…");
-    const double size = std::abs(value);
-    if (value == std::floor(value)) return countText(value);
-    return fixedText(value, size >= 100 ? 0 : size >= 10 ? 1 : size >= 0.1 ? 2 : 3);
-  };
   std::string all = text.empty() ? "" : text.between[0];
-  for (std::size_t i = 0; i < text.numbers.size(); ++i) all += shown(of(text.numbers[i], life)) + text.between[i + 1];
+  for (std::size_t i = 0; i < text.numbers.size(); ++i)
+    all += lessonNumber(of(text.numbers[i], life)) + text.between[i + 1];
   return all;
 }
 

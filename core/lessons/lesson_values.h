@@ -17,6 +17,9 @@ namespace surefoot {
 using LifeFacts = std::array<double, kLifeCounters>;
 LifeFacts factsOf(const Life& life);
 
+/// A number as a lesson shows it: whole ones as they are, others in about three digits, without zeros at the end.
+std::string lessonNumber(double value);
+
 /// A place of the map, or the episode of a fall, or an action.
 struct PointedAt {
   std::vector<double> state{};  ///< empty: the state of the life

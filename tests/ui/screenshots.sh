@@ -100,6 +100,38 @@ walker() {
   end
 }
 
+# lesson NAME: a prediction of lesson 5, and what came out.
+lesson() {
+  begin --lesson exploring-costs-falls
+  sleep 2
+  "${environment[@]}" xdotool key alt+Right
+  sleep 2
+  "${environment[@]}" xdotool type 40
+  "${environment[@]}" xdotool key Return
+  sleep 6
+  "${environment[@]}" import -window root "$out/$1.png"
+  end
+}
+
+# lessons NAME: the list.
+lessons() {
+  begin
+  "${environment[@]}" xdotool key ctrl+3
+  sleep 2
+  "${environment[@]}" xdotool key Down Down Down Down Down
+  sleep 1
+  "${environment[@]}" import -window root "$out/$1.png"
+  end
+}
+
+# Only those that are named, as in ONLY="lesson lessons" screenshots.sh …
+wanted() {
+  case " ${ONLY:-$1} " in *" $1 "*) "$@" ;; esac
+}
+
+wanted lessons lessons
+wanted lesson lesson
+[ -z "${ONLY:-}" ] || exit 0
 shot window-light 1280 800 1
 shot window-dark 1280 800 2
 animation window

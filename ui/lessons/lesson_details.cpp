@@ -3,6 +3,7 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -54,14 +55,31 @@ const ShelvedLesson* named(const std::vector<ListedLesson>& all, const std::stri
 
 }  // namespace
 
-LessonDetails::LessonDetails(const Registry& registry, QWidget* parent) : QScrollArea(parent), registry_(registry) {
-  setWidgetResizable(true);
-  setFrameShape(QFrame::NoFrame);
-  setFocusPolicy(Qt::NoFocus);
-  setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+LessonDetails::LessonDetails(const Registry& registry, QWidget* parent)
+    : QWidget(parent),
+      registry_(registry),
+      scroll_(new QScrollArea),
+      buttons_(new QHBoxLayout) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  scroll_->setWidgetResizable(true);
+  scroll_->setFrameShape(QFrame::NoFrame);
+  scroll_->setFocusPolicy(Qt::NoFocus);
+  scroll_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  column->addWidget(scroll_, 1);
+  column->addLayout(buttons_);
+  whenScaled(this, [this] {
+    buttons_->setContentsMargins(scaled({12, 8, 12, 8}));
+    buttons_->setSpacing(scaled(8));
+  });
 }
 
 void LessonDetails::show(const ListedLesson& listed, const std::vector<ListedLesson>& all) {
+  while (QLayoutItem* item = buttons_->takeAt(0)) {
+    if (item->widget()) item->widget()->deleteLater();
+    delete item;
+  }
   auto* content = new QWidget;
   column_ = new QVBoxLayout(content);
   whenScaled(content, [column = column_] {
@@ -70,7 +88,7 @@ void LessonDetails::show(const ListedLesson& listed, const std::vector<ListedLes
   });
   listed.shelved->lesson ? showLesson(listed, all) : showError(*listed.shelved);
   column_->addStretch(1);
-  setWidget(content);
+  scroll_->setWidget(content);
 }
 
 void LessonDetails::addLine() {
@@ -155,25 +173,23 @@ void LessonDetails::addFacts(const Lesson& lesson, const std::vector<ListedLesso
 
 void LessonDetails::addButtons(const ListedLesson& listed) {
   const bool begun = listed.done > 0 && listed.done < 1;
-  auto* row = new QHBoxLayout;
   auto* start = new TextButton(listed.done >= 1 ? tr("See again")
                                : begun          ? tr("Continue at step %1").arg(listed.reached + 1)
                                                 : tr("Start"),
                                TextButton::Look::Main);
   start->setStarts(true);
   connect(start, &QAbstractButton::clicked, this, [this] { Q_EMIT startAsked(); });
-  row->addWidget(start);
+  buttons_->addWidget(start);
   if (begun) {
     auto* again = new TextButton(tr("Begin again"), TextButton::Look::Framed);
     connect(again, &QAbstractButton::clicked, this, &LessonDetails::beginAgainAsked);
-    row->addWidget(again);
+    buttons_->addWidget(again);
   }
   auto* explore = new TextButton(tr("Explore freely"), TextButton::Look::Framed);
   explore->setToolTip(tr("The Live page, as the lesson begins"));
   connect(explore, &QAbstractButton::clicked, this, &LessonDetails::exploreAsked);
-  row->addWidget(explore);
-  row->addStretch(1);
-  column_->addLayout(row);
+  buttons_->addWidget(explore);
+  buttons_->addStretch(1);
 }
 
 }  // namespace surefoot

@@ -3,15 +3,17 @@
 // no answer away.
 #pragma once
 
-#include <QScrollArea>
+#include <QWidget>
 
 #include "ui/lessons/lesson_list.h"
 
+class QHBoxLayout;
+class QScrollArea;
 class QVBoxLayout;
 
 namespace surefoot {
 
-class LessonDetails final : public QScrollArea {
+class LessonDetails final : public QWidget {
   Q_OBJECT
 
  public:
@@ -32,6 +34,8 @@ class LessonDetails final : public QScrollArea {
   void addLine();
 
   const Registry& registry_;
+  QScrollArea* scroll_;
+  QHBoxLayout* buttons_;
   QVBoxLayout* column_ = nullptr;
 };
 

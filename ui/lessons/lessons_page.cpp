@@ -335,9 +335,11 @@ Status LessonsPage::startChosen() {
 }
 
 void LessonsPage::startLesson(const Lesson& lesson, bool again) {
-  if (again || store_.handIn(lesson).finished())
+  if (again)
     if (const Status s = store_.forget(lesson); !s) Q_EMIT refused(toText(s.error().message));
-  const HandIn handIn = store_.handIn(lesson);
+  HandIn handIn = store_.handIn(lesson);
+  const bool seen = handIn.finished();  // it is seen again; what was said stays as it was
+  if (seen) handIn.marks.clear();
   if (view_) removeWidget(view_), delete std::exchange(view_, nullptr);
   view_ = new LessonView(registry_, lesson, handIn);
   addWidget(view_);
@@ -350,15 +352,19 @@ void LessonsPage::startLesson(const Lesson& lesson, bool again) {
       if (explore_) explore_(std::move(began), std::move(life));
     });
   });
-  connect(&view_->driver(), &LessonDriver::marked, this, [this](const LessonMark& mark) {
+  connect(&view_->driver(), &LessonDriver::marked, this, [this, seen](const LessonMark& mark) {
+    if (seen) return;
     if (const Status s = store_.add(view_->driver().lesson(), mark); !s)
       Q_EMIT refused(tr("What you do cannot be kept: %1").arg(toText(s.error().message)));
   });
   connect(view_, &LessonView::teacherAsked, this, &LessonsPage::showTeacher);
   connect(&view_->driver(), &LessonDriver::stepChanged, this, [this] {
-    if (teacher_) teacher_->follow(view_->driver().number());
+    if (teacher_) teacher_->follow(view_->driver().number(), 0);
   });
   delete teacher_;
+  for (std::size_t i = 0; i + 1 < lessons_.size(); ++i)
+    if (lessons_[i].lesson && lessons_[i].lesson->name == lesson.name && lessons_[i + 1].lesson)
+      view_->setNext(toText(lessons_[i + 1].lesson->name), toText(lessons_[i + 1].lesson->title));
   view_->begin(handIn.marks.empty() ? 0 : handIn.reached(lesson));
   refreshStatus();
 }
@@ -383,6 +389,10 @@ void LessonsPage::showList() {
   refresh();
   list_->setFocus(Qt::OtherFocusReason);
   refreshStatus();
+}
+
+void LessonsPage::showHint() {
+  if (view_) view_->showHint();
 }
 
 void LessonsPage::focusHome() {

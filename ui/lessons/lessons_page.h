@@ -45,6 +45,7 @@ class LessonsPage final : public QStackedWidget {
   void editTemplate();
   LessonEditor* editor() const { return editor_; }
   void showList();
+  void showHint();
   /// The focus goes to the list, or to what the lesson asks.
   void focusHome();
   LessonView* view() const { return view_; }
@@ -81,6 +82,7 @@ class LessonsPage final : public QStackedWidget {
   void startKiosk();
   void printHandout(bool solutions);
   void showTeacher();
+  void showNotes();
   void startLesson(const Lesson& lesson, bool again);
   void exploreStart(const Lesson& lesson);
   void refreshStatus();

@@ -2,6 +2,7 @@
 // The part of the Lessons page for teachers: files, classes, the kiosk, hand-outs, and the teacher's window.
 #include <QApplication>
 #include <QCoreApplication>
+#include <QFileInfo>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -28,13 +29,16 @@ namespace surefoot {
 QWidget* LessonsPage::makeFoot() {
   auto* foot = new QWidget;
   auto* row = new QHBoxLayout(foot);
-  auto* head = new QLabel(tr("For teachers"));
+  auto* head = new QLabel(tr("For teachers:"));
   auto* drop = new QLabel(tr("a lesson file can also be dropped here"));
   for (QLabel* label : {head, drop}) {
     label->setForegroundRole(QPalette::PlaceholderText);
     whenScaled(label, [label] { label->setFont(scaledFont(11)); });
   }
   drop_ = drop;
+  auto* notes = new LinkButton(tr("Notes"));
+  notes->setToolTip(tr("What the chosen lesson's teacher should know: answers, questions, times"));
+  connect(notes, &QToolButton::clicked, this, &LessonsPage::showNotes);
   auto* open = new LinkButton(tr("Open a lesson file …"));
   auto* write = new LinkButton(tr("Write …"));
   auto* shared = new LinkButton(tr("Class …"));
@@ -56,10 +60,7 @@ QWidget* LessonsPage::makeFoot() {
   handout->setMenu(kinds);
   handout->setPopupMode(QToolButton::InstantPopup);
   row->addWidget(head);
-  for (QToolButton* link :
-       {static_cast<QToolButton*>(open), static_cast<QToolButton*>(write), static_cast<QToolButton*>(shared),
-        static_cast<QToolButton*>(kiosk), static_cast<QToolButton*>(handout)})
-    row->addWidget(link);
+  for (LinkButton* link : {notes, open, write, shared, kiosk, handout}) row->addWidget(link);
   row->addStretch(1);
   row->addWidget(drop);
   whenScaled(foot, [row] {
@@ -131,11 +132,16 @@ void LessonsPage::askForClass() {
   form->addRow(tr("Name"), student);
   form->addRow(note);
   form->addRow(join);
-  const auto check = [folder, student, join] {
+  const auto check = [folder, student, note, join] {
     static const QRegularExpression kName(
         QStringLiteral("^[\\p{L}\\p{N}_-]([\\p{L}\\p{N} _-]{0,38}[\\p{L}\\p{N}_-])?$"));
     const bool none = folder->text().isEmpty() && student->text().isEmpty();
-    join->setEnabled(none || (!folder->text().isEmpty() && kName.match(student->text()).hasMatch()));
+    const bool there = QFileInfo(folder->text()).isDir(), named = kName.match(student->text()).hasMatch();
+    join->setEnabled(none || (there && named));
+    note->setText(none || (there && named)
+                      ? tr("Every student has a file of their own in the folder. A name of your choosing will do.")
+                  : there ? tr("A name has up to 40 letters, digits, blanks, - and _.")
+                          : tr("There is no such folder."));
   };
   for (QLineEdit* field : {folder, student}) connect(field, &QLineEdit::textChanged, dialog, check);
   check();
@@ -181,12 +187,22 @@ void LessonsPage::printHandout(bool solutions) {
                 });
 }
 
+/// Of the chosen lesson, before it is begun.
+void LessonsPage::showNotes() {
+  const Lesson* lesson = chosenLesson();
+  if (!lesson) return;
+  delete teacher_;
+  teacher_ = new TeacherWindow(*lesson, store_.classFolder(), this);
+  teacher_->setAttribute(Qt::WA_DeleteOnClose);
+  teacher_->QWidget::show();
+}
+
 void LessonsPage::showTeacher() {
   if (!view_) return;
   if (!teacher_) {
     teacher_ = new TeacherWindow(view_->driver().lesson(), store_.classFolder(), this);
     teacher_->setAttribute(Qt::WA_DeleteOnClose);
-    teacher_->follow(view_->driver().number());
+    teacher_->follow(view_->driver().number(), view_->driver().secondsInStep());
   }
   teacher_->QWidget::show();
   teacher_->raise();

@@ -29,15 +29,16 @@ constexpr double kSlowest = 0.1, kFastest = 8.0;  // times real time
 constexpr int kIsEnvironment = Qt::UserRole + 1;  // data of an item: it is an environment, not a scenario
 constexpr int kIsHead = -1;                       // data of a head between tasks
 
-double paceAt(int position) {
+}  // namespace
+
+double RunBar::paceAt(int position) {
   const double pace = kSlowest * std::pow(kFastest / kSlowest, static_cast<double>(position) / Slider::kSteps);
   return std::abs(pace - 1.0) < 0.06 ? 1.0 : pace;  // real time is easy to hit
 }
-int positionOf(double pace) {
+
+int RunBar::positionOfPace(double pace) {
   return static_cast<int>(std::lround(Slider::kSteps * std::log(pace / kSlowest) / std::log(kFastest / kSlowest)));
 }
-
-}  // namespace
 
 RunBar::RunBar(RunningLife& life, Editing& editing, const RunActions& actions, QWidget* parent)
     : Painted(parent),
@@ -51,7 +52,7 @@ RunBar::RunBar(RunningLife& life, Editing& editing, const RunActions& actions, Q
   pace_->setAccessibleName(tr("Pace"));
   pace_->setToolTip(
       tipText(tr("How fast the world runs while turbo is off: %1 to %2 times real time").arg(kSlowest).arg(kFastest)));
-  pace_->setValue(positionOf(life.pace()));
+  pace_->setValue(positionOfPace(life.pace()));
   connect(pace_, &QSlider::valueChanged, this, [this](int position) { life_.setPace(paceAt(position)); });
   buttons_.push_back(new BarButton(actions.turbo, Icon::Turbo, BarButton::Look::Framed, this));
 
@@ -206,7 +207,7 @@ void RunBar::refresh() {
   select(*policy_, names.policy);
   if (!pace_->isSliderDown()) {
     const QSignalBlocker blocker(pace_);
-    if (paceAt(pace_->value()) != life_.pace()) pace_->setValue(positionOf(life_.pace()));
+    if (paceAt(pace_->value()) != life_.pace()) pace_->setValue(positionOfPace(life_.pace()));
   }
   layOut();
 }

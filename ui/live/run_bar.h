@@ -30,6 +30,9 @@ class RunBar final : public Painted<> {
  public:
   RunBar(RunningLife& life, Editing& editing, const RunActions& actions, QWidget* parent = nullptr);
   QSize sizeHint() const override { return scaled({1280, 48}); }
+  /// The pace at a position of the slider (0 to Slider::kSteps), and back.
+  static double paceAt(int position);
+  static int positionOfPace(double pace);
   /// One notch up or down the slider.
   void changePace(int notches);
   /// The texts of the counters: falls, episodes, and how many times faster than real time it runs (empty: not known).

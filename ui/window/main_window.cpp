@@ -8,6 +8,7 @@
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStandardPaths>
+#include <QUndoGroup>
 #include <QVBoxLayout>
 
 #include "ui/controls/message_bar.h"
@@ -114,6 +115,7 @@ void MainWindow::setPage(int page) {
   tabs_[static_cast<std::size_t>(page)]->setChecked(true);
   placeMessages();
   for (QAction* action : liveActions_) action->setEnabled(page == 0);  // no key of one page works on another
+  undoOfPage_->setActiveStack(page == 2 ? nullptr : &session_.history().undo());
   if (page != 1) focusHome();
   refresh();
   refreshStatus();

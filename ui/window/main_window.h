@@ -17,6 +17,8 @@ class QActionGroup;
 class QMenu;
 class QStackedWidget;
 
+class QUndoGroup;
+
 namespace surefoot {
 
 class Autosave;
@@ -131,6 +133,7 @@ class MainWindow final : public QMainWindow {
   ExperimentPage* experiment_ = nullptr;
   LessonsPage* lessons_ = nullptr;
   StatusLine* status_ = nullptr;
+  QUndoGroup* undoOfPage_ = nullptr;
   QString experimentLeft_, experimentRight_, lessonsLeft_, lessonsRight_;
   std::vector<QAbstractButton*> tabs_;
   std::vector<QAction*> shortcuts_, liveActions_;

@@ -6,6 +6,7 @@
 #include <QMenuBar>
 #include <QPainter>
 #include <QSettings>
+#include <QUndoGroup>
 
 #include "core/text/text.h"
 #include "ui/controls/message_bar.h"
@@ -139,8 +140,11 @@ void MainWindow::makeFileMenu() {
 
 void MainWindow::makeEditMenu() {
   QMenu* edit = menuBar()->addMenu(tr("&Edit"));
-  for (QAction* action : {session_.history().undo().createUndoAction(this, tr("&Undo")),
-                          session_.history().undo().createRedoAction(this, tr("&Redo"))})
+  undoOfPage_ = new QUndoGroup(this);  // the Live page's; a lesson has its own ways back
+  undoOfPage_->addStack(&session_.history().undo());
+  undoOfPage_->setActiveStack(&session_.history().undo());
+  for (QAction* action :
+       {undoOfPage_->createUndoAction(this, tr("&Undo")), undoOfPage_->createRedoAction(this, tr("&Redo"))})
     edit->addAction(action);
   edit->actions()[0]->setShortcut(QKeySequence::Undo);
   edit->actions()[1]->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
@@ -217,8 +221,10 @@ void MainWindow::makeMenus() {
   item(tr("Export all c&harts …"), tr("PNG, PDF and CSV"), &ExperimentPage::exportCharts);
 
   QMenu* help = menuBar()->addMenu(tr("&Help"));
-  connect(addAction(help, tr("&Shortcuts"), tr("All shortcuts"), Qt::Key_F1), &QAction::triggered, this,
-          &MainWindow::showShortcuts);
+  connect(addAction(help, tr("&Shortcuts"), tr("All shortcuts"), Qt::Key_F1), &QAction::triggered, this, [this] {
+    const bool lesson = pages_->currentWidget() == lessons_ && lessons_->view();
+    lesson ? lessons_->showHint() : showShortcuts();
+  });
   connect(addAction(help, tr("&Words"), tr("What the words mean, with their formulas"), {}), &QAction::triggered, this,
           [this] { showWords({}); });
   connect(addAction(help, tr("Write a &lesson"), tr("A lesson of one's own as text, from a template"), {}),

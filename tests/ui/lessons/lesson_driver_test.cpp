@@ -142,6 +142,44 @@ TEST(LessonDriver, AStepThatIsResetBeginsAsItBegan) {
   ASSERT_TRUE(t.opens(2));
 }
 
+// What the student's hands do after a step's own run does not spoil the steps behind it.
+TEST(LessonDriver, TheNextStepBeginsAsTheLessonWasChecked) {
+  Taking t;
+  auto lived = LessonLife::begin(t.registry, t.lesson(), 7);
+  ASSERT_TRUE(lived);
+  lived->run(*t.lesson().steps[0].run->amount);
+  const std::uint64_t hash = lived->life().hash();
+  t.driver->enter(0);
+  ASSERT_TRUE(t.opens(0));
+  Session& session = t.driver->session();
+  ASSERT_TRUE(session.editing().setParameter("policy.epsilon", 0.7));
+  session.life().setTurbo(true);
+  session.life().setRunning(true);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return session.life().numbers().episodes > 150; }, 20'000));
+  t.driver->next();
+  ASSERT_TRUE(t.opens(1));
+  EXPECT_EQ(t.hash(), hash);
+  EXPECT_EQ(session.life().configuration().parameters.get("policy.epsilon"), 0.05);
+  // A knob alone, too.
+  t.driver->back();
+  ASSERT_TRUE(t.opens(0));
+  ASSERT_TRUE(session.editing().setParameter("policy.epsilon", 0.7));
+  t.driver->next();
+  ASSERT_TRUE(t.opens(1));
+  EXPECT_EQ(session.life().configuration().parameters.get("policy.epsilon"), 0.05);
+  // Back to a step that was done: it is as it was, with what was said.
+  t.driver->say(40);
+  ASSERT_TRUE(t.opens(2));
+  const std::uint64_t after = t.hash();
+  t.driver->back();
+  ASSERT_TRUE(t.opens(1));
+  EXPECT_EQ(t.hash(), hash);
+  EXPECT_TRUE(t.driver->mayGoOn()) << "it was said before";
+  t.driver->next();
+  ASSERT_TRUE(t.opens(2));
+  EXPECT_EQ(t.hash(), after);
+}
+
 TEST(LessonDriver, SeveralLivesAreThoseOfTheProgram) {
   Taking t;
   t.driver->enter(4);

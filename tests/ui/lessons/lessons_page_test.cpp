@@ -155,6 +155,28 @@ TEST(LessonsPage, AClassHasAFileForEachStudentAndRefusesASecondOfOneName) {
   EXPECT_TRUE(QFile::exists(l.folder.filePath("lessons/Ada the-cliff.jsonl")));
 }
 
+TEST(LessonsPage, ALessonThatIsDoneCanBeSeenAgainAndStaysDone) {
+  Lessons l;
+  ASSERT_TRUE(l.page().start("what-is-a-state-worth"));
+  ASSERT_TRUE(l.opens(0));
+  const std::size_t steps = l.driver().lesson().steps.size();
+  for (std::size_t step = 0; step < steps; ++step) {
+    ASSERT_TRUE(l.opens(step));
+    const auto& predict = l.driver().step().predict;
+    predict ? l.driver().say(predict->low) : l.driver().next();
+  }
+  ASSERT_TRUE(QTest::qWaitFor([&] { return l.driver().phase() == LessonDriver::Phase::Finished; }, 20'000));
+  l.page().showList();
+  ASSERT_TRUE(l.page().start("what-is-a-state-worth"));
+  ASSERT_TRUE(l.opens(0)) << "from the beginning";
+  l.driver().next();
+  l.page().showList();
+  l.window.reset();
+  l.open();
+  const auto again = l.page().list().model()->index(2, 0).data(Qt::AccessibleTextRole).toString();
+  EXPECT_TRUE(again.endsWith("done")) << again.toStdString();
+}
+
 TEST(LessonsPage, AnOwnLessonIsOpenedLikeAnyFile) {
   Lessons l;
   l.window->setPage(0);

@@ -290,6 +290,8 @@ void KioskWindow::refresh() {
   facts_->setText(tr("ε = %1 against τ = %2, %3 episodes each")
                       .arg(toText(fixedText(epsilon_, 3)), toText(fixedText(temperature_, 2)),
                            toText(countText(static_cast<double>(both)))));
+  if (slider_->share() == 0)
+    return sees_->setText(tr("Now neither tries anything: both always take what they think is best."));
   sees_->setText(both < kiosk_.episodes ? toText(kiosk_.explain)
                                         : tr("After %1 episodes: %2 falls against %3.\n%4")
                                               .arg(both)

@@ -35,7 +35,7 @@ void announce(QWidget* about, const QString& text) {
 }
 
 QString numberText(double value) {
-  return toText(value == std::floor(value) ? countText(value) : fixedText(value, 2));
+  return toText(lessonNumber(value));
 }
 
 }  // namespace
@@ -243,7 +243,13 @@ void LessonColumn::showEnd() {
     addText(toText(asked->model), 13, 400);
   }
   addLine();
-  auto* next = new TextButton(tr("All lessons"), TextButton::Look::Main, content_);
+  if (!nextName_.isEmpty()) {
+    auto* on = new TextButton(tr("Next: %1").arg(nextTitle_), TextButton::Look::Main, content_);
+    connect(on, &QAbstractButton::clicked, this, [this] { Q_EMIT lessonAsked(nextName_); });
+    column_->addWidget(on);
+  }
+  auto* next = new TextButton(tr("All lessons"),
+                              nextName_.isEmpty() ? TextButton::Look::Main : TextButton::Look::Framed, content_);
   whenScaled(next, [next] { next->setFixedHeight(scaled(32)); });
   connect(next, &QAbstractButton::clicked, this, &LessonColumn::nextLessonAsked);
   column_->addWidget(next);
@@ -271,7 +277,7 @@ void LessonColumn::refresh() {
   const bool pointing = driver_.step().ask && !driver_.answered() && !asks;
   const bool task = (driver_.step().done && !driver_.taskDone()) || pointing;
   back_->setEnabled(driver_.number() > 0 || finished);
-  next_->setVisible(!finished && !driver_.step().predict);
+  next_->setVisible(!finished && (!driver_.step().predict || driver_.mayGoOn()));
   next_->setText(asks ? question_->nextWord() : task ? tr("Skip") : last ? tr("Finish") : tr("Next"));
   next_->setLook(task ? TextButton::Look::Framed : TextButton::Look::Main);
   next_->updateGeometry();

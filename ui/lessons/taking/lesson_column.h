@@ -31,6 +31,7 @@ class LessonColumn final : public QWidget {
   void goBack();
   void showHint();
   void focusFirst();
+  void setNext(const QString& name, const QString& title) { nextName_ = name, nextTitle_ = title; }
 
  Q_SIGNALS:
   void exploreAsked();
@@ -51,6 +52,7 @@ class LessonColumn final : public QWidget {
   QVBoxLayout& anew();
 
   LessonDriver& driver_;
+  QString nextName_, nextTitle_;
   QLabel *title_, *number_;
   StepDots* dots_;
   QScrollArea* scroll_;

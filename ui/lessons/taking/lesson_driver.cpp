@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lessons/taking/lesson_driver.h"
 
-#include <thread>
+#include <algorithm>
 #include <utility>
 
 #include "core/saved/checkpoint.h"
@@ -14,6 +14,14 @@ Configuration startOf(const Lesson& lesson, const HandIn& handIn) {
   Configuration start = lesson.start;
   start.seed = handIn.seed;
   return start;
+}
+
+bool sameValues(const Parameters& a, const Parameters& b) {
+  const auto& all = a.all();
+  return std::all_of(all.begin(), all.end(), [&](const auto& entry) {
+    const auto* other = b.find(entry.parameter.key);
+    return other && other->value == entry.value;
+  });
 }
 
 }  // namespace
@@ -99,8 +107,51 @@ bool LessonDriver::mayGoOn() const {
   return !step().ask || answered_;
 }
 
+void LessonDriver::keepState(const std::function<void(Beginning)>& then) {
+  auto kept = std::make_shared<std::optional<Beginning>>();
+  visit(
+      [kept, write = recorder(), began = session_->life().began(), from = learnedFrom()](const Life& life,
+                                                                                         Knowledge& k) {
+        LessonMark mark;
+        write(life, k, mark);
+        *kept = Beginning{.checkpoint = std::make_shared<const TensorFile>(checkpointOf(life, began, true)),
+                          .began = began,
+                          .values = k.values,
+                          .learnedFrom = from,
+                          .record = mark.life,
+                          .before = mark.before,
+                          .changes = static_cast<int>(life.changes().size()),
+                          .parameters = life.parameters()};
+      },
+      [kept, then] { then(std::move(**kept)); });
+}
+
+/// The step's own part is over: what the student's hands do from now on does not go into the next step.
+void LessonDriver::settle(const Then& then) {
+  keepState([this, then](Beginning state) {
+    settled_ = std::move(state);
+    then();
+  });
+}
+
+/// The life is another one than when the step had settled.
+bool LessonDriver::meddled() const {
+  if (!settled_) return false;
+  const RunningLife& life = session_->life();
+  const ValueSnapshot* values = life.values();
+  return life.running() || life.snapshot().steps != settled_->record->steps ||
+         life.began().start != settled_->began.start ||
+         (values && static_cast<int>(values->changes.size()) != settled_->changes) ||
+         !sameValues(life.configuration().parameters, settled_->parameters);
+}
+
 void LessonDriver::next() {
-  if (number_ + 1 < lesson_.steps.size()) return enter(number_ + 1);
+  // A task's life is the student's own; everything else goes on as the lesson was tried and checked.
+  const bool asItWas = settled_ && !step().done && meddled();
+  std::optional<Beginning> from = asItWas ? settled_ : std::nullopt;
+  const auto before = beginnings_.find(number_ + 1);
+  if (!step().done && before != beginnings_.end()) from = before->second;  // one has been there
+  if (number_ + 1 < lesson_.steps.size()) return arrive(number_ + 1, std::move(from));
   mark({.kind = LessonMark::Kind::Finished, .step = number_});
   session_->life().setRunning(false);
   setPhase(Phase::Finished);
@@ -111,10 +162,21 @@ void LessonDriver::back() {
   if (number_ > 0) enter(number_ - 1);
 }
 
+/// A step that one has been at begins as it did then.
 void LessonDriver::enter(std::size_t number) {
-  const bool leaves = entered_ > 0 && phase_ != Phase::Finished;
-  if (leaves && step().observe && !observed(number_) && phase_ == Phase::Open)
-    return observe(*step().observe, [this, number] { enter(number); });
+  if (const auto found = beginnings_.find(number); found != beginnings_.end()) return arrive(number, found->second);
+  const LessonMark* arrived = nullptr;
+  for (const LessonMark& m : handIn_.marks)
+    if (!arrived && m.kind == LessonMark::Kind::Arrived && m.step == number && m.life) arrived = &m;
+  if (!arrived || number == 0) return arrive(number, std::nullopt);
+  goOn(number);
+}
+
+/// `from`: the state of the life with which the step begins; nothing: the present one.
+void LessonDriver::arrive(std::size_t number, std::optional<Beginning> from) {
+  const bool leaves = entered_ > 0 && phase_ == Phase::Open && number_ != number;
+  if (leaves && step().done && step().observe && !observed(number_))
+    return observe(*step().observe, [this, number, from] { arrive(number, from); });
   ++entered_;
   background_.cancel();
   number_ = number;
@@ -122,6 +184,7 @@ void LessonDriver::enter(std::size_t number) {
   taskDone_ = parKept_ = answered_ = hintTaken_ = false;
   lives_.clear();
   text_.clear();
+  settled_.reset();
   progress_->store(0);
   clock_.start();
   session_->life().watch({});
@@ -132,19 +195,23 @@ void LessonDriver::enter(std::size_t number) {
   session_->looking().setDemonstrating(!placed);
   setPhase(Phase::Preparing);
   Q_EMIT stepChanged();
-  auto record = std::make_shared<LessonMark>(LessonMark{.kind = LessonMark::Kind::Arrived, .step = number_});
-  auto beginning = std::make_shared<std::optional<Beginning>>();
-  visit(
-      [write = recorder(), began = session_->life().began(), from = learnedFrom(), record, beginning](const Life& life,
-                                                                                                      Knowledge& k) {
-        write(life, k, *record);
-        beginning->emplace(std::make_shared<const TensorFile>(checkpointOf(life, began, true)), began, k.values, from);
-      },
-      [this, record, beginning] {
-        beginning_ = std::move(*beginning);
-        mark(std::move(*record));
-        step().begin.empty() ? open() : prepare();
-      });
+  const auto begin = [this, restore = from.has_value()](Beginning beginning) {
+    beginning_ = beginning;
+    beginnings_.emplace(number_, std::move(beginning));
+    mark(
+        {.kind = LessonMark::Kind::Arrived, .step = number_, .life = beginning_->record, .before = beginning_->before});
+    !restore&& step().begin.empty() ? open() : prepare();
+  };
+  from ? begin(std::move(*from)) : keepState(begin);
+}
+
+void LessonDriver::resetStep() {
+  if (!beginning_) return;
+  predicted_.erase(number_);
+  observed_.erase(number_);
+  undone_ = session_->life().curves().live().number;
+  beginnings_.erase(beginnings_.upper_bound(number_), beginnings_.end());
+  arrive(number_, beginning_);
 }
 
 LessonValues LessonDriver::valuesOfMarks() const {
@@ -160,8 +227,10 @@ LessonValues LessonDriver::valuesOfMarks() const {
 }
 
 void LessonDriver::goOn(std::size_t number) {
-  const LessonMark* arrived = handIn_.last(LessonMark::Kind::Arrived, number);
-  if (number == 0 || !arrived || !arrived->life) return enter(number);
+  const LessonMark* arrived = nullptr;  // as one came there first
+  for (const LessonMark& m : handIn_.marks)
+    if (!arrived && m.kind == LessonMark::Kind::Arrived && m.step == number && m.life) arrived = &m;
+  if (number == 0 || !arrived) return arrive(number, std::nullopt);
   number_ = number;
   setPhase(Phase::Preparing);
   Q_EMIT stepChanged();
@@ -171,27 +240,10 @@ void LessonDriver::goOn(std::size_t number) {
         *made = relive(registry, *lesson, *record, &interrupted);
       },
       [this, made, number] {
-        if (*made) return place(std::move(**made), valuesOfMarks(), [this, number] { enter(number); });
+        if (*made) return place(std::move(**made), valuesOfMarks(), [this, number] { arrive(number, std::nullopt); });
         Q_EMIT refused(tr("The lesson begins anew: %1").arg(QString::fromStdString(made->error().message)));
-        enter(0);
+        arrive(0, std::nullopt);
       });
-}
-
-void LessonDriver::resetStep() {
-  if (!beginning_) return;
-  ++entered_;
-  background_.cancel();
-  tries_ = 0;
-  taskDone_ = parKept_ = answered_ = false;
-  predicted_.erase(number_);
-  observed_.erase(number_);
-  lives_.clear();
-  session_->life().watch({});
-  session_->life().setRunning(false);
-  setPhase(Phase::Preparing);
-  Q_EMIT stepChanged();
-  undone_ = session_->life().curves().live().number;
-  prepare();
 }
 
 /// A copy of the life at the step's beginning, with what happens before the step; in the background.
@@ -253,20 +305,22 @@ void LessonDriver::place(LifeInHand life, LessonValues values, const Then& then)
 void LessonDriver::open() {
   renderText();
   if (step().lives) liveWays();
-  if (!step().run || !step().run->ends()) {
-    setPhase(Phase::Open);
-    watchTask();
-    session_->life().setTurbo(step().run && step().run->turbo);
-    if (step().run) session_->life().setRunning(true);
-    return;
-  }
-  run(*step().run, [this] {
-    const auto over = [this] {
+  const Then over = [this] {
+    session_->life().setTurbo(false);  // from here on a person runs it
+    settle([this] {
       setPhase(Phase::Open);
       renderText();
       watchTask();
-    };
-    step().observe ? observe(*step().observe, over) : over();
+    });
+  };
+  const Then observed = [this, over] { step().observe && !step().done ? observe(*step().observe, over) : over(); };
+  if (step().run && step().run->ends()) return run(*step().run, observed);
+  if (!step().run) return observed();
+  settle([this] {
+    setPhase(Phase::Open);
+    watchTask();
+    session_->life().setTurbo(step().run->turbo);
+    session_->life().setRunning(true);
   });
 }
 

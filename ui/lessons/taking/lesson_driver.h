@@ -54,6 +54,7 @@ class LessonDriver final : public QObject {
   bool taskDone() const { return taskDone_; }
   bool parKept() const { return parKept_; }
   int tries() const { return tries_; }
+  double secondsInStep() const { return static_cast<double>(clock_.elapsed()) / 1000; }
   bool answered() const { return answered_; }
   bool hintTaken() const { return hintTaken_; }
 
@@ -102,10 +103,17 @@ class LessonDriver final : public QObject {
     Configuration began;
     LessonValues values;
     std::shared_ptr<const LifeRecord> learnedFrom;
+    std::shared_ptr<const LifeRecord> record{}, before{};  ///< the life as a record, and the one before it
+    int changes = 0;                                       ///< to the life until then
+    Parameters parameters{};                               ///< as the life had them
   };
   using Then = std::function<void()>;
 
   void setPhase(Phase phase);
+  void keepState(const std::function<void(Beginning)>& then);
+  void settle(const Then& then);
+  bool meddled() const;
+  void arrive(std::size_t number, std::optional<Beginning> from);
   void prepare();
   void place(LifeInHand life, LessonValues values, const Then& then);
   void open();
@@ -140,7 +148,9 @@ class LessonDriver final : public QObject {
   std::map<const TensorFile*, std::shared_ptr<const LifeRecord>> learned_;
   std::map<std::size_t, double> predicted_, observed_;
   std::vector<std::vector<double>> lives_;
-  std::optional<Beginning> beginning_;
+  std::optional<Beginning> beginning_;           // of the step in hand
+  std::map<std::size_t, Beginning> beginnings_;  // of the steps that one came to, as one came there first
+  std::optional<Beginning> settled_;             // when the step's own run was over, before the student's hands
   std::size_t number_ = 0;
   Phase phase_ = Phase::Preparing;
   QString text_;

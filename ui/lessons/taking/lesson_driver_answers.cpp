@@ -39,6 +39,8 @@ void LessonDriver::say(double value) {
   perform(prediction.then, 0, [this, prediction] {
     run({.amount = prediction.after, .turbo = prediction.turbo}, [this, prediction] {
       observe(prediction.of, [this] {
+        session_->life().setTurbo(false);
+        settled_.reset();
         setPhase(Phase::Open);
         next();
       });

@@ -1,34 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of LessonDriver that acts on the life: runs with an end, actions, several lives, tasks that are watched.
+#include <chrono>
 #include <thread>
 #include <utility>
 
+#include "ui/controls/preferences.h"
 #include "ui/lessons/taking/lesson_driver.h"
 
 namespace surefoot {
+
+namespace {
+constexpr double kLeastShown = 900;  // [ms]
+}
 
 void LessonDriver::run(const LessonRun& run, const Then& then) {
   setPhase(Phase::Running);
   progress_->store(0);
   auto from = std::make_shared<LifeFacts>();
   visit([from](const Life& life, Knowledge&) { *from = factsOf(life); });
-  session_->life().watch(
-      [this, run, from, then, knowledge = knowledge_, progress = progress_, entered = entered_](const Life& life) {
-        bool over = life.finished();
-        if (run.amount) {
-          const double share = shareOf(*run.amount, *from, life);
-          progress->store(share, std::memory_order_relaxed);
-          over = over || share >= 1;
-        }
-        if (run.until) over = over || knowledge->values.holds(*run.until, life);
-        if (!over) return Watching::GoOn;
-        calls_.post([this, then, entered] {
-          if (entered != entered_) return;
-          session_->life().setRunning(false);
-          then();
-        });
-        return Watching::EnoughAndPause;
-      });
+  // In turbo it would be over before anybody sees the curve grow: it takes about a second.
+  const double least = run.turbo && run.amount && !reducedMotion() ? kLeastShown : 0;
+  QElapsedTimer clock;
+  clock.start();
+  session_->life().watch([this, run, from, then, least, clock, knowledge = knowledge_, progress = progress_,
+                          entered = entered_](const Life& life) {
+    bool over = life.finished();
+    if (run.amount) {
+      const double share = shareOf(*run.amount, *from, life);
+      progress->store(share, std::memory_order_relaxed);
+      const double ahead = least * std::min(share, 1.0) - static_cast<double>(clock.elapsed());  // [ms]
+      if (ahead > 1) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      over = over || share >= 1;
+    }
+    if (run.until) over = over || knowledge->values.holds(*run.until, life);
+    if (!over) return Watching::GoOn;
+    calls_.post([this, then, entered] {
+      if (entered != entered_) return;
+      session_->life().setRunning(false);
+      then();
+    });
+    return Watching::EnoughAndPause;
+  });
   session_->life().setTurbo(run.turbo);
   session_->life().setRunning(true);
 }

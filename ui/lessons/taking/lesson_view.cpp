@@ -12,9 +12,11 @@
 #include "ui/controls/bar_button.h"
 #include "ui/controls/hairline.h"
 #include "ui/controls/link_button.h"
+#include "ui/controls/slider.h"
 #include "ui/lessons/taking/lesson_column.h"
 #include "ui/lessons/taking/lesson_panels.h"
 #include "ui/lessons/taking/prediction_box.h"
+#include "ui/live/run_bar.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
@@ -75,7 +77,9 @@ LessonView::~LessonView() {
 QAction* LessonView::act(const QString& text, const QList<QKeySequence>& keys, const std::function<void()>& what) {
   auto* action = new QAction(text, this);
   action->setShortcuts(keys);
-  action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  // Alt and an arrow go on from wherever the focus is in the window; single keys only within the lesson.
+  const bool single = keys.front()[0].keyboardModifiers() == Qt::NoModifier;
+  action->setShortcutContext(single ? Qt::WidgetWithChildrenShortcut : Qt::WindowShortcut);
   connect(action, &QAction::triggered, this, what);
   addAction(action);
   return action;
@@ -94,7 +98,6 @@ void LessonView::makeActions() {
   turbo_->setToolTip(tr("Learn flat out"));
   act(tr("Next"), {QKeySequence(Qt::ALT | Qt::Key_Right)}, [this] { column_->goOn(); });
   act(tr("Back"), {QKeySequence(Qt::ALT | Qt::Key_Left)}, [this] { column_->goBack(); });
-  act(tr("Hint"), {Qt::Key_F1}, [this] { column_->showHint(); });
 }
 
 QWidget* LessonView::makeBar() {
@@ -103,11 +106,30 @@ QWidget* LessonView::makeBar() {
   runButtons_ = {new BarButton(run_, Icon::Run, BarButton::Look::Main, bar),
                  new BarButton(restart_, Icon::Restart, BarButton::Look::Quiet, bar),
                  new BarButton(turbo_, Icon::Turbo, BarButton::Look::Framed, bar)};
-  for (QWidget* button : runButtons_) row->addWidget(button);
+  for (QWidget* button : runButtons_) {
+    QSizePolicy keeps = button->sizePolicy();
+    keeps.setRetainSizeWhenHidden(true);  // so that nothing beside it jumps from step to step
+    button->setSizePolicy(keeps);
+    row->addWidget(button);
+  }
+  pace_ = new Slider(bar);
+  pace_->setAccessibleName(tr("Pace"));
+  pace_->setToolTip(tr("How fast the world runs; real time is in the middle"));
+  pace_->setValue(RunBar::positionOfPace(driver_->session().life().pace()));
+  connect(pace_, &QSlider::valueChanged, this,
+          [this](int at) { driver_->session().life().setPace(RunBar::paceAt(at)); });
+  paceWord_ = new QLabel(tr("Pace"), bar);
+  paceWord_->setForegroundRole(QPalette::PlaceholderText);
+  whenScaled(pace_, [this] {
+    pace_->setFixedWidth(scaled(96));
+    paceWord_->setFont(scaledFont(11));
+  });
   auto* all = new LinkButton(tr("‹  All lessons"), bar);
   all->setToolTip(tr("The list of lessons; this one waits at its step"));
   connect(all, &QToolButton::clicked, this, &LessonView::allLessonsAsked);
   row->addWidget(all);
+  row->addWidget(paceWord_);
+  row->addWidget(pace_);
   auto* teacher = new LinkButton(tr("Teacher"), bar);
   teacher->setToolTip(tr("Notes, answers and the class, in a window for the teacher's own screen"));
   connect(teacher, &QToolButton::clicked, this, &LessonView::teacherAsked);
@@ -140,6 +162,14 @@ void LessonView::begin(std::size_t step) {
   driver_->goOn(std::min(step, driver_->lesson().steps.size() - 1));
 }
 
+void LessonView::showHint() {
+  column_->showHint();
+}
+
+void LessonView::setNext(const QString& name, const QString& title) {
+  column_->setNext(name, title);
+}
+
 void LessonView::focusHome() {
   if (QWidget* world = panels_->first())
     world->setFocus(Qt::OtherFocusReason);
@@ -154,6 +184,7 @@ void LessonView::refresh() {
     return std::find(show.begin(), show.end(), name) != show.end();
   };
   const bool open = driver_->phase() == LessonDriver::Phase::Open;
+  static_cast<BarButton*>(runButtons_[0])->setIcon(life.running() ? Icon::Pause : Icon::Run);
   run_->setText(life.running() ? tr("Pause") : tr("Run"));
   run_->setEnabled(shows("run") && open && !life.finished());
   restart_->setEnabled(shows("restart") && open);
@@ -161,6 +192,8 @@ void LessonView::refresh() {
   turbo_->setChecked(life.turbo());
   const char* names[] = {"run", "restart", "turbo"};
   for (std::size_t i = 0; i < runButtons_.size(); ++i) runButtons_[i]->setVisible(shows(names[i]));
+  for (QWidget* part : {static_cast<QWidget*>(pace_), static_cast<QWidget*>(paceWord_)})
+    part->setVisible(shows("pace"));
   const bool counts = life.task().canFall;
   falls_->setText(counts ? toText(countText(static_cast<double>(life.numbers().falls))) : QString());
   QPalette palette = falls_->palette();
@@ -172,30 +205,47 @@ void LessonView::refresh() {
   nameRun();
 }
 
-/// "ε 0.25": the values of the step's knobs, or the policy and learning rule if those are chosen.
+/// "ε 0.25", "ε 0.05 → 0.25", "Softmax, τ 1": how a life is lived, by the knobs of the step that it began in.
 QString LessonView::knobWords() const {
-  const Configuration& now = driver_->session().life().configuration();
-  QStringList words;
+  const RunningLife& life = driver_->session().life();
+  const Configuration &began = life.began(), &now = life.configuration();
+  const Registry& registry = life.registry();
+  const auto policy = findEntry(registry.policies, "policy", now.names.policy);
+  const std::vector<std::string> keys = policy ? policyKeys(**policy) : std::vector<std::string>();
+  const auto used = [&](const std::string& key) {
+    return !key.starts_with("policy.") || std::find(keys.begin(), keys.end(), key) != keys.end();
+  };
   const auto title = [](const auto& entries, const std::string& kind, const std::string& name) {
     const auto entry = findEntry(entries, kind, name);
     return entry ? toText((*entry)->title) : toText(name);
   };
+  QStringList words;
+  bool named = false;
   for (const std::string& name : driver_->step().show) {
-    if (name == "policy") words << title(driver_->session().life().registry().policies, "policy", now.names.policy);
-    if (name == "agent") words << title(driver_->session().life().registry().agents, "agent", now.names.agent);
-    const auto* entry = now.parameters.find(name);
-    if (!entry) continue;
+    const auto *entry = now.parameters.find(name), *before = began.parameters.find(name);
+    const bool otherPolicy = entry && !used(name);
+    if ((name == "policy" || otherPolicy) && !named)
+      words << title(registry.policies, "policy", now.names.policy), named = true;
+    if (name == "agent") words << title(registry.agents, "agent", now.names.agent);
+    if (!entry || otherPolicy) continue;
     const std::string& symbol = entry->parameter.symbol;
-    words << QStringLiteral("%1 %2").arg(toText(symbol.empty() ? entry->parameter.title : symbol),
-                                         toText(formatValue(entry->parameter, entry->value)));
+    QString value = toText(formatValue(entry->parameter, entry->value));
+    if (before && before->value != entry->value && life.progress().episodes > 0)
+      value = toText(formatValue(before->parameter, before->value)) + QStringLiteral(" → ") + value;
+    words << QStringLiteral("%1 %2").arg(toText(symbol.empty() ? entry->parameter.title : symbol), value);
   }
   return words.mid(0, 2).join(QStringLiteral(", "));
 }
 
+/// A curve is named when its life begins; a knob that is turned while it runs is told.
 void LessonView::nameRun() {
   const RunningLife& life = driver_->session().life();
-  if (!life.running() && life.progress().episodes > 0) return;  // what it was lived with stays
-  runWords_[driver_->session().life().curves().live().number] = knobWords();
+  const int number = life.curves().live().number;
+  const bool isNamed = runWords_.contains(number);
+  if (isNamed && !life.running() && life.progress().episodes > 0) return;
+  if (isNamed && namedIn_[number] != driver_->number() && life.progress().episodes > 0) return;
+  runWords_[number] = knobWords();
+  namedIn_[number] = driver_->number();
 }
 
 /// After a prediction of falls the world shows the last one again: why it fell is seen before it is asked.

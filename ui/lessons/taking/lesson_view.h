@@ -15,6 +15,7 @@ namespace surefoot {
 class BarButton;
 class LessonColumn;
 class LessonPanels;
+class Slider;
 
 class LessonView final : public QWidget {
   Q_OBJECT
@@ -27,6 +28,9 @@ class LessonView final : public QWidget {
   /// Begins, or goes on, with a step.
   void begin(std::size_t step);
   void focusHome();
+  void showHint();
+  /// The lesson after this one, for its end; empty: none.
+  void setNext(const QString& name, const QString& title);
 
  Q_SIGNALS:
   void allLessonsAsked();
@@ -51,10 +55,12 @@ class LessonView final : public QWidget {
   std::unique_ptr<LessonDriver> driver_;
   QAction *run_, *restart_, *turbo_;
   std::vector<QWidget*> runButtons_;
-  QLabel *falls_, *episodes_;
+  QLabel *falls_, *episodes_, *paceWord_;
+  Slider* pace_;
   LessonColumn* column_;
   LessonPanels* panels_;
-  std::map<int, QString> runWords_;  // by the numbers of lives
+  std::map<int, QString> runWords_;     // by the numbers of lives
+  std::map<int, std::size_t> namedIn_;  // the steps in which they were named
 };
 
 }  // namespace surefoot

@@ -17,8 +17,7 @@ namespace surefoot {
 namespace {
 
 QString shortText(double value) {
-  const double size = std::abs(value);
-  return toText(value == std::floor(value) ? countText(value) : fixedText(value, size >= 100 ? 0 : size >= 1 ? 1 : 3));
+  return toText(lessonNumber(value));
 }
 
 }  // namespace

@@ -41,7 +41,9 @@ void OptionButton::paintEvent(QPaintEvent*) {
   p.setRenderHint(QPainter::Antialiasing);
   if (isChecked() || underMouse()) {
     p.setPen(Qt::NoPen);
-    p.setBrush(t.fill);
+    QColor ground = t.fill;
+    if (!isChecked()) ground.setAlphaF(0.4f);
+    p.setBrush(ground);
     p.drawRoundedRect(rect(), 4, 4);
   }
   const QPointF centre(14, height() / 2.0);

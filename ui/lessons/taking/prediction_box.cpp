@@ -61,7 +61,9 @@ PredictionBox::PredictionBox(LessonDriver& driver, QWidget* parent)
   commit_ = new TextButton({}, TextButton::Look::Main, this);
   whenScaled(commit_, [this] { commit_->setMinimumHeight(scaled(32)); });
   column().addWidget(commit_);
-  note_ = addNote(tr("Once given it stays. Wrong is fine."));
+  note_ = addNote(tr("%1 to %2. Once given it stays. Wrong is fine.")
+                      .arg(toText(whole ? countText(p.low) : fixedText(p.low, 2)),
+                           toText(whole ? countText(p.high) : fixedText(p.high, 2))));
   connect(number_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     const LessonPrediction& asked = *driver_.step().predict;
     const QSignalBlocker blocker(slider_);

@@ -49,6 +49,16 @@ QStringList textsOf(const std::vector<std::string>& texts) {
   return list;
 }
 
+/// "policy.epsilon >= 0.01" as "ε ≥ 0.01".
+QString plainCondition(const std::string& condition, const Parameters& parameters) {
+  QString text = toText(condition);
+  for (const auto& entry : parameters.all()) {
+    const std::string& symbol = entry.parameter.symbol;
+    text.replace(toText(entry.parameter.key), toText(symbol.empty() ? entry.parameter.title : symbol));
+  }
+  return text.replace(QStringLiteral(">="), QStringLiteral("≥")).replace(QStringLiteral("<="), QStringLiteral("≤"));
+}
+
 }  // namespace
 
 ChoiceBox::ChoiceBox(LessonDriver& driver, const ChoiceQuestion& question, QWidget* parent)
@@ -261,8 +271,8 @@ void TaskBox::refresh() {
   const QString state = driver_.taskDone() ? tr("✓ Done.") : tr("○ Not done yet; it ticks itself.");
   task_->setText(toText(step.task) + '\n' + state);
   if (step.par)
-    par_->setText(
-        (driver_.parKept() ? tr("✓ Par reached: %1") : tr("Par, for the ambitious: %1")).arg(toText(step.par->text)));
+    par_->setText((driver_.parKept() ? tr("✓ And with %1.") : tr("Extra: can you do it with %1?"))
+                      .arg(plainCondition(step.par->text, driver_.session().life().configuration().parameters)));
   par_->setVisible(step.par.has_value());
 }
 

@@ -19,7 +19,7 @@ void StepDots::paintEvent(QPaintEvent*) {
   p.setRenderHint(QPainter::Antialiasing);
   const double pitch = std::min(24.0, (width() - 12.0) / static_cast<double>(steps_)), y = 8;
   for (std::size_t i = 0; i < steps_; ++i) {
-    const double x = 4 + pitch * static_cast<double>(i);
+    const double x = 6.5 + pitch * static_cast<double>(i);
     const bool done = i < current_;
     if (i + 1 < steps_) {
       p.setPen(QPen(done ? t.ink : t.track, 1.5));

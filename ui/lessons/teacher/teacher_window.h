@@ -22,8 +22,8 @@ class TeacherWindow final : public QDialog {
  public:
   /// `classFolder`: where the class's answers come in; empty: there is no class.
   TeacherWindow(Lesson lesson, QString classFolder, QWidget* parent = nullptr);
-  /// The lesson that is shown is at this step (from 0).
-  void follow(std::size_t step);
+  /// The lesson that is shown is at this step (from 0), for so long [s].
+  void follow(std::size_t step, double seconds);
   /// The table of the class, as it is shown: rows are students, columns are steps.
   const QTableWidget& table() const { return *table_; }
   QString notes() const;
@@ -39,6 +39,7 @@ class TeacherWindow final : public QDialog {
   const QString folder_;
   std::size_t step_ = 0;
   QElapsedTimer inStep_;
+  double before_ = 0;  // in the step before it was followed [s]
   QTimer ticking_;
   QLabel *title_, *time_, *say_, *answer_, *hint_, *notes_, *next_, *most_, *state_;
   QTableWidget* table_ = nullptr;
