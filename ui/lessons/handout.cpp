@@ -114,10 +114,9 @@ class Handout {
     if (const std::string question = questionOf(step); !question.empty()) line(toText(question), kText, true, 4);
     if (step.predict) predict(*step.predict, i);
     if (step.ask) std::visit([&](const auto& q) { ask(q); }, *step.ask);
-    if (step.done && solved()) line(tr("Done when: %1").arg(toText(step.done->text)), kSmall, false, 4);
-    if (step.par && solved()) line(tr("Par: %1").arg(toText(step.par->text)), kSmall, false, 4);
+    if (step.done && !solved()) line(tr("I set: ____________________   It came to: ____________"), kText, false, 4);
     if (!step.hint.empty() && solved()) line(tr("Hint: %1").arg(toText(step.hint)), kSmall, false, 4);
-    if (solved() && step.minutes > 0) line(tr("about %1 minutes").arg(step.minutes), kSmall, false, 4);
+    if (solved() && step.minutes > 0) line(tr("about %1 min").arg(step.minutes), kSmall, false, 4);
     line({}, 4, false, 4);
   }
 
@@ -125,7 +124,10 @@ class Handout {
     line(tr("I say: ____________ %1 (%2 to %3). It came to: ____________")
              .arg(toText(p.unit), toText(countText(p.low)), toText(countText(p.high))),
          kText, false, 4);
-    if (solved()) line(toText(told_[i].came).section(QLatin1Char('\n'), 0, 0).trimmed(), kText, true, 4);
+    if (solved())
+      line(tr("It comes to %1.")
+               .arg(toText(told_[i].came).section(QLatin1Char('\n'), 0, 0).section(QLatin1Char(':'), 1).trimmed()),
+           kText, true, 4);
   }
 
   void ask(const ChoiceQuestion& q) {

@@ -116,7 +116,7 @@ void LessonDetails::addRow(const QString& first, const QString& words, const QSt
   right->setAlignment(Qt::AlignRight);
   right->setWordWrap(words.isEmpty());
   row->addWidget(right, words.isEmpty() ? 1 : 0);
-  whenScaled(this, [row] { row->setSpacing(scaled(12)); });
+  whenScaled(left, [row] { row->setSpacing(scaled(12)); });  // as long as the row lives
   column_->addLayout(row);
 }
 

@@ -171,20 +171,21 @@ void LessonsPage::startKiosk() {
 void LessonsPage::printHandout(bool solutions) {
   const Lesson* chosen = chosenLesson();
   if (!chosen) return;
-  askForNewFile(this, tr("Hand-out"), toText(chosen->name) + QStringLiteral(".pdf"), QStringLiteral("*.pdf"),
-                QStringLiteral("pdf"), [this, lesson = *chosen, solutions](const QString& path) {
-                  auto told = std::make_shared<std::vector<ToldStep>>();
-                  printing_.start(
-                      [told, lesson, solutions, &registry = registry_](const std::atomic<bool>&) {
-                        if (solutions) static_cast<void>(liveThrough(registry, lesson, lesson.start.seed, told.get()));
-                      },
-                      [this, told, lesson, path] {
-                        const QByteArray pdf = handoutOf(registry_, lesson, *told);
-                        const Status s = writeWhole("hand-out", path.toStdString(), pdf.toStdString());
-                        s ? Q_EMIT this->told(tr("%1 is written.").arg(path))
-                          : Q_EMIT refused(toText(s.error().message));
-                      });
-                });
+  askForNewFile(
+      this, tr("Hand-out"),
+      toText(chosen->name) + (solutions ? QStringLiteral("-answers.pdf") : QStringLiteral(".pdf")),
+      QStringLiteral("*.pdf"), QStringLiteral("pdf"), [this, lesson = *chosen, solutions](const QString& path) {
+        auto told = std::make_shared<std::vector<ToldStep>>();
+        printing_.start(
+            [told, lesson, solutions, &registry = registry_](const std::atomic<bool>&) {
+              if (solutions) static_cast<void>(liveThrough(registry, lesson, lesson.start.seed, told.get()));
+            },
+            [this, told, lesson, path] {
+              const QByteArray pdf = handoutOf(registry_, lesson, *told);
+              const Status s = writeWhole("hand-out", path.toStdString(), pdf.toStdString());
+              s ? Q_EMIT this->told(tr("%1 is written.").arg(path)) : Q_EMIT refused(toText(s.error().message));
+            });
+      });
 }
 
 /// Of the chosen lesson, before it is begun.

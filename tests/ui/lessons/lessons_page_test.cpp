@@ -177,6 +177,20 @@ TEST(LessonsPage, ALessonThatIsDoneCanBeSeenAgainAndStaysDone) {
   EXPECT_TRUE(again.endsWith("done")) << again.toStdString();
 }
 
+// Whatever was shown before, another size of texts finds only what is there.
+TEST(LessonsPage, TextsGrowAfterALessonWasVisited) {
+  Lessons l;
+  ASSERT_TRUE(l.page().start("why-does-it-fall"));
+  ASSERT_TRUE(l.opens(0));
+  l.page().showList();
+  for (int lesson = 0; lesson < 13; ++lesson) l.page().list().choose(lesson);
+  QTest::qWait(20);
+  for (const double size : {1.1, 2.0, 1.0}) {
+    applyTextSize(size);
+    QTest::qWait(20);
+  }
+}
+
 TEST(LessonsPage, AnOwnLessonIsOpenedLikeAnyFile) {
   Lessons l;
   l.window->setPage(0);

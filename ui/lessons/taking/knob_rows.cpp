@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 #include <set>
+#include <utility>
 
 #include "core/text/text.h"
 #include "ui/controls/combo.h"
@@ -44,6 +45,12 @@ KnobRows::KnobRows(Session& session, const std::vector<std::string>& shown, QWid
     if (const Status s = session_.newLives().setParameterAndRestart(key.toStdString(), value); !s)
       Q_EMIT refused(toText(s.error().message));
   });
+  refresh();
+}
+
+void KnobRows::takeBase() {
+  if (std::exchange(hasBase_, true)) return;
+  for (const auto& entry : session_.life().configuration().parameters.all()) began_[entry.parameter.key] = entry.value;
   refresh();
 }
 

@@ -22,6 +22,8 @@ class KnobRows final : public QWidget {
   KnobRows(Session& session, const std::vector<std::string>& shown, QWidget* parent = nullptr);
   bool empty() const { return count_ == 0; }
   int count() const { return count_; }
+  /// The step is the student's from now on: Reset goes back to the values of this moment. Once.
+  void takeBase();
 
  Q_SIGNALS:
   void refused(const QString& sentence);
@@ -38,6 +40,7 @@ class KnobRows final : public QWidget {
   std::map<std::string, Combo*> choices_;
   std::map<std::string, double> began_;  // the values when the step began: those of Reset
   int count_ = 0;
+  bool hasBase_ = false;
 };
 
 }  // namespace surefoot

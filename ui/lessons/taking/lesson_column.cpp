@@ -193,10 +193,16 @@ void LessonColumn::showStep() {
     addLine();
     column_->addWidget(question_);
     connect(question_, &QuestionBox::predictionMoved, this, &LessonColumn::predictionMoved);
+    connect(question_, &QuestionBox::told, this, [this](QWidget* verdict) {
+      // When it has its place: what was said about the answer is always in sight.
+      QTimer::singleShot(0, verdict, [this, verdict] { scroll_->ensureWidgetVisible(verdict, 0, scaled(16)); });
+      if (driver_.answered() && next_->isVisible()) next_->setFocus(Qt::OtherFocusReason);
+    });
   }
   hint_ = addText(toText(step.hint), 13, 400);
   hint_->hide();
   auto* knobs = new KnobRows(driver_.session(), step.show, content_);
+  knobs_ = knobs;
   connect(knobs, &KnobRows::refused, this, &LessonColumn::refused);
   if (!knobs->empty()) {
     addLine();
@@ -254,7 +260,7 @@ void LessonColumn::showEnd() {
   connect(next, &QAbstractButton::clicked, this, &LessonColumn::nextLessonAsked);
   column_->addWidget(next);
   column_->addStretch(1);
-  next->setFocus(Qt::OtherFocusReason);
+  QTimer::singleShot(0, next, [next] { next->setFocus(Qt::OtherFocusReason); });
   announce(this, tr("The lesson is done. You know now: %1").arg(toText(lesson.goal)));
   refresh();
 }
@@ -270,6 +276,7 @@ void LessonColumn::focusFirst() {
 
 void LessonColumn::refresh() {
   using Phase = LessonDriver::Phase;
+  if (knobs_ && driver_.phase() == Phase::Open) knobs_->takeBase();
   if (driver_.phase() == Phase::Finished && number_->text() != tr("done")) return showEnd();
   const bool finished = driver_.phase() == Phase::Finished,
              last = driver_.number() + 1 == driver_.lesson().steps.size();

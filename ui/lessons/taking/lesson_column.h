@@ -6,6 +6,7 @@
 #include <QPointer>
 #include <QWidget>
 
+#include "ui/lessons/taking/knob_rows.h"
 #include "ui/lessons/taking/lesson_driver.h"
 
 class QLabel;
@@ -15,7 +16,6 @@ class QVBoxLayout;
 
 namespace surefoot {
 
-class KnobRows;
 class MarkdownView;
 class QuestionBox;
 class StepDots;
@@ -61,6 +61,7 @@ class LessonColumn final : public QWidget {
   QPointer<MarkdownView> text_;
   QPointer<QuestionBox> question_;
   QPointer<QLabel> hint_, progress_;
+  QPointer<KnobRows> knobs_;
   QToolButton *hintLink_, *reset_, *explore_;
   TextButton *back_, *next_;
 };

@@ -46,7 +46,7 @@ LessonDriver::LessonDriver(const Registry& registry, Lesson lesson, HandIn handI
       k.before = std::make_shared<const LifeRecord>(recordOf(*this_, began, life, from));
     });
   });
-  for (const auto changed : {&RunningLife::replaced, &RunningLife::configurationChanged})
+  for (const auto changed : {&RunningLife::replaced, &RunningLife::configurationChanged, &RunningLife::stateChanged})
     connect(&session_->life(), changed, this, [this] {
       if (phase_ == Phase::Open) watchTask();
     });
@@ -123,7 +123,10 @@ void LessonDriver::keepState(const std::function<void(Beginning)>& then) {
                           .changes = static_cast<int>(life.changes().size()),
                           .parameters = life.parameters()};
       },
-      [kept, then] { then(std::move(**kept)); });
+      [this, kept, then] {
+        (*kept)->curve = session_->life().curves().live().number;
+        then(std::move(**kept));
+      });
 }
 
 /// The step's own part is over: what the student's hands do from now on does not go into the next step.
@@ -177,7 +180,11 @@ void LessonDriver::arrive(std::size_t number, std::optional<Beginning> from) {
   const bool leaves = entered_ > 0 && phase_ == Phase::Open && number_ != number;
   if (leaves && step().done && step().observe && !observed(number_))
     return observe(*step().observe, [this, number, from] { arrive(number, from); });
+  // A life that the student played with is no curve of the lesson once the lesson begins another.
+  const bool own = leaves && (step().done || meddled()) && !lesson_.steps[number].begin.empty();
+  if (own) undone_ = session_->life().curves().live().number;
   ++entered_;
+  phase_ = Phase::Preparing;  // no task is watched on the way; it is told below
   background_.cancel();
   number_ = number;
   tries_ = 0;
@@ -202,6 +209,7 @@ void LessonDriver::arrive(std::size_t number, std::optional<Beginning> from) {
         {.kind = LessonMark::Kind::Arrived, .step = number_, .life = beginning_->record, .before = beginning_->before});
     !restore&& step().begin.empty() ? open() : prepare();
   };
+  if (from) undone_ = from->curve;
   from ? begin(std::move(*from)) : keepState(begin);
 }
 
@@ -209,7 +217,6 @@ void LessonDriver::resetStep() {
   if (!beginning_) return;
   predicted_.erase(number_);
   observed_.erase(number_);
-  undone_ = session_->life().curves().live().number;
   beginnings_.erase(beginnings_.upper_bound(number_), beginnings_.end());
   arrive(number_, beginning_);
 }
@@ -295,10 +302,21 @@ void LessonDriver::place(LifeInHand life, LessonValues values, const Then& then)
           k.values = values;
           k.before = nullptr;
         });
-        if (undone_) session_->life().curves().remove({*std::exchange(undone_, std::nullopt)});
+        forgetCurves();
         then();
       });
   static_cast<void>(static_cast<bool>(begun));  // it was told above
+}
+
+/// The curves of lives that came after the state that was gone back to.
+void LessonDriver::forgetCurves() {
+  if (!undone_) return;
+  std::vector<int> numbers;
+  const RunCurves& curves = session_->life().curves();
+  for (const RunCurve& curve : curves.earlier())
+    if (curve.number >= *undone_ && curve.number != curves.live().number) numbers.push_back(curve.number);
+  session_->life().curves().remove(numbers);
+  undone_.reset();
 }
 
 /// The step begins.

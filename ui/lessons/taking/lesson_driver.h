@@ -104,6 +104,7 @@ class LessonDriver final : public QObject {
     LessonValues values;
     std::shared_ptr<const LifeRecord> learnedFrom;
     std::shared_ptr<const LifeRecord> record{}, before{};  ///< the life as a record, and the one before it
+    int curve = 0;                                         ///< the number of the life's curve
     int changes = 0;                                       ///< to the life until then
     Parameters parameters{};                               ///< as the life had them
   };
@@ -117,6 +118,7 @@ class LessonDriver final : public QObject {
   void prepare();
   void place(LifeInHand life, LessonValues values, const Then& then);
   void open();
+  void forgetCurves();
   void liveWays();
   void perform(LessonActions actions, std::size_t from, Then then);
   void beginLife(Configuration configuration, const Then& then);
@@ -154,7 +156,7 @@ class LessonDriver final : public QObject {
   std::size_t number_ = 0;
   Phase phase_ = Phase::Preparing;
   QString text_;
-  std::optional<int> undone_;  // the curve of a life that the step's reset ends
+  std::optional<int> undone_;  // the curves from this number on are of lives that did not happen
   QElapsedTimer clock_;
   std::uint64_t entered_ = 0;  // counts the steps that were entered: what comes late is of another one
   int tries_ = 0;

@@ -168,7 +168,8 @@ void LessonDriver::liveWays() {
 void LessonDriver::watchTask() {
   if (!step().done || (taskDone_ && (!step().par || parKept_))) return;
   const auto look = [this, done = *step().done, par = step().par, wasDone = taskDone_, knowledge = knowledge_,
-                     entered = entered_, record = recorder(), step = number_](const Life& life) {
+                     entered = entered_, record = recorder(), step = number_,
+                     turbo = session_->life().turbo()](const Life& life) {
     const LessonValues& values = knowledge->values;
     if (!values.holds(done, life)) return Watching::GoOn;
     const bool kept = par && values.holds(*par, life);
@@ -178,7 +179,7 @@ void LessonDriver::watchTask() {
     calls_.post([this, entered, given = std::move(given)]() mutable {
       if (entered == entered_) noteTask(std::move(given));
     });
-    return Watching::Enough;
+    return turbo ? Watching::EnoughAndPause : Watching::Enough;
   };
   session_->life().visit([look](const Life& life) { look(life); });  // of a life that rests a knob may do it
   session_->life().watch(look);
@@ -188,6 +189,7 @@ void LessonDriver::noteTask(LessonMark done) {
   if (taskDone_ && (parKept_ || !done.right)) return;
   taskDone_ = true;
   parKept_ = done.right;
+  if (session_->life().turbo()) session_->life().setRunning(false);  // else it is far beyond before one has seen it
   mark(std::move(done));
   renderText();
   Q_EMIT taskChanged();

@@ -221,20 +221,33 @@ QString LessonView::knobWords() const {
   };
   QStringList words;
   bool named = false;
+  if (hasSeveralRules()) words << title(registry.agents, "agent", now.names.agent);
   for (const std::string& name : driver_->step().show) {
     const auto *entry = now.parameters.find(name), *before = began.parameters.find(name);
     const bool otherPolicy = entry && !used(name);
     if ((name == "policy" || otherPolicy) && !named)
       words << title(registry.policies, "policy", now.names.policy), named = true;
-    if (name == "agent") words << title(registry.agents, "agent", now.names.agent);
     if (!entry || otherPolicy) continue;
     const std::string& symbol = entry->parameter.symbol;
     QString value = toText(formatValue(entry->parameter, entry->value));
-    if (before && before->value != entry->value && life.progress().episodes > 0)
+    if (before && before->value != entry->value && life.changedAt(name).value_or(0) > 0)
       value = toText(formatValue(before->parameter, before->value)) + QStringLiteral(" → ") + value;
     words << QStringLiteral("%1 %2").arg(toText(symbol.empty() ? entry->parameter.title : symbol), value);
   }
   return words.mid(0, 2).join(QStringLiteral(", "));
+}
+
+/// Lives of this lesson learn by different rules: then their curves say which.
+bool LessonView::hasSeveralRules() const {
+  const auto changes = [&](const LessonActions& actions) {
+    return std::any_of(actions.begin(), actions.end(), [&](const LessonAction& a) {
+      return a.kind == LessonAction::Kind::Agent && a.value != driver_->lesson().start.names.agent;
+    });
+  };
+  return std::any_of(driver_->lesson().steps.begin(), driver_->lesson().steps.end(), [&](const LessonStep& step) {
+    const bool shown = std::find(step.show.begin(), step.show.end(), "agent") != step.show.end();
+    return shown || changes(step.begin) || (step.predict && changes(step.predict->then));
+  });
 }
 
 /// A curve is named when its life begins; a knob that is turned while it runs is told.

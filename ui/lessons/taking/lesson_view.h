@@ -51,6 +51,7 @@ class LessonView final : public QWidget {
   void nameRun();
   void showLastFall();
   QString knobWords() const;
+  bool hasSeveralRules() const;
 
   std::unique_ptr<LessonDriver> driver_;
   QAction *run_, *restart_, *turbo_;

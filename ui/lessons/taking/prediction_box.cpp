@@ -29,12 +29,8 @@ PredictionBox::PredictionBox(LessonDriver& driver, QWidget* parent)
   number_->setKeyboardTracking(true);
   number_->setAlignment(Qt::AlignRight);
   auto* unit = new QLabel(toText(p.unit), this);
-  auto* hint = new QLabel(tr("type it, or drag the mark\nhere or on the chart"), this);
-  for (QLabel* label : {unit, hint}) {
-    label->setForegroundRole(QPalette::PlaceholderText);
-    whenScaled(label, [label] { label->setFont(scaledFont(11)); });
-  }
-  hint->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  unit->setForegroundRole(QPalette::PlaceholderText);
+  whenScaled(unit, [unit] { unit->setFont(scaledFont(11)); });
   whenScaled(number_, [this] {
     number_->setFont(scaledFont(24, 500));
     number_->setFixedSize(scaled(QSize(112, 42)));
@@ -43,7 +39,6 @@ PredictionBox::PredictionBox(LessonDriver& driver, QWidget* parent)
   row->addWidget(number_);
   row->addWidget(unit);
   row->addStretch(1);
-  row->addWidget(hint);
   column().addLayout(row);
   slider_ = new Slider(this);
   slider_->setAccessibleName(tr("The same as a slider"));
@@ -61,7 +56,7 @@ PredictionBox::PredictionBox(LessonDriver& driver, QWidget* parent)
   commit_ = new TextButton({}, TextButton::Look::Main, this);
   whenScaled(commit_, [this] { commit_->setMinimumHeight(scaled(32)); });
   column().addWidget(commit_);
-  note_ = addNote(tr("%1 to %2. Once given it stays. Wrong is fine.")
+  note_ = addNote(tr("%1 to %2; type it, or drag the mark. Once given it stays. Wrong is fine.")
                       .arg(toText(whole ? countText(p.low) : fixedText(p.low, 2)),
                            toText(whole ? countText(p.high) : fixedText(p.high, 2))));
   connect(number_, &QDoubleSpinBox::valueChanged, this, [this](double value) {

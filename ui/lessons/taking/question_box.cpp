@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lessons/taking/question_box.h"
 
+#include <QAbstractButton>
 #include <QAccessible>
+#include <QButtonGroup>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QVBoxLayout>
 
@@ -64,8 +67,18 @@ void QuestionBox::tell(const LessonVerdict& verdict) {
                                      : tr("Not yet. %1").arg(remark);
   verdict_->setText(text);
   verdict_->setVisible(true);
+  Q_EMIT told(verdict_);
   QAccessibleEvent announced(verdict_, QAccessible::Alert);
   QAccessible::updateAccessibility(&announced);
+}
+
+bool QuestionBox::takeKey(QKeyEvent& event, const QButtonGroup& options) {
+  if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter) return check(), true;
+  const int option = event.key() - Qt::Key_1;
+  if (option < 0 || option >= options.buttons().size()) return false;
+  options.button(option)->setChecked(true);
+  options.button(option)->setFocus(Qt::ShortcutFocusReason);
+  return true;
 }
 
 QuestionBox* makeQuestion(LessonDriver& driver, QWidget* parent) {

@@ -6,6 +6,8 @@
 
 #include "ui/lessons/taking/lesson_driver.h"
 
+class QButtonGroup;
+class QKeyEvent;
 class QLabel;
 class QVBoxLayout;
 
@@ -26,8 +28,12 @@ class QuestionBox : public QWidget {
  Q_SIGNALS:
   /// A number that is being said, before it is given.
   void predictionMoved(double value);
+  /// A judgement is shown here.
+  void told(QWidget* verdict);
 
  protected:
+  /// A key 1, 2, 3 … chooses an option, Enter gives the answer; false: it is another key.
+  bool takeKey(QKeyEvent& event, const QButtonGroup& options);
   /// The driver's judgement of the last answer.
   void tell(const LessonVerdict& verdict);
   QVBoxLayout& column() { return *column_; }

@@ -82,10 +82,11 @@ void ChoiceBox::check() {
 }
 
 void ChoiceBox::keyPressEvent(QKeyEvent* event) {
-  const int option = event->key() - Qt::Key_1;
-  if (option < 0 || option >= options_->buttons().size()) return QuestionBox::keyPressEvent(event);
-  options_->button(option)->setChecked(true);
-  options_->button(option)->setFocus(Qt::ShortcutFocusReason);
+  if (!takeKey(*event, *options_)) QuestionBox::keyPressEvent(event);
+}
+
+void CompareBox::keyPressEvent(QKeyEvent* event) {
+  if (!takeKey(*event, *options_)) QuestionBox::keyPressEvent(event);
 }
 
 NumberBox::NumberBox(LessonDriver& driver, const NumberQuestion& question, QWidget* parent)

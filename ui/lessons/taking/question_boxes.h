@@ -96,6 +96,9 @@ class CompareBox final : public QuestionBox {
   void check() override;
   QString nextWord() const override { return tr("Check"); }
 
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
  private:
   QButtonGroup* options_;
 };

@@ -104,7 +104,7 @@ TeacherWindow::TeacherWindow(Lesson lesson, QString classFolder, QWidget* parent
   });
   connect(&ticking_, &QTimer::timeout, this, &TeacherWindow::tick);
   ticking_.start(1000);
-  follow(0, 0);
+  follow(0, -1);
   read();
 }
 
@@ -163,6 +163,7 @@ void TeacherWindow::follow(std::size_t step, double seconds) {
 void TeacherWindow::tick() {
   const double minutes = lesson_.steps[step_].minutes;
   const QString planned = minutes > 0 ? tr(" of about %1").arg(minutesText(60 * minutes)) : QString();
+  if (before_ < 0) return time_->setText(tr("about %1").arg(minutesText(60 * minutes)));
   time_->setText(tr("%1%2").arg(minutesText(before_ + static_cast<double>(inStep_.elapsed()) / 1000), planned));
   if (!folder_.isEmpty() && inStep_.elapsed() / 1000 % kReadEvery == 0 && !reading_.busy()) read();
 }
