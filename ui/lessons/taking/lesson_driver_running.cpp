@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of LessonDriver that acts on the life: runs with an end, actions, several lives, tasks that are watched.
+#include <algorithm>
 #include <chrono>
 #include <thread>
 #include <utility>
@@ -10,8 +11,9 @@
 namespace surefoot {
 
 namespace {
-constexpr double kLeastShown = 900;  // [ms]
-}
+constexpr double kLeastShown = 900, kLongestRest = 50;  // [ms]
+constexpr double kLookEvery = 1.0 / 256;                // of the run
+}  // namespace
 
 void LessonDriver::run(const LessonRun& run, const Then& then) {
   setPhase(Phase::Running);
@@ -22,14 +24,18 @@ void LessonDriver::run(const LessonRun& run, const Then& then) {
   const double least = run.turbo && run.amount && !reducedMotion() ? kLeastShown : 0;
   QElapsedTimer clock;
   clock.start();
-  session_->life().watch([this, run, from, then, least, clock, knowledge = knowledge_, progress = progress_,
-                          entered = entered_](const Life& life) {
+  session_->life().watch([this, run, from, then, least, clock, look = 0.0, knowledge = knowledge_, progress = progress_,
+                          entered = entered_](const Life& life) mutable {
     bool over = life.finished();
     if (run.amount) {
       const double share = shareOf(*run.amount, *from, life);
       progress->store(share, std::memory_order_relaxed);
-      const double ahead = least * std::min(share, 1.0) - static_cast<double>(clock.elapsed());  // [ms]
-      if (ahead > 1) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      if (least > 0 && share >= look) {  // the clock is read at every few of the steps only
+        look = share + kLookEvery;
+        const double ahead = least * std::min(share, 1.0) - static_cast<double>(clock.elapsed());  // [ms]
+        if (ahead > 0)
+          std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(std::min(ahead, kLongestRest)));
+      }
       over = over || share >= 1;
     }
     if (run.until) over = over || knowledge->values.holds(*run.until, life);

@@ -236,7 +236,7 @@ void LessonEditor::showStep() {
   QString say;
   for (std::size_t i = 0; i < shown.say.between.size(); ++i) {
     say += toText(shown.say.between[i]);
-    if (i < shown.say.numbers.size()) say += QStringLiteral("▯");
+    if (i < shown.say.numbers.size()) say += QStringLiteral("…");
   }
   say_->show(at < told_.size() ? toText(told_[at].say) : say);
   QString below = questionText(shown);
