@@ -13,7 +13,7 @@
 #include "app/reports/report.h"
 #include "core/basics/guarded_call.h"
 #include "core/files/whole_file.h"
-#include "core/lessons/lesson_reading.h"
+#include "core/lessons/reading/lesson_reading.h"
 #include "core/text/printable.h"
 #include "core/text/text.h"
 #include "core/text/words.h"

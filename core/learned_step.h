@@ -3,6 +3,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
+
+#include "core/basics/types.h"
 
 namespace surefoot {
 
@@ -12,6 +15,12 @@ struct LearnedStep {
   double next = 0.0;    ///< γ times the next state's value, before the update; 0 after a terminal outcome
   double before = 0.0;  ///< q̂(S, A) before the update
   double delta() const { return reward + next - before; }
+};
+
+/// What was done in that step.
+struct StepTaken {
+  std::vector<double> state{};  ///< S; empty: no step is known
+  Action action = kNoAction;    ///< A
 };
 
 /// The last step of an agent's estimate with its name: "q", "positive", "negative".

@@ -13,7 +13,7 @@
 #include "core/experiment/work_pool.h"
 #include "core/files/read_file.h"
 #include "core/files/whole_file.h"
-#include "core/lessons/grading.h"
+#include "core/lessons/handed_in/grading.h"
 
 namespace surefoot {
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/environments/corridor.h"
 
+#include <string>
+
 namespace surefoot {
 
 void Corridor::draw(Scene& scene, double position, const char* leftEnd, const char* rightEnd) const {
@@ -19,6 +21,9 @@ void Corridor::draw(Scene& scene, double position, const char* leftEnd, const ch
                 .width = 1});
   scene.shapes.push_back(Label{{left, floor}, leftEnd, 0, 14, 0, Ink::Quiet});
   scene.shapes.push_back(Label{{right, floor}, rightEnd, 0, 14, 0, Ink::Quiet});
+  for (int state = first; state <= last; ++state)
+    scene.shapes.push_back(
+        Label{{static_cast<double>(state), floor + 1}, std::to_string(state), 0, -10, 0, Ink::Quiet});
   scene.tip = {position, floor + 0.5};
   scene.shapes.push_back(Disc{scene.tip, 0.3, Fill::Solid, Ink::Body, 2});
 }

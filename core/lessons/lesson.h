@@ -2,8 +2,10 @@
 // A lesson: steps that ask, each with what the window shows and what must be done. Read from a file by readLesson().
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -164,7 +166,8 @@ struct Lesson {
   int level = 1;
   std::vector<std::string> needs{};
   Configuration start{};
-  bool seedOfStudent = false;  ///< the seed comes from the student's name
+  std::map<std::string, std::pair<double, double>> ranges{};  ///< of sliders, by the keys of their parameters
+  bool seedOfStudent = false;                                 ///< the seed comes from the student's name
   std::vector<LessonStep> steps{};
   std::optional<LessonKiosk> kiosk{};
   std::vector<LessonQuantity> quantities{};  ///< the places of all conditions' values

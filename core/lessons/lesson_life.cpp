@@ -121,15 +121,25 @@ double shareOf(const LessonAmount& amount, const LifeFacts& from, const Life& li
   return passed(Of::Steps, static_cast<double>(life.steps())) / amount.value;
 }
 
+void LessonLife::step() {
+  Life& life = *hand_.life;
+  if (life.inEpisode()) {
+    const auto state = life.environment().state();
+    hand_.last.state.assign(state.begin(), state.end());
+    hand_.last.action = life.nextAction();
+  }
+  life.step();
+}
+
 void LessonLife::run(const LessonAmount& amount) {
   const LifeFacts from = factsOf(*hand_.life);
-  for (std::int64_t step = 0; goesOn(step) && shareOf(amount, from, *hand_.life) < 1; ++step) hand_.life->step();
+  for (std::int64_t step = 0; goesOn(step) && shareOf(amount, from, *hand_.life) < 1; ++step) this->step();
 }
 
 bool LessonLife::runUntil(const LessonCondition& condition) {
   for (std::int64_t step = 0; goesOn(step); ++step) {
     if (holds(condition)) return true;
-    hand_.life->step();
+    this->step();
   }
   return holds(condition);
 }

@@ -47,6 +47,7 @@ class LessonLife {
   Status setScenario(const std::string& name);
   Status beginAgain();
   bool goesOn(std::int64_t stepsSoFar) const;
+  void step();
 
   const Registry* registry_;
   const std::atomic<bool>* interrupted_;

@@ -37,6 +37,7 @@ struct LifeInHand {
   Configuration began;  ///< the configuration at its beginning
   std::unique_ptr<Life> life;
   std::shared_ptr<const LifeRecord> learnedFrom{};
+  StepTaken last{};  ///< if a step was made in hand
   /// The configuration as the life has it now.
   Configuration now() const;
 };

@@ -95,8 +95,8 @@ void LearnerThread::step() {
   if (hand_.holds() && !turbo_) life_->push(hand_.impulse(life_->environment(), stepTime_));
   if (!turbo_ && life_->inEpisode()) {
     const auto state = life_->environment().state();
-    stateBefore_.assign(state.begin(), state.end());
-    actionBefore_ = life_->nextAction();
+    last_.state.assign(state.begin(), state.end());
+    last_.action = life_->nextAction();
   }
   life_->step();
   if (life_->log().totals().episodes != before) noteEpisode();
@@ -212,7 +212,7 @@ void LearnerThread::replace(ReplaceLife& c) {
   curvePolicy_ = std::move(next.curvePolicy);
   fallenPose_ = std::move(next.fallenPose);
   fallsByHand_ = next.fallsByHand;
-  stateBefore_.clear();
+  last_ = std::move(c.last);
   environment_.reset();
   hand_.hold(std::nullopt);
   watch_ = nullptr;

@@ -70,6 +70,7 @@ struct ReplaceLife {
   std::unique_ptr<Life> life{};         ///< a new one …
   std::shared_ptr<LifeAside> back{};    ///< … or one that was put aside
   std::shared_ptr<LifeAside> before{};  ///< where the life before goes; null: it ends
+  StepTaken last{};                     ///< the last step of the new one, if it is known
 };
 
 using Command = std::variant<SetParameter, SetPolicy, SetRunning, SetPace, SetTurbo, SetHand, Place, Visit, SingleStep,
@@ -129,8 +130,7 @@ class LearnerThread {
   std::vector<double> fallenPose_;
   Hand hand_;
   std::function<Watching(const Life&)> watch_;
-  std::vector<double> stateBefore_;
-  Action actionBefore_ = kNoAction;
+  StepTaken last_;
   std::size_t changesSeen_ = 0;
   int looksLeft_ = 0;
   std::shared_ptr<const std::vector<std::pair<std::string, double>>> environment_;  // parameters at the last fall

@@ -37,8 +37,8 @@ void LearnerThread::fill(Snapshot& s) const {
     values.evaluate(s.state, Layer::Negative, s.qNegative);
   }
   s.learned = life_->agent().lastSteps();
-  s.stateBefore = turbo_ ? std::vector<double>() : stateBefore_;
-  s.actionBefore = actionBefore_;
+  s.stateBefore = turbo_ ? std::vector<double>() : last_.state;
+  s.actionBefore = last_.action;
   s.action = life_->inEpisode() ? life_->nextAction() : kNoAction;
   s.running = canStep();
   s.turbo = turbo_;

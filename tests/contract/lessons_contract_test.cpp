@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "core/lessons/lesson_check.h"
-#include "core/lessons/lesson_library.h"
-#include "core/lessons/lesson_reading.h"
+#include "core/lessons/reading/lesson_library.h"
+#include "core/lessons/reading/lesson_reading.h"
 #include "core/lessons/verdict.h"
 #include "tests/core/experiment/test_setup.h"
 

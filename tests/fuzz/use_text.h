@@ -5,8 +5,8 @@
 
 #include "core/expression/compile.h"
 #include "core/files/limited_json.h"
-#include "core/lessons/hand_in.h"
-#include "core/lessons/lesson_reading.h"
+#include "core/lessons/handed_in/hand_in.h"
+#include "core/lessons/reading/lesson_reading.h"
 #include "core/recipes/recipe.h"
 #include "core/text/latex.h"
 #include "core/text/number_text.h"

@@ -34,6 +34,7 @@ class PanelHeader final : public Painted<> {
   void setOnPaper(bool paper) { paper_ = paper; }
   /// Puts a small widget at the right end, before the button.
   void addWidget(QWidget* widget);
+  bool hasWidget() const { return extra_ != nullptr; }
   /// Places that widget again, when its width has changed.
   void layOutExtra() { resizeEvent(nullptr); }
   QSize sizeHint() const override { return scaled({100, usualHeight()}); }

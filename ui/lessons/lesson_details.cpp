@@ -7,12 +7,12 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "core/lessons/lesson_reading.h"
-#include "core/lessons/step_reading.h"
+#include "core/lessons/reading/lesson_reading.h"
+#include "core/lessons/reading/step_reading.h"
 #include "ui/controls/hairline.h"
+#include "ui/controls/labels.h"
 #include "ui/controls/text_button.h"
 #include "ui/lessons/lesson_picture.h"
-#include "ui/lessons/taking/question_box.h"
 #include "ui/style/painted.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
@@ -39,11 +39,8 @@ class Picture final : public Painted<> {
 };
 
 QLabel* makeLabel(const QString& text, int pixels, int weight, bool quiet) {
-  auto* label = new QLabel(text);
-  label->setTextFormat(Qt::PlainText);
+  QLabel* label = makeText(text, pixels, weight, quiet, nullptr);
   label->setWordWrap(true);
-  if (quiet) label->setForegroundRole(QPalette::PlaceholderText);
-  whenScaled(label, [label, pixels, weight] { label->setFont(scaledFont(pixels, weight)); });
   return label;
 }
 

@@ -7,7 +7,7 @@
 #include <QPixmap>
 #include <vector>
 
-#include "core/lessons/lesson_library.h"
+#include "core/lessons/reading/lesson_library.h"
 
 class QStandardItemModel;
 

@@ -3,7 +3,7 @@
 
 #include <QPainter>
 
-#include "core/lessons/lesson_library.h"
+#include "core/lessons/reading/lesson_library.h"
 #include "ui/lessons/lesson_picture.h"
 #include "ui/lessons/taking/step_dots.h"
 #include "ui/style/scale.h"

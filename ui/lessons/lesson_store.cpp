@@ -4,8 +4,10 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <nlohmann/json.hpp>
 #include <utility>
 
+#include "core/files/limited_json.h"
 #include "core/files/read_file.h"
 #include "core/files/whole_file.h"
 
@@ -29,6 +31,12 @@ std::string LessonStore::pathOf(const Lesson& lesson, const QString& folder) con
   const QString name = QString::fromStdString(lesson.name);
   const QString file = student_.isEmpty() ? name : QStringLiteral("%1 %2").arg(student_, name);
   return QDir(folder).filePath(file + QStringLiteral(".jsonl")).toStdString();
+}
+
+std::string LessonStore::draftsOf(const Lesson& lesson) const {
+  return QString::fromStdString(pathOf(lesson, own_))
+      .replace(QStringLiteral(".jsonl"), QStringLiteral(".drafts.json"))
+      .toStdString();
 }
 
 LessonStore::Kept& LessonStore::kept(const Lesson& lesson) {
@@ -72,7 +80,8 @@ Status LessonStore::add(const Lesson& lesson, const LessonMark& mark) {
 
 namespace {
 constexpr const char* kDraft = "draft.toml";
-}
+constexpr std::size_t kLongestDrafts = 1u << 20;  // [bytes]
+}  // namespace
 
 QString LessonStore::draft() const {
   const auto text = readText(QDir(own_).filePath(QLatin1String(kDraft)).toStdString());
@@ -87,8 +96,29 @@ void LessonStore::keepDraft(const QString& text) const {
   static_cast<void>(static_cast<bool>(kept));  // a help, no promise
 }
 
+LessonDrafts LessonStore::drafts(const Lesson& lesson) const {
+  LessonDrafts drafts;
+  const auto text = readText(draftsOf(lesson));
+  const nlohmann::json json = text ? parseJson(*text, kLongestDrafts) : nlohmann::json();
+  if (!json.is_object() || json.value("lesson_hash", nlohmann::json()) != lesson.hash) return drafts;
+  for (const nlohmann::json& one : json.value("drafts", nlohmann::json::array()))
+    if (one.is_array() && one.size() == 3 && one[0].is_number_unsigned() && one[1].is_string() && one[2].is_string())
+      drafts[one[0].get<std::size_t>()] = {one[1].get<std::string>(), one[2].get<std::string>()};
+  return drafts;
+}
+
+void LessonStore::keepDrafts(const Lesson& lesson, const LessonDrafts& drafts) const {
+  if (drafts.empty()) return;
+  nlohmann::json json = {{"lesson_hash", lesson.hash}, {"drafts", nlohmann::json::array()}};
+  for (const auto& [step, draft] : drafts) json["drafts"].push_back({step, draft.answer, draft.because});
+  QDir().mkpath(own_);
+  const Status kept = writeWhole("drafts", draftsOf(lesson), json.dump());
+  static_cast<void>(static_cast<bool>(kept));  // a help, no promise
+}
+
 Status LessonStore::forget(const Lesson& lesson) {
   kept_.erase(lesson.name);
+  QFile::remove(QString::fromStdString(draftsOf(lesson)));
   const QString path = QString::fromStdString(pathOf(lesson, class_.isEmpty() ? own_ : class_));
   if (!QFile::exists(path) || QFile::remove(path)) return Done{};
   return Error{"The file " + path.toStdString() + " cannot be removed."};

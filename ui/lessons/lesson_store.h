@@ -5,7 +5,8 @@
 #include <QString>
 #include <map>
 
-#include "core/lessons/hand_in.h"
+#include "core/lessons/handed_in/hand_in.h"
+#include "ui/lessons/driver/lesson_draft.h"
 #include "ui/support/file_lock.h"
 
 namespace surefoot {
@@ -24,6 +25,9 @@ class LessonStore {
   Status add(const Lesson& lesson, const LessonMark& mark);
   /// Forgets a lesson, and its file.
   Status forget(const Lesson& lesson);
+  /// What is chosen or typed and not given yet; kept here only, never in a class.
+  LessonDrafts drafts(const Lesson& lesson) const;
+  void keepDrafts(const Lesson& lesson, const LessonDrafts& drafts) const;
   /// A lesson's text that was not saved, from before; empty: none.
   QString draft() const;
   /// Keeps it, or forgets it (empty).
@@ -40,6 +44,7 @@ class LessonStore {
   };
   Kept& kept(const Lesson& lesson);
   std::string pathOf(const Lesson& lesson, const QString& folder) const;
+  std::string draftsOf(const Lesson& lesson) const;  // the path of their file
 
   const QString own_;
   QString class_, student_;

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/lessons/lesson_reading.h"
+#include "core/lessons/reading/lesson_reading.h"
 #include "ui/controls/hairline.h"
 #include "ui/controls/text_button.h"
 #include "ui/lessons/lesson_details.h"
@@ -27,10 +27,15 @@ LessonsPage::LessonsPage(const Registry& registry, QString lessons, QString stor
       registry_(registry),
       folder_(std::move(lessons)),
       store_(std::move(store)) {
+  constexpr int kTyping = 500;  // [ms] without a key, and what was typed is written
+  drafting_.setSingleShot(true);
+  drafting_.setInterval(kTyping);
+  connect(&drafting_, &QTimer::timeout, this, &LessonsPage::keepDrafts);
   addWidget(makeListPage());
 }
 
 LessonsPage::~LessonsPage() {
+  keepDrafts();
   disconnect();  // whoever listens is being destroyed
   delete view_;  // its panels know what belongs to it
 }
@@ -115,8 +120,10 @@ void LessonsPage::startLesson(const Lesson& lesson, bool again) {
   HandIn handIn = store_.handIn(lesson);
   const bool seen = handIn.finished();  // it is seen again; what was said stays as it was
   if (seen) handIn.marks.clear();
+  keepDrafts();
   if (view_) removeWidget(view_), delete std::exchange(view_, nullptr);
   view_ = new LessonView(registry_, lesson, handIn);
+  if (!seen) view_->driver().setDrafts(store_.drafts(lesson));
   addWidget(view_);
   setCurrentWidget(view_);
   connect(view_, &LessonView::refused, this, &LessonsPage::refused);
@@ -132,6 +139,11 @@ void LessonsPage::startLesson(const Lesson& lesson, bool again) {
     if (const Status s = store_.add(view_->driver().lesson(), mark); !s)
       Q_EMIT refused(tr("What you do cannot be kept: %1").arg(toText(s.error().message)));
   });
+  connect(&view_->driver(), &LessonDriver::drafted, this, [this, seen] {
+    if (seen) return;
+    isDrafted_ = true;
+    drafting_.start();
+  });
   connect(view_, &LessonView::teacherAsked, this, &LessonsPage::showTeacher);
   connect(&view_->driver(), &LessonDriver::stepChanged, this, [this] {
     if (teacher_) teacher_->follow(view_->driver().number(), 0);
@@ -144,6 +156,11 @@ void LessonsPage::startLesson(const Lesson& lesson, bool again) {
   refreshStatus();
 }
 
+/// What is typed and was not written yet.
+void LessonsPage::keepDrafts() {
+  if (view_ && std::exchange(isDrafted_, false)) store_.keepDrafts(view_->driver().lesson(), view_->driver().drafts());
+}
+
 void LessonsPage::exploreStart(const Lesson& lesson) {
   auto life = LessonLife::begin(registry_, lesson, seedOf(lesson, store_.student().toStdString()));
   if (!life) return Q_EMIT refused(toText(life.error().message));
@@ -153,6 +170,7 @@ void LessonsPage::exploreStart(const Lesson& lesson) {
 }
 
 void LessonsPage::showList() {
+  keepDrafts();
   if (view_) {
     view_->driver().session().life().setRunning(false);
     removeWidget(view_);

@@ -4,10 +4,11 @@
 
 #include <QPointer>
 #include <QStackedWidget>
+#include <QTimer>
 #include <functional>
 #include <memory>
 
-#include "core/lessons/lesson_library.h"
+#include "core/lessons/reading/lesson_library.h"
 #include "ui/lessons/lesson_list.h"
 #include "ui/lessons/lesson_store.h"
 #include "ui/lessons/teacher/teacher_window.h"
@@ -86,6 +87,7 @@ class LessonsPage final : public QStackedWidget {
   void startLesson(const Lesson& lesson, bool again);
   void exploreStart(const Lesson& lesson);
   void refreshStatus();
+  void keepDrafts();
 
   const Registry& registry_;
   const QString folder_;
@@ -103,6 +105,8 @@ class LessonsPage final : public QStackedWidget {
   QPointer<TeacherWindow> teacher_;
   LessonEditor* editor_ = nullptr;
   Background printing_;
+  QTimer drafting_;
+  bool isDrafted_ = false;  // and not written yet
   int nextLesson_ = -1;
 };
 

@@ -10,8 +10,9 @@
 #include <cmath>
 #include <utility>
 
-#include "core/lessons/lesson_reading.h"
+#include "core/lessons/reading/lesson_reading.h"
 #include "ui/controls/hairline.h"
+#include "ui/controls/labels.h"
 #include "ui/controls/text_button.h"
 #include "ui/lessons/lesson_details.h"
 #include "ui/lessons/taking/lesson_view.h"
@@ -52,14 +53,6 @@ class DoneBar final : public Painted<> {
   double share_ = 0;
 };
 
-QLabel* makeWords(int pixels, int weight, bool quiet) {
-  auto* label = new QLabel;
-  label->setTextFormat(Qt::PlainText);
-  if (quiet) label->setForegroundRole(QPalette::PlaceholderText);
-  whenScaled(label, [label, pixels, weight] { label->setFont(scaledFont(pixels, weight)); });
-  return label;
-}
-
 }  // namespace
 
 QWidget* LessonsPage::makeBar() {
@@ -67,10 +60,10 @@ QWidget* LessonsPage::makeBar() {
   auto* row = new QHBoxLayout(bar);
   continue_ = new TextButton(tr("Continue"), TextButton::Look::Main);
   continue_->setStarts(true);
-  next_ = makeWords(13, 500, false);
-  asked_ = makeWords(11, 400, true);
-  left_ = makeWords(11, 400, true);
-  count_ = makeWords(13, 500, false);
+  next_ = makeText({}, 13, 500, false, nullptr);
+  asked_ = makeText({}, 11, 400, true, nullptr);
+  left_ = makeText({}, 11, 400, true, nullptr);
+  count_ = makeText({}, 13, 500, false, nullptr);
   auto* bars = new DoneBar;
   progress_ = bars;
   auto* words = new QVBoxLayout;
@@ -123,10 +116,10 @@ QWidget* LessonsPage::makeListPage() {
   auto* left = new QVBoxLayout;
   left->setSpacing(0);
   auto* head = new QHBoxLayout;
-  auto* title = makeWords(13, 500, false);
+  auto* title = makeText({}, 13, 500, false, nullptr);
   title->setText(tr("Lessons"));
-  auto* note = makeWords(11, 400, true);
-  note->setText(tr("twelve, about two hours in all; a double lesson of 90 minutes is 1, 2, 3, 5, 6, 7, 8, 11, 12"));
+  auto* note = makeText({}, 11, 400, true, nullptr);
+  note->setText(tr("twelve, about two hours in all; a double lesson of 90 minutes is 1, 2, 3, 5, 6, 7, 11, 12"));
   note_ = note;
   head->addWidget(title);
   head->addWidget(note, 1);

@@ -61,10 +61,12 @@ QStringList StepView::sentences() const {
     return {tr("What the last step taught appears here. Press “.” for a single step.")};
   QStringList state;
   for (std::size_t d = 0; d < task.state.size(); ++d)
-    state << QStringLiteral("%1 %2").arg(symbolOf(task.state[d]), toText(fixedText(shown_.stateBefore[d], 2)));
-  list << tr("In S = (%1) it chose A = %2 %3.")
-              .arg(state.join(QStringLiteral(", ")), actionNameOf(task, static_cast<std::size_t>(shown_.actionBefore)),
-                   toText(task.actionUnit));
+    state << QStringLiteral("%1 %2").arg(symbolOf(task.state[d]),
+                                         toText(fixedText(shown_.stateBefore[d], task.state[d].whole ? 0 : 2)));
+  const QString action = actionNameOf(task, static_cast<std::size_t>(shown_.actionBefore)),
+                unit = toText(task.actionUnit);
+  list << tr("In S = (%1) it chose A = %2.")
+              .arg(state.join(QStringLiteral(", ")), unit.isEmpty() ? action : action + ' ' + unit);
   for (const NamedStep& n : shown_.learned) {
     const double delta = n.step.delta(), moved = n.stepSize * delta;
     const QString q = nameOf(n.name);

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "core/experiment/configuration.h"
+#include "core/learned_step.h"
 
 namespace surefoot {
 
@@ -37,6 +38,7 @@ struct KnownLife {
   std::int64_t falls = 0;     ///< at this progress
   std::uint64_t lineage = 1;  ///< says which life it is: undo changes only the life where a change was made
   std::size_t bytes = 0;      ///< approximate memory of the learned values
+  StepTaken last{};           ///< the last step, where it was made elsewhere and is known
 };
 
 }  // namespace surefoot

@@ -107,6 +107,7 @@ void RunningLife::replace(KnownLife known, ReplaceLife replacement) {
   numbers_ = {.episodes = known_.progress.episodes, .falls = known_.falls, .steps = known_.progress.steps};
   curves_.setBegan(beginningOf(known_.began));
   makeEnvironmentAnew();
+  replacement.last = known_.last;
   learner_->send(std::move(replacement));
   ++lifeSent_;
   Q_EMIT replaced();

@@ -57,6 +57,7 @@ Status NewLives::adopt(Made made) {
   now.parameters = made.life->parameters();
   now.names.policy = made.life->policyName();
   KnownLife known = knownAs(life_.registry(), std::move(now), std::move(made.configuration));
+  known.last = std::move(made.last);
   if (made.file) known.file = std::move(*made.file);
   history_.replace(std::move(known), std::move(made.life), History::As::Another);
   if (!made.remark.empty()) Q_EMIT remarked(QString::fromStdString(made.remark));

@@ -46,6 +46,7 @@ class NewLives final : public QObject {
     std::unique_ptr<Life> life;
     std::optional<LifeFile> file{};  ///< the file that it was read from
     std::string remark{};            ///< about that file
+    StepTaken last{};                ///< that the life made, if it is known
   };
   using Make = std::function<Result<Made>(const std::atomic<bool>& interrupted)>;
   /// Makes a life in the background and begins it; `then` is called when it has begun, or could not.

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "core/lessons/class_table.h"
 #include "core/lessons/equal_share.h"
+#include "core/lessons/handed_in/class_table.h"
 #include "core/lessons/verdict.h"
 #include "tests/core/lessons/taught.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/lessons/hand_in.h"
+#include "core/lessons/handed_in/hand_in.h"
 
 #include <gtest/gtest.h>
 
-#include "core/lessons/grading.h"
+#include "core/lessons/handed_in/grading.h"
 #include "tests/core/lessons/taught.h"
 
 namespace surefoot {

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "core/lessons/lesson_reading.h"
+#include "core/lessons/reading/lesson_reading.h"
 #include "core/register/register.h"
 
 namespace surefoot {
@@ -61,6 +61,20 @@ TEST(LessonLife, IsTheLifeThatAHandWouldLive) {
   ASSERT_TRUE((*life)->set("policy.epsilon", 0.5));
   for (int i = 0; i < 1000; ++i) (*life)->step();
   EXPECT_EQ(lived->life().hash(), (*life)->hash());
+}
+
+// What was done last is known to whoever takes the life over, also when it was placed somewhere since.
+TEST(LessonLife, KnowsItsLastStep) {
+  const Lesson lesson = lessonOf(kPredicts);
+  auto lived = LessonLife::begin(coreOnly(), lesson, 7);
+  ASSERT_TRUE(lived);
+  ASSERT_TRUE(lived->act({.kind = LessonAction::Kind::Place, .state = {0, 1}}));
+  const Action next = lived->life().nextAction();
+  ASSERT_TRUE(lived->act({.kind = LessonAction::Kind::Run, .amount = {1, LessonAmount::Unit::Steps}}));
+  ASSERT_TRUE(lived->act({.kind = LessonAction::Kind::Place, .state = {0, 2}}));
+  const StepTaken last = lived->take().last;
+  EXPECT_EQ(last.state, (std::vector<double>{0, 1}));
+  EXPECT_EQ(last.action, next);
 }
 
 TEST(LessonLife, QuantitiesAreThoseOfTheLife) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/lessons/lesson_reading.h"
+#include "core/lessons/reading/lesson_reading.h"
 
 #include <gtest/gtest.h>
 
@@ -22,6 +22,7 @@ features = "table"
 policy = "epsilon-greedy"
 seed = "student"
 set.policy.epsilon = 0.05
+range.policy.epsilon = [0, 0.5]
 show = ["world", "falls", "policy.epsilon", "run"]
 
 [[step]]
@@ -93,6 +94,7 @@ TEST(Lesson, IsReadAsItIsWritten) {
   EXPECT_TRUE(lesson->seedOfStudent);
   EXPECT_EQ(lesson->start.names.environment, "cliff");
   EXPECT_EQ(lesson->start.parameters.get("policy.epsilon"), 0.05);
+  EXPECT_EQ(lesson->ranges.at("policy.epsilon"), std::pair(0.0, 0.5)) << "the ends of its slider";
   ASSERT_EQ(lesson->steps.size(), 5u);
   EXPECT_EQ(lesson->steps[0].predict->after.value, 200);
   EXPECT_EQ(lesson->steps[1].show, lesson->steps[0].show) << "those of the step before";
@@ -124,6 +126,9 @@ TEST(Lesson, EveryMistakeIsToldWithLineAndColumn) {
       {{"minutes = 10", "minutes = \"ten\""}, "minutes: it takes a number."},
       {{"\"cliff\"", "\"clif\""}, "start: environment: there is no \"clif\", did you mean cliff"},
       {{"epsilon = 0.05", "epsilon = 5"}, "policy.epsilon"},
+      {{"epsilon = [0, 0.5]", "epsilon = [0.5, 0.5]"}, "range.policy.epsilon takes the two ends of a slider: [0, 1]."},
+      {{"epsilon = [0, 0.5]", "epsilon = [0, 2]"}, "range.policy.epsilon goes from 0 to 2; it takes a number from 0 to 1."},
+      {{"range.policy.epsilon", "range.policy.epsilom"}, "range: there is no parameter policy.epsilom here."},
       {{"\"falls\", after", "\"fals\", after"}, "of: there is no \"fals\"; did you mean falls."},
       {{"after = \"200 episodes\"", "after = \"200 minutes\""}, "after: this task has no clock"},
       {{"after = \"200 episodes\"", "after = \"long\""}, "after: it takes \"200 episodes\""},

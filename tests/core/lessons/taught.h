@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "core/lessons/hand_in.h"
+#include "core/lessons/handed_in/hand_in.h"
 #include "core/lessons/lesson_life.h"
-#include "core/lessons/lesson_reading.h"
+#include "core/lessons/reading/lesson_reading.h"
 #include "core/life/lives_version.h"
 #include "core/register/register.h"
 

@@ -8,7 +8,7 @@
 #include <QMenu>
 #include <QToolButton>
 
-#include "core/lessons/step_reading.h"
+#include "core/lessons/reading/step_reading.h"
 #include "tests/ui/pixels_of.h"
 #include "tests/ui/window_setup.h"
 #include "ui/live/live_page.h"

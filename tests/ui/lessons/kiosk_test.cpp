@@ -5,7 +5,7 @@
 
 #include <QTest>
 
-#include "core/lessons/lesson_library.h"
+#include "core/lessons/reading/lesson_library.h"
 #include "tests/core/experiment/test_setup.h"
 #include "ui/lessons/kiosk/kiosk_robot.h"
 #include "ui/lessons/kiosk/share_slider.h"

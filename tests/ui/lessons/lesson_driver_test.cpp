@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/lessons/taking/lesson_driver.h"
+#include "ui/lessons/driver/lesson_driver.h"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <QTest>
 #include <atomic>
 
-#include "core/lessons/grading.h"
-#include "core/lessons/lesson_reading.h"
+#include "core/lessons/handed_in/grading.h"
+#include "core/lessons/reading/lesson_reading.h"
 #include "core/life/lives_version.h"
 #include "tests/core/experiment/test_setup.h"
 

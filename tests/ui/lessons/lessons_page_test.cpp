@@ -3,54 +3,13 @@
 
 #include <QFile>
 #include <QPlainTextEdit>
-#include <QTemporaryDir>
 
-#include "tests/ui/window_setup.h"
-#include "ui/lessons/taking/lesson_view.h"
+#include "tests/ui/lessons/lessons_setup.h"
+#include "ui/lessons/questions/option_button.h"
 #include "ui/lessons/writing/lesson_editor.h"
 #include "ui/style/scale.h"
 
 namespace surefoot {
-
-namespace {
-
-/// A window with the program's lessons, and a folder of its own for what is kept.
-struct Lessons {
-  Lessons() : registry(fullRegistry()), configuration(pendulumConfiguration(registry, "trl")) {
-    session = std::make_unique<Session>(registry, configuration, false);
-    open();
-  }
-  void open() {
-    WindowSetup setup;
-    setup.lessons = QStringLiteral(SUREFOOT_SOURCE) + QStringLiteral("/resources/lessons");
-    setup.folder = folder.path();
-    setup.asksOnQuit = false;
-    window = std::make_unique<MainWindow>(*session, std::move(setup));
-    window->resize(1280, 800);
-    window->show();
-    EXPECT_TRUE(QTest::qWaitForWindowExposed(window.get()));
-    window->activateWindow();
-    window->setPage(2);
-  }
-  LessonsPage& page() { return window->lessonsPage(); }
-  LessonDriver& driver() { return page().view()->driver(); }
-  bool opens(std::size_t number) {
-    return QTest::qWaitFor([&] { return driver().number() == number && driver().phase() == LessonDriver::Phase::Open; },
-                           20'000) &&
-           QTest::qWaitFor([&] { return !driver().text().isEmpty(); }, 5'000);
-  }
-  void key(int key, Qt::KeyboardModifiers modifiers = Qt::NoModifier) {
-    QWidget* target = window->focusWidget() ? window->focusWidget() : window.get();
-    QTest::keyClick(target, static_cast<Qt::Key>(key), modifiers);
-  }
-  QTemporaryDir folder;
-  Registry registry;
-  Configuration configuration;
-  std::unique_ptr<Session> session;
-  std::unique_ptr<MainWindow> window;
-};
-
-}  // namespace
 
 TEST(LessonsPage, ListsTheLessonsInTheirChapters) {
   Lessons l;
@@ -104,6 +63,50 @@ TEST(LessonsPage, WhatWasDoneIsKeptAndGoneOnWith) {
   l.open();
   ASSERT_TRUE(l.page().start("the-cliff"));
   ASSERT_TRUE(l.opens(1)) << "at the step where one was";
+}
+
+// Back, the list and the program's end keep what was chosen and typed, before it was given and after.
+TEST(LessonsPage, WhatIsChosenAndTypedIsKept) {
+  Lessons l;
+  ASSERT_TRUE(l.page().start("exploring-costs-falls"));
+  ASSERT_TRUE(l.opens(0));
+  l.driver().next();
+  ASSERT_TRUE(l.opens(1));
+  l.driver().say(40);
+  ASSERT_TRUE(l.opens(2));
+  const auto because = [&]() -> QPlainTextEdit& { return *l.page().findChild<QPlainTextEdit*>(); };
+  const auto chosen = [&] {
+    const auto all = l.page().findChildren<OptionButton*>();
+    return std::find_if(all.begin(), all.end(), [](auto* b) { return b->isChecked(); }) - all.begin();
+  };
+  l.page().findChildren<OptionButton*>()[2]->click();
+  because().setPlainText("as it seems");
+  l.driver().back();
+  ASSERT_TRUE(l.opens(1));
+  l.driver().next();
+  ASSERT_TRUE(l.opens(2));
+  EXPECT_EQ(chosen(), 2);
+  EXPECT_EQ(because().toPlainText(), "as it seems");
+  l.window.reset();
+  l.open();
+  ASSERT_TRUE(l.page().start("exploring-costs-falls"));
+  ASSERT_TRUE(l.opens(2));
+  EXPECT_EQ(chosen(), 2);
+  EXPECT_EQ(because().toPlainText(), "as it seems");
+  EXPECT_FALSE(l.driver().answered());
+  // Given, it is there on the way back, and need not be given again.
+  l.driver().choose(1, "so it is");
+  l.driver().keepDraft({"2", "so it is"});
+  l.driver().back();
+  ASSERT_TRUE(l.opens(1));
+  l.driver().next();
+  ASSERT_TRUE(l.opens(2));
+  EXPECT_TRUE(l.driver().answered());
+  EXPECT_EQ(because().toPlainText(), "so it is");
+  l.driver().resetStep();
+  ASSERT_TRUE(l.opens(2));
+  EXPECT_FALSE(l.driver().answered());
+  EXPECT_EQ(because().toPlainText(), "") << "the step begins again";
 }
 
 TEST(LessonsPage, TheLessonsRobotGoesToTheLivePageAndTheLessonWaits) {
@@ -237,6 +240,10 @@ TEST(LessonPictures, OfEveryStep) {
   const QString folder = qEnvironmentVariable("SUREFOOT_PICTURES");
   if (folder.isEmpty()) GTEST_SKIP() << "SUREFOOT_PICTURES names no folder";
   Lessons l;
+  const QStringList size = qEnvironmentVariable("SUREFOOT_SIZE", QStringLiteral("1280x800")).split('x');
+  l.window->resize(size.value(0).toInt(), size.value(1).toInt());
+  if (qEnvironmentVariableIsSet("SUREFOOT_DARK")) applyAppearance(*qApp, Appearance::Dark);
+  applyTextSize(qEnvironmentVariable("SUREFOOT_TEXT", QStringLiteral("1")).toDouble());
   l.window->grab().save(folder + QStringLiteral("/lessons.png"));
   const QString only = qEnvironmentVariable("SUREFOOT_LESSON");
   for (const ShelvedLesson& one : l.page().lessons()) {
@@ -257,6 +264,8 @@ TEST(LessonPictures, OfEveryStep) {
     QTest::qWait(200);
     l.window->grab().save(QStringLiteral("%1/%2-end.png").arg(folder, name));
   }
+  applyTextSize(1);
+  applyAppearance(*qApp, Appearance::Light);
 }
 
 }  // namespace surefoot

@@ -6,6 +6,7 @@
 #include <QVBoxLayout>
 
 #include "core/text/text.h"
+#include "ui/controls/labels.h"
 #include "ui/live/world/world_view.h"
 #include "ui/style/painted.h"
 #include "ui/style/policy_look.h"
@@ -71,14 +72,6 @@ class Invitation final : public Painted<> {
   WorldView& world_;
 };
 
-QLabel* makeWords(const QString& text, int pixels, int weight, bool quiet, QWidget* parent) {
-  auto* label = new QLabel(text, parent);
-  label->setTextFormat(Qt::PlainText);
-  if (quiet) label->setForegroundRole(QPalette::PlaceholderText);
-  whenScaled(label, [label, pixels, weight] { label->setFont(scaledFont(pixels, weight)); });
-  return label;
-}
-
 }  // namespace
 
 KioskRobot::KioskRobot(const Registry& registry, Configuration configuration, const QString& name, const QString& about,
@@ -87,7 +80,7 @@ KioskRobot::KioskRobot(const Registry& registry, Configuration configuration, co
       session_(std::make_unique<Session>(registry, configuration, false)),
       start_(std::move(configuration)),
       world_(new WorldView(session_->life(), session_->looking(), this)),
-      falls_(makeWords("0", 48, 500, false, this)) {
+      falls_(new FallLabel(48, 500, this)) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
@@ -95,14 +88,14 @@ KioskRobot::KioskRobot(const Registry& registry, Configuration configuration, co
   auto* words = new QVBoxLayout;
   auto* named = new QHBoxLayout;
   named->addWidget(new Mark(start_.names.policy, this));
-  named->addWidget(makeWords(name, 17, 500, false, this));
+  named->addWidget(makeText(name, 17, 500, false, this));
   named->addStretch(1);
   words->addLayout(named);
-  words->addWidget(makeWords(about, 12, 400, true, this));
+  words->addWidget(makeText(about, 12, 400, true, this));
   words->addStretch(1);
   head->addLayout(words, 1);
   head->addWidget(falls_, 0, Qt::AlignBottom);
-  head->addWidget(makeWords(tr("falls"), 12, 400, true, this), 0, Qt::AlignBottom);
+  head->addWidget(makeText(tr("falls"), 12, 400, true, this), 0, Qt::AlignBottom);
   whenScaled(this, [head] {
     head->setContentsMargins(scaled({24, 12, 24, 0}));
     head->setSpacing(scaled(8));
@@ -140,9 +133,6 @@ Status KioskRobot::begin(const std::string& key, double value) {
 
 void KioskRobot::refresh() {
   const Theme& t = themeOf(*this);
-  QPalette palette = falls_->palette();
-  palette.setColor(QPalette::WindowText, t.fallText);
-  falls_->setPalette(palette);
   falls_->setText(toText(countText(static_cast<double>(session_->life().numbers().falls))));
   QPalette own = this->palette();
   if (own.color(QPalette::Window) == t.paper) return;

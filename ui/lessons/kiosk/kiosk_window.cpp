@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lessons/kiosk/kiosk_window.h"
 
-#include <QAccessible>
 #include <QApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
-#include <QLabel>
-#include <QLineEdit>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -14,11 +11,13 @@
 #include "core/lessons/lesson_life.h"
 #include "core/text/text.h"
 #include "ui/controls/hairline.h"
+#include "ui/controls/labels.h"
 #include "ui/controls/text_button.h"
 #include "ui/lessons/kiosk/kiosk_robot.h"
 #include "ui/lessons/kiosk/share_slider.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
+#include "ui/support/announce.h"
 
 namespace surefoot {
 
@@ -30,14 +29,6 @@ constexpr int kInvite = 20;            // [s] without a touch: the ring comes ba
 constexpr int kAnnounceEvery = 10;     // [s]
 constexpr double kPush = 0.12;         // [N s]
 constexpr std::int64_t kMeasure = 60;  // episodes in which the share of a temperature is measured
-
-QLabel* words(const QString& text, int pixels, int weight, bool quiet, QWidget* parent) {
-  auto* label = new QLabel(text, parent);
-  label->setTextFormat(Qt::PlainText);
-  if (quiet) label->setForegroundRole(QPalette::PlaceholderText);
-  whenScaled(label, [label, pixels, weight] { label->setFont(scaledFont(pixels, weight)); });
-  return label;
-}
 
 Configuration under(const Configuration& start, const char* policy) {
   Configuration c = start;
@@ -60,7 +51,8 @@ KioskWindow::KioskWindow(const Registry& registry, const Lesson& lesson, const C
       registry_(registry),
       kiosk_(*lesson.kiosk),
       start_(start),
-      resetAfter_(resetAfter) {
+      resetAfter_(resetAfter),
+      foot_(new KioskFoot(kiosk_.share, kiosk_.word, this)) {
   setWindowTitle(toText(kiosk_.question));
   first_ = new KioskRobot(registry, under(start, "epsilon-greedy"), tr("ε-greedy"), tr("tries anything"), this);
   second_ = new KioskRobot(registry, under(start, "softmax"), tr("Softmax"), tr("tries what is nearly as good"), this);
@@ -76,7 +68,12 @@ KioskWindow::KioskWindow(const Registry& registry, const Lesson& lesson, const C
   robots->addWidget(second_, 1);
   column->addLayout(robots, 1);
   column->addWidget(new Hairline(Qt::Horizontal, this));
-  column->addWidget(makeFoot());
+  column->addWidget(foot_);
+  connect(foot_, &KioskFoot::left, this, [this] { close(); });
+  connect(foot_, &KioskFoot::moved, this, [this] {
+    refresh();
+    settling_.start(kSettle);
+  });
   // A push on either pole is given to both, or the comparison would not be fair.
   const auto share = [this](Looking& from, Looking& to) {
     connect(&from, &Looking::held, this, [this, &to](std::optional<double> target) {
@@ -105,13 +102,13 @@ KioskWindow::~KioskWindow() {
 QWidget* KioskWindow::makeHead() {
   auto* head = new QWidget(this);
   auto* row = new QHBoxLayout(head);
-  auto* question = words(toText(kiosk_.question), 24, 500, false, head);
+  auto* question = makeText(toText(kiosk_.question), 24, 500, false, head);
   row->addWidget(question);
-  row->addWidget(words(toText(kiosk_.note), 13, 400, true, head), 1);
+  row->addWidget(makeText(toText(kiosk_.note), 13, 400, true, head), 1);
   again_ = new QWidget(head);
   auto* again = new QHBoxLayout(again_);
   again->setContentsMargins(0, 0, 0, 0);
-  countdown_ = words({}, 11, 400, true, again_);
+  countdown_ = makeText({}, 11, 400, true, again_);
   auto* button = new TextButton(tr("Start again"), TextButton::Look::Framed, again_);
   connect(button, &QAbstractButton::clicked, this, &KioskWindow::beginAgain);
   again->addWidget(countdown_);
@@ -123,57 +120,6 @@ QWidget* KioskWindow::makeHead() {
     row->setSpacing(scaled(16));
   });
   return head;
-}
-
-QWidget* KioskWindow::makeFoot() {
-  auto* foot = new QWidget(this);
-  auto* row = new QHBoxLayout(foot);
-  auto* knob = new QVBoxLayout;
-  auto* heads = new QHBoxLayout;
-  auto* titles = new QVBoxLayout;
-  titles->addWidget(words(tr("How much they explore"), 16, 500, false, foot));
-  titles->addWidget(words(tr("in 100 steps both try something else than the best"), 12, 400, true, foot));
-  heads->addLayout(titles, 1);
-  share_ = words({}, 40, 500, false, foot);
-  heads->addWidget(share_, 0, Qt::AlignBottom);
-  auto* of = words(tr("of 100"), 12, 400, true, foot);
-  heads->addWidget(of, 0, Qt::AlignBottom);
-  knob->addLayout(heads);
-  slider_ = new ShareSlider(foot);
-  slider_->setShare(kiosk_.share);
-  knob->addWidget(slider_);
-  connect(slider_, &ShareSlider::moved, this, [this] {
-    refresh();
-    settling_.start(kSettle);
-  });
-  auto* sees = new QVBoxLayout;
-  sees->addWidget(words(tr("What you see"), 16, 500, false, foot));
-  sees_ = words(toText(kiosk_.explain), 13, 400, false, foot);
-  sees_->setWordWrap(true);
-  sees_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  facts_ = words({}, 11, 400, true, foot);
-  word_ = new QLineEdit(foot);
-  word_->setPlaceholderText(tr("the lesson's word"));
-  word_->setAccessibleName(tr("The lesson's word"));
-  word_->hide();
-  connect(word_, &QLineEdit::returnPressed, this, [this] {
-    if (word_->text().toStdString() == kiosk_.word) return static_cast<void>(close());
-    word_->hide();
-    slider_->setFocus();
-  });
-  sees->addWidget(sees_, 1);
-  sees->addWidget(facts_);
-  sees->addWidget(word_);
-  row->addLayout(knob, 5);
-  row->addWidget(new Hairline(Qt::Vertical, foot));
-  row->addLayout(sees, 3);
-  whenScaled(foot, [foot, row, knob, sees, titles] {
-    for (QVBoxLayout* column : {knob, sees, titles}) column->setSpacing(scaled(4));
-    foot->setFixedHeight(scaled(175));
-    row->setContentsMargins(scaled({24, 16, 24, 12}));
-    row->setSpacing(scaled(40));
-  });
-  return foot;
 }
 
 /// Once, before anything is shown: how often Softmax explores at each temperature, for a robot that begins as these do.
@@ -192,11 +138,11 @@ void KioskWindow::measureShares() {
 
 void KioskWindow::beginBoth() {
   constexpr double kColdest = 1e-3;
-  const double share = slider_->share();
+  const double share = slider().share();
   epsilon_ = epsilonFor(share, first_->session().life().task().actions.size());
   temperature_ = std::max(kColdest, temperatureFor(share, shares_));
   const auto tell = [this](const Status& s) {
-    if (!s) facts_->setText(toText(s.error().message));
+    if (!s) foot_->show({}, toText(s.error().message));
   };
   tell(first_->begin("policy.epsilon", epsilon_));
   tell(second_->begin("policy.temperature", temperature_));
@@ -204,7 +150,7 @@ void KioskWindow::beginBoth() {
 }
 
 void KioskWindow::beginAgain() {
-  slider_->setShare(kiosk_.share);
+  slider().setShare(kiosk_.share);
   settling_.stop();
   beginBoth();
   untouched_.restart();
@@ -242,15 +188,11 @@ bool KioskWindow::eventFilter(QObject* watched, QEvent* event) {
 
 void KioskWindow::keyPressEvent(QKeyEvent* event) {
   const bool leaves = event->key() == Qt::Key_K && event->modifiers() == (Qt::ControlModifier | Qt::ShiftModifier);
-  if (leaves) {
-    word_->clear();
-    word_->show();
-    return word_->setFocus(Qt::ShortcutFocusReason);
-  }
+  if (leaves) return foot_->askForWord();
   switch (event->key()) {
     case Qt::Key_Left:
     case Qt::Key_Right:
-      return slider_->move(event->key() == Qt::Key_Left ? -1 : 1);
+      return slider().move(event->key() == Qt::Key_Left ? -1 : 1);
     case Qt::Key_Space:
       return push();
     case Qt::Key_Return:
@@ -263,41 +205,35 @@ void KioskWindow::keyPressEvent(QKeyEvent* event) {
 
 void KioskWindow::tick() {
   const auto left = secondsLeft();
-  const bool asIs = slider_->share() == kiosk_.share && first_->session().life().numbers().episodes < kiosk_.episodes;
+  const bool asIs = slider().share() == kiosk_.share && first_->session().life().numbers().episodes < kiosk_.episodes;
   again_->setVisible(left.has_value() || !asIs);
   countdown_->setText(left ? tr("by itself in %1 s").arg(*left) : QString());
   if (left && *left == 0) beginAgain();
   first_->invite(!wasTouched_ || untouched_.elapsed() > 1000 * kInvite);
   refresh();
-  if (announced_.elapsed() > 1000 * kAnnounceEvery) announce();
+  if (announced_.elapsed() > 1000 * kAnnounceEvery) tellFalls();
 }
 
-void KioskWindow::announce() {
+void KioskWindow::tellFalls() {
   announced_.restart();
-  const QString text = tr("ε-greedy %1 falls, Softmax %2 falls")
-                           .arg(first_->session().life().numbers().falls)
-                           .arg(second_->session().life().numbers().falls);
-  setAccessibleDescription(text);
-  QAccessibleEvent event(this, QAccessible::Alert);
-  QAccessible::updateAccessibility(&event);
+  announce(*this, tr("ε-greedy %1 falls, Softmax %2 falls")
+                      .arg(first_->session().life().numbers().falls)
+                      .arg(second_->session().life().numbers().falls));
 }
 
 void KioskWindow::refresh() {
-  share_->setText(QString::number(std::lround(100 * slider_->share())));
   const Numbers &a = first_->session().life().numbers(), &b = second_->session().life().numbers();
   const std::int64_t both = std::min(a.episodes, b.episodes);
-  if (shares_.empty()) return facts_->setText(tr("It is being made ready …"));
-  facts_->setText(tr("ε = %1 against τ = %2, %3 episodes each")
-                      .arg(toText(fixedText(epsilon_, 3)), toText(fixedText(temperature_, 2)),
-                           toText(countText(static_cast<double>(both)))));
-  if (slider_->share() == 0)
-    return sees_->setText(tr("Now neither tries anything: both always take what they think is best."));
-  sees_->setText(both < kiosk_.episodes ? toText(kiosk_.explain)
-                                        : tr("After %1 episodes: %2 falls against %3.\n%4")
-                                              .arg(both)
-                                              .arg(a.falls)
-                                              .arg(b.falls)
-                                              .arg(toText(kiosk_.explain)));
+  const QString explain = toText(kiosk_.explain);
+  if (shares_.empty()) return foot_->show(explain, tr("It is being made ready …"));
+  const QString facts = tr("ε = %1 against τ = %2, %3 episodes each")
+                            .arg(toText(fixedText(epsilon_, 3)), toText(fixedText(temperature_, 2)),
+                                 toText(countText(static_cast<double>(both))));
+  const QString counted = tr("After %1 episodes: %2 falls against %3.").arg(both).arg(a.falls).arg(b.falls);
+  foot_->show(slider().share() == 0    ? tr("Now neither tries anything: both always take what they think is best.")
+              : both < kiosk_.episodes ? explain
+                                       : counted + '\n' + explain,
+              facts);
 }
 
 /// All texts follow the size of the screen: ×1.6 on one of 1920 × 1080.

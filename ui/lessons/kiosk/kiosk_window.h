@@ -10,15 +10,14 @@
 
 #include "core/lessons/equal_share.h"
 #include "core/lessons/lesson.h"
+#include "ui/lessons/kiosk/kiosk_foot.h"
 #include "ui/support/background.h"
 
 class QLabel;
-class QLineEdit;
 
 namespace surefoot {
 
 class KioskRobot;
-class ShareSlider;
 
 class KioskWindow final : public QWidget {
   Q_OBJECT
@@ -30,7 +29,7 @@ class KioskWindow final : public QWidget {
   ~KioskWindow() override;
 
   KioskRobot& robot(int which) { return which == 0 ? *first_ : *second_; }
-  ShareSlider& slider() { return *slider_; }
+  ShareSlider& slider() { return foot_->slider(); }
   /// The knob goes back, and both begin anew.
   void beginAgain();
   /// Seconds until it begins again by itself; nothing: somebody is there.
@@ -43,24 +42,22 @@ class KioskWindow final : public QWidget {
 
  private:
   QWidget* makeHead();
-  QWidget* makeFoot();
   void measureShares();
   void beginBoth();
   void push();
   void touched();
   void tick();
   void refresh();
-  void announce();
+  void tellFalls();
 
   const Registry& registry_;
   const LessonKiosk kiosk_;
   const Configuration start_;
   const int resetAfter_;
   KioskRobot *first_, *second_;
-  ShareSlider* slider_ = nullptr;
-  QLabel *share_ = nullptr, *sees_ = nullptr, *facts_ = nullptr, *countdown_ = nullptr;
+  KioskFoot* foot_;
+  QLabel* countdown_ = nullptr;
   QWidget* again_ = nullptr;
-  QLineEdit* word_ = nullptr;
   QTimer ticking_, settling_;
   QElapsedTimer untouched_, announced_;
   std::vector<ShareOfTemperature> shares_;

@@ -28,9 +28,10 @@ std::string policyOf(const Registry& registry, const std::string& key) {
 
 }  // namespace
 
-KnobRows::KnobRows(Session& session, const std::vector<std::string>& shown, QWidget* parent)
+KnobRows::KnobRows(Session& session, const std::vector<std::string>& shown, const Ranges& ranges, QWidget* parent)
     : QWidget(parent),
       session_(session),
+      ranges_(ranges),
       column_(new QVBoxLayout(this)) {
   column_->setContentsMargins(0, 0, 0, 0);
   whenScaled(this, [this] { column_->setSpacing(scaled(4)); });
@@ -55,7 +56,9 @@ void KnobRows::takeBase() {
 }
 
 void KnobRows::addParameter(const std::string& key) {
-  const Parameter& parameter = session_.life().configuration().parameters.find(key)->parameter;
+  Parameter parameter = session_.life().configuration().parameters.find(key)->parameter;
+  if (const auto range = ranges_.find(key); range != ranges_.end())
+    std::tie(parameter.sliderLow, parameter.sliderHigh) = range->second;
   auto* row = new ParameterRow(parameter, policyOf(session_.life().registry(), key), this);
   connect(row, &ParameterRow::edited, this, &KnobRows::edit);
   connect(row, &ParameterRow::refused, this, &KnobRows::refused);

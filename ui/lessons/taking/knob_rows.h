@@ -19,7 +19,8 @@ class KnobRows final : public QWidget {
 
  public:
   /// `shown`: what the step shows; what is no knob is passed over.
-  KnobRows(Session& session, const std::vector<std::string>& shown, QWidget* parent = nullptr);
+  using Ranges = std::map<std::string, std::pair<double, double>>;  // of sliders, where a lesson has its own
+  KnobRows(Session& session, const std::vector<std::string>& shown, const Ranges& ranges, QWidget* parent = nullptr);
   bool empty() const { return count_ == 0; }
   int count() const { return count_; }
   /// The step is the student's from now on: Reset goes back to the values of this moment. Once.
@@ -35,6 +36,7 @@ class KnobRows final : public QWidget {
   void refresh();
 
   Session& session_;
+  const Ranges ranges_;
   QVBoxLayout* column_;
   std::vector<ParameterRow*> rows_;
   std::map<std::string, Combo*> choices_;

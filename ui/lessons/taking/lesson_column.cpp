@@ -2,25 +2,27 @@
 #include "ui/lessons/taking/lesson_column.h"
 
 #include <QAbstractSpinBox>
-#include <QAccessible>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QScrollArea>
 #include <QTimer>
 #include <QVBoxLayout>
-#include <cmath>
+#include <map>
 
 #include "core/text/text.h"
 #include "ui/controls/hairline.h"
+#include "ui/controls/labels.h"
 #include "ui/controls/link_button.h"
 #include "ui/controls/text_button.h"
+#include "ui/lessons/questions/question_box.h"
 #include "ui/lessons/taking/knob_rows.h"
+#include "ui/lessons/taking/lesson_end.h"
 #include "ui/lessons/taking/lesson_text.h"
-#include "ui/lessons/taking/question_box.h"
+#include "ui/lessons/taking/prediction_result.h"
 #include "ui/lessons/taking/step_dots.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
-#include "ui/style/theme.h"
+#include "ui/support/announce.h"
 
 namespace surefoot {
 
@@ -28,35 +30,21 @@ namespace {
 
 constexpr int kProgressEvery = 100;  // [ms]
 
-void announce(QWidget* about, const QString& text) {
-  about->setAccessibleDescription(text);
-  QAccessibleEvent event(about, QAccessible::Alert);
-  QAccessible::updateAccessibility(&event);
-}
-
-QString numberText(double value) {
-  return toText(lessonNumber(value));
-}
-
 }  // namespace
 
 LessonColumn::LessonColumn(LessonDriver& driver, QWidget* parent)
     : QWidget(parent),
       driver_(driver),
-      title_(new QLabel(toText(driver.lesson().title), this)),
-      number_(new QLabel(this)),
+      title_(makeText(toText(driver.lesson().title), 13, 500, false, this)),
+      number_(makeText({}, 11, 400, true, this)),
       dots_(new StepDots(this)),
       scroll_(new QScrollArea(this)) {
   auto* column = new QVBoxLayout(this);
   whenScaled(this, [this, column] {
     column->setContentsMargins(scaled({12, 8, 12, 8}));
     column->setSpacing(scaled(8));
-    title_->setFont(scaledFont(13, 500));
-    number_->setFont(scaledFont(11));
   });
-  number_->setForegroundRole(QPalette::PlaceholderText);
   title_->setWordWrap(true);
-  title_->setTextFormat(Qt::PlainText);
   auto* head = new QHBoxLayout;
   head->addWidget(title_, 1);
   head->addWidget(number_);
@@ -126,52 +114,15 @@ QVBoxLayout& LessonColumn::anew() {
   return *column_;
 }
 
-QLabel* LessonColumn::addText(const QString& text, int pixels, int weight) {
-  auto* label = new QLabel(text, content_);
-  label->setTextFormat(Qt::PlainText);
+QLabel* LessonColumn::addText(const QString& text, int pixels, bool quiet) {
+  QLabel* label = makeText(text, pixels, 400, quiet, content_);
   label->setWordWrap(true);
-  whenScaled(label, [label, pixels, weight] { label->setFont(scaledFont(pixels, weight)); });
   column_->addWidget(label);
   return label;
 }
 
 void LessonColumn::addLine() {
   column_->addWidget(new Hairline(Qt::Horizontal, content_));
-}
-
-/// "You said 40, it fell 71 times": what the step before predicted, and what came out.
-void LessonColumn::showResult() {
-  const std::size_t before = driver_.number() - 1;
-  const auto said = driver_.predicted(before), came = driver_.observed(before);
-  const LessonStep& step = driver_.lesson().steps[before];
-  if (!step.predict || !said || !came) return;
-  const QString unit = toText(step.predict->unit);
-  const double difference = std::abs(*came - *said), range = step.predict->high - step.predict->low;
-  auto* row = new QHBoxLayout;
-  const auto word = [&](const QString& text, bool large, bool fall) {
-    auto* label = new QLabel(text, content_);
-    label->setTextFormat(Qt::PlainText);
-    whenScaled(label, [label, large] { label->setFont(scaledFont(large ? 24 : 13, large ? 500 : 400)); });
-    if (fall) {
-      QPalette palette = label->palette();
-      palette.setColor(QPalette::WindowText, themeOf(*this).fallText);
-      label->setPalette(palette);
-    }
-    row->addWidget(label, 0, Qt::AlignBottom);
-  };
-  word(tr("You said"), false, false);
-  word(numberText(*said), true, false);
-  word(tr("it came to"), false, false);
-  word(numberText(*came), true, step.predict->of.text == "falls");
-  if (!unit.isEmpty()) word(unit + '.', false, false);
-  row->addStretch(1);
-  column_->addLayout(row);
-  const QString sentence = difference <= 0.02 * range ? tr("Very close.")
-                           : *came > *said            ? tr("%1 more than you said.").arg(numberText(difference))
-                                                      : tr("%1 fewer than you said.").arg(numberText(difference));
-  auto* label = addText(sentence, 11, 400);
-  label->setForegroundRole(QPalette::PlaceholderText);
-  announce(label, tr("You said %1. It came to %2 %3. %4").arg(numberText(*said), numberText(*came), unit, sentence));
 }
 
 void LessonColumn::showStep() {
@@ -181,13 +132,15 @@ void LessonColumn::showStep() {
   number_->setText(tr("step %1 of %2").arg(driver_.number() + 1).arg(lesson.steps.size()));
   dots_->show(driver_.number(), lesson.steps.size());
   anew();
-  if (driver_.number() > 0) showResult();
+  if (PredictionResult::there(driver_)) column_->addWidget(new PredictionResult(driver_, content_));
+  QLabel* heading = makeText(toText(step.title), 13, 500, false, content_);
+  heading->setWordWrap(true);
+  column_->addWidget(heading);
   text_ = new MarkdownView(content_);
   text_->show(driver_.text());
   connect(text_, &MarkdownView::lessonAsked, this, &LessonColumn::lessonAsked);
   column_->addWidget(text_);
-  progress_ = addText({}, 11, 400);
-  progress_->setForegroundRole(QPalette::PlaceholderText);
+  progress_ = addText({}, 11, true);
   question_ = makeQuestion(driver_, content_);
   if (question_) {
     addLine();
@@ -199,10 +152,11 @@ void LessonColumn::showStep() {
       if (driver_.answered() && next_->isVisible()) next_->setFocus(Qt::OtherFocusReason);
     });
   }
-  hint_ = addText(toText(step.hint), 13, 400);
+  hint_ = addText(toText(step.hint), 13, false);
   hint_->hide();
-  auto* knobs = new KnobRows(driver_.session(), step.show, content_);
+  auto* knobs = new KnobRows(driver_.session(), step.show, lesson.ranges, content_);
   knobs_ = knobs;
+  knobs->setEnabled(!step.predict);  // who predicts does not try it first
   connect(knobs, &KnobRows::refused, this, &LessonColumn::refused);
   if (!knobs->empty()) {
     addLine();
@@ -210,58 +164,41 @@ void LessonColumn::showStep() {
   }
   column_->addWidget(knobs);
   if (const QString words = willMove(); !words.isEmpty() && !driver_.predicted(driver_.number()))
-    addText(words, 11, 400)->setForegroundRole(QPalette::PlaceholderText);
+    addText(words, 11, true);
   knobs->setVisible(!knobs->empty());
   column_->addStretch(1);
-  announce(this, tr("Step %1 of %2: %3").arg(driver_.number() + 1).arg(lesson.steps.size()).arg(toText(step.title)));
+  announce(*this, tr("Step %1 of %2: %3").arg(driver_.number() + 1).arg(lesson.steps.size()).arg(toText(step.title)));
   refresh();
 }
 
 /// "ε becomes 0.25 when you commit": what a prediction does to the knobs.
 QString LessonColumn::willMove() const {
-  QStringList words;
   if (!driver_.step().predict) return {};
-  for (const LessonAction& action : driver_.step().predict->then) {
-    const auto* entry = driver_.session().life().configuration().parameters.find(action.key);
-    if (action.kind != LessonAction::Kind::Set || !entry) continue;
+  const Parameters& now = driver_.session().life().configuration().parameters;
+  std::map<std::string, std::string> last;  // what a key comes to in the end
+  for (const LessonAction& action : driver_.step().predict->then)
+    if (action.kind == LessonAction::Kind::Set) last[action.key] = action.value;
+  QStringList words;
+  for (const auto& [key, value] : last) {
+    const auto* entry = now.find(key);
+    if (!entry || toText(formatValue(entry->parameter, entry->value)) == toText(value)) continue;
     const std::string& symbol = entry->parameter.symbol;
-    words << tr("%1 becomes %2").arg(toText(symbol.empty() ? entry->parameter.title : symbol), toText(action.value));
+    words << tr("%1 becomes %2").arg(toText(symbol.empty() ? entry->parameter.title : symbol), toText(value));
   }
   return words.isEmpty() ? QString() : tr("%1 when you commit").arg(words.join(QStringLiteral(", ")));
 }
 
-/// All steps are done: what one knows now, own words beside the model answers, and where to go on.
 void LessonColumn::showEnd() {
-  const Lesson& lesson = driver_.lesson();
+  const std::size_t steps = driver_.lesson().steps.size();
   number_->setText(tr("done"));
-  dots_->show(lesson.steps.size(), lesson.steps.size());
+  dots_->show(steps, steps);
   anew();
-  column_->addWidget(makeHead(tr("You know now"), content_));
-  addText(toText(lesson.goal), 13, 400);
-  for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
-    const auto* asked = lesson.steps[i].ask ? std::get_if<WordsQuestion>(&*lesson.steps[i].ask) : nullptr;
-    const LessonMark* words = driver_.handIn().last(LessonMark::Kind::Words, i);
-    if (!asked || !words || words->text.empty()) continue;
-    addLine();
-    column_->addWidget(makeHead(tr("In your words"), content_));
-    addText(toText(words->text), 13, 400);
-    column_->addWidget(makeHead(tr("One answer"), content_));
-    addText(toText(asked->model), 13, 400);
-  }
-  addLine();
-  if (!nextName_.isEmpty()) {
-    auto* on = new TextButton(tr("Next: %1").arg(nextTitle_), TextButton::Look::Main, content_);
-    connect(on, &QAbstractButton::clicked, this, [this] { Q_EMIT lessonAsked(nextName_); });
-    column_->addWidget(on);
-  }
-  auto* next = new TextButton(tr("All lessons"),
-                              nextName_.isEmpty() ? TextButton::Look::Main : TextButton::Look::Framed, content_);
-  whenScaled(next, [next] { next->setFixedHeight(scaled(32)); });
-  connect(next, &QAbstractButton::clicked, this, &LessonColumn::nextLessonAsked);
-  column_->addWidget(next);
+  auto* end = new LessonEnd(driver_, nextName_, nextTitle_, content_);
+  column_->addWidget(end);
   column_->addStretch(1);
-  QTimer::singleShot(0, next, [next] { next->setFocus(Qt::OtherFocusReason); });
-  announce(this, tr("The lesson is done. You know now: %1").arg(toText(lesson.goal)));
+  connect(end, &LessonEnd::lessonAsked, this, &LessonColumn::lessonAsked);
+  connect(end, &LessonEnd::allLessonsAsked, this, &LessonColumn::nextLessonAsked);
+  announce(*this, tr("The lesson is done. You know now: %1").arg(toText(driver_.lesson().goal)));
   refresh();
 }
 
@@ -317,7 +254,7 @@ void LessonColumn::showHint() {
   if (!hint_ || driver_.step().hint.empty()) return;
   driver_.takeHint();
   hint_->setVisible(true);
-  announce(hint_, hint_->text());
+  announce(*hint_, hint_->text());
 }
 
 }  // namespace surefoot

@@ -6,8 +6,8 @@
 #include <QPointer>
 #include <QWidget>
 
+#include "ui/lessons/driver/lesson_driver.h"
 #include "ui/lessons/taking/knob_rows.h"
-#include "ui/lessons/taking/lesson_driver.h"
 
 class QLabel;
 class QScrollArea;
@@ -44,10 +44,9 @@ class LessonColumn final : public QWidget {
   void makeFoot(QVBoxLayout& column);
   void showStep();
   void showEnd();
-  void showResult();
   void refresh();
   QString willMove() const;
-  QLabel* addText(const QString& text, int pixels, int weight);
+  QLabel* addText(const QString& text, int pixels, bool quiet);
   void addLine();
   QVBoxLayout& anew();
 

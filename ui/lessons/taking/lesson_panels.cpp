@@ -5,11 +5,12 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "core/lessons/step_reading.h"
+#include "core/lessons/reading/step_reading.h"
 #include "ui/controls/panel.h"
 #include "ui/controls/view_menu.h"
-#include "ui/lessons/taking/lesson_driver.h"
+#include "ui/lessons/driver/lesson_driver.h"
 #include "ui/lessons/taking/lives_view.h"
+#include "ui/lessons/taking/panel_row.h"
 #include "ui/live/actions/action_key.h"
 #include "ui/live/actions/action_rows.h"
 #include "ui/live/falls_list.h"
@@ -24,21 +25,49 @@
 
 namespace surefoot {
 
+namespace {
+
+/// What it predicts or runs is counted in minutes: then so are its charts.
+bool countsMinutes(const Lesson& lesson) {
+  return std::any_of(lesson.steps.begin(), lesson.steps.end(), [](const LessonStep& step) {
+    const auto* amount = step.predict                   ? &step.predict->after
+                         : step.run && step.run->amount ? &*step.run->amount
+                                                        : nullptr;
+    return amount && amount->unit == LessonAmount::Unit::Minutes;
+  });
+}
+
+/// The policies that it is about; others would only raise questions.
+std::set<std::string> policiesOf(const Lesson& lesson) {
+  std::set<std::string> policies = {lesson.start.names.policy};
+  const auto look = [&](const LessonActions& actions) {
+    for (const LessonAction& a : actions)
+      if (a.kind == LessonAction::Kind::Policy) policies.insert(a.value);
+  };
+  for (const LessonStep& step : lesson.steps) {
+    look(step.begin);
+    if (step.predict) look(step.predict->then);
+    if (std::find(step.show.begin(), step.show.end(), "policy") != step.show.end()) return {};  // it can be any
+  }
+  return policies;
+}
+
+}  // namespace
+
 LessonPanels::LessonPanels(LessonDriver& driver, QWidget* parent)
     : QWidget(parent),
       driver_(driver),
       span_(new ChartSpan(driver.session().life(), this)),
       rows_(new QSplitter(Qt::Vertical, this)),
-      below_(new QSplitter(Qt::Horizontal)) {
-  span_->countEpisodes(true);
+      below_(new PanelRow) {
+  span_->countEpisodes(!countsMinutes(driver.lesson()));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(rows_);
-  for (QSplitter* splitter : {rows_, below_}) {
-    splitter->setHandleWidth(1);
-    splitter->setChildrenCollapsible(false);
-  }
+  rows_->setHandleWidth(1);
+  rows_->setChildrenCollapsible(false);
   rows_->addWidget(below_);
+  connect(below_, &PanelRow::fullSizeAsked, this, &LessonPanels::toggleFull);
   connect(&driver_, &LessonDriver::stepChanged, this, &LessonPanels::showStep);
   connect(&driver_, &LessonDriver::phaseChanged, this, &LessonPanels::noteWorld);
   connect(&driver_.session().life(), &RunningLife::stateChanged, this, &LessonPanels::noteWorld);
@@ -70,8 +99,10 @@ QWidget* LessonPanels::makeContent(const std::string& name, QString& title, QStr
     return chart;
   }
   if (name == "actions") {
-    title = tr("What the robot would do now");
-    return new ActionRows(life, looking, session.editing());
+    title = tr("What the robot would do now"), note = tr("% on a square-root scale");
+    auto* rows = new ActionRows(life, looking, session.editing());
+    rows->setPolicies(policiesOf(driver_.lesson()));
+    return rows;
   }
   if (name == "maps") {
     title = tr("Value maps");
@@ -119,11 +150,23 @@ LessonPanels::Part LessonPanels::make(const std::string& name) {
     part.header->addWidget(new Scrubber(driver_.session().looking()));
     rows_->insertWidget(0, part.box);
   } else {
-    below_->addWidget(part.box);
+    below_->add(part.box, title);
   }
   if (name == "maps") makeMaps(part);
   if (name == "actions") part.header->addWidget(new ActionKey(driver_.session().life(), driver_.session().looking()));
   return part;
+}
+
+QWidget* LessonPanels::makeLives(const LessonLives& lives) {
+  QStringList labels;
+  for (const LessonLives::Way& way : lives.ways) labels << toText(way.label);
+  const QString title = toText(lives.title);
+  auto* view = new LivesView(labels, title);
+  const Part part = wrap(title, tr("%1 lives of each").arg(lives.count), view);
+  part.box->setProperty("view", QVariant::fromValue<QWidget*>(view));
+  below_->add(part.box, title);
+  view->show(driver_.lives());
+  return part.box;
 }
 
 void LessonPanels::makeMaps(Part& part) {
@@ -152,28 +195,19 @@ void LessonPanels::showStep() {
   std::vector<std::string> shown;
   for (const std::string& name : step.show)
     if (std::find(lessonPanels().begin(), lessonPanels().end(), name) != lessonPanels().end()) shown.push_back(name);
-  for (auto& [name, part] : parts_) {
-    part.box->setVisible(std::find(shown.begin(), shown.end(), name) != shown.end());
-    part.header->setFull(false);
-  }
-  for (const std::string& name : shown) part(name).box->show();
+  QList<QWidget*> row;
+  for (const std::string& name : shown)
+    if (QWidget* box = part(name).box; name != "world") row << box;
+  for (auto& [name, part] : parts_) part.header->setFull(false);
   delete std::exchange(lives_, nullptr);
-  if (step.lives) {
-    QStringList labels;
-    for (const LessonLives::Way& way : step.lives->ways) labels << toText(way.label);
-    auto* view = new LivesView(labels, toText(step.lives->title));
-    const Part lives = wrap(toText(step.lives->title), tr("%1 lives of each").arg(step.lives->count), view);
-    lives.box->setProperty("view", QVariant::fromValue<QWidget*>(view));
-    lives_ = lives.box;
-    below_->addWidget(lives_);
-    lives_->show();
-    view->show(driver_.lives());
-  }
-  const auto inRow = [&](const std::string& name) { return name != "world"; };
-  const bool any = lives_ || std::any_of(shown.begin(), shown.end(), inRow);
-  below_->setVisible(any);
+  if (step.lives) row << (lives_ = makeLives(*step.lives));
+  below_->show(row);
+  below_->setVisible(!row.isEmpty());
   const bool world = std::find(shown.begin(), shown.end(), "world") != shown.end();
-  if (world && any) rows_->setSizes({scaled(400), scaled(304)});
+  if (const auto found = parts_.find("world"); found != parts_.end()) found->second.box->setVisible(world);
+  if (world && !row.isEmpty())  // Where there is little room, the picture gives way: what is below has letters.
+    rows_->setSizes(height() < scaled(360) ? QList<int>{scaled(280), scaled(304)}
+                                           : QList<int>{scaled(400), scaled(304)});
   noteWorld();
 }
 
@@ -181,26 +215,25 @@ void LessonPanels::noteWorld() {
   const auto found = parts_.find("world");
   if (found == parts_.end()) return;
   const RunningLife& life = driver_.session().life();
-  const Playback* playback = driver_.session().looking().playback();
-  found->second.header->setNote(playback         ? playback->title
-                                : life.running() ? (life.turbo() ? tr("real time; the learner runs faster")
-                                                                 : tr("the learner's world; take hold of it"))
-                                                 : tr("real time, as far as it has learned; nothing is learned now"));
+  const Looking& looking = driver_.session().looking();
+  const auto note = [&] {
+    if (const Playback* playback = looking.playback()) return playback->title;
+    if (!life.task().stepTime) return QString();  // what one sees is what was lived
+    if (life.running())
+      return life.turbo() ? tr("real time; the learner runs faster") : tr("it learns; take hold of it");
+    return looking.demonstrating() ? tr("what it can do so far; it learns nothing now") : tr("held still");
+  };
+  found->second.header->setNote(note());
 }
 
 void LessonPanels::toggleFull(QWidget* box) {
-  const bool back = full_ != nullptr;
-  if (back) {
-    full_ = nullptr;
-    return showStep();
-  }
+  if (std::exchange(full_, nullptr)) return showStep();
   full_ = box;
-  for (auto& [name, part] : parts_) {
-    if (part.box != box) part.box->hide();
-    part.header->setFull(part.box == box);
-  }
-  if (lives_ && lives_ != box) lives_->hide();
-  below_->setVisible(below_->isAncestorOf(box));
+  for (auto& [name, part] : parts_) part.header->setFull(part.box == box);
+  const bool below = below_->holds(box);
+  below_->setVisible(below);
+  if (below) below_->show({box});
+  if (const auto world = parts_.find("world"); world != parts_.end()) world->second.box->setVisible(!below);
 }
 
 void LessonPanels::setPrediction(const std::string& chart, const std::optional<ChartPrediction>& prediction) {

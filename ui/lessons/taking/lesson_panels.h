@@ -16,6 +16,8 @@ namespace surefoot {
 class ChartSpan;
 class LessonDriver;
 class PanelHeader;
+class PanelRow;
+struct LessonLives;
 class WorldView;
 
 class LessonPanels final : public QWidget {
@@ -47,12 +49,14 @@ class LessonPanels final : public QWidget {
   Part wrap(const QString& title, const QString& note, QWidget* content);
   QWidget* makeContent(const std::string& name, QString& title, QString& note);
   void makeMaps(Part& part);
+  QWidget* makeLives(const LessonLives& lives);
   void toggleFull(QWidget* box);
   void noteWorld();
 
   LessonDriver& driver_;
   ChartSpan* span_;
-  QSplitter *rows_, *below_;
+  QSplitter* rows_;
+  PanelRow* below_;
   std::map<std::string, Part> parts_;
   QWidget *lives_ = nullptr, *full_ = nullptr;
   std::function<QString(const RunCurve&)> words_;

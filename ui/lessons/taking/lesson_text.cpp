@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lessons/taking/lesson_text.h"
 
+#include <QRegularExpression>
 #include <QTextBlock>
 #include <QTextDocument>
 #include <cmath>
@@ -26,14 +27,52 @@ MarkdownView::MarkdownView(QWidget* parent) : QTextBrowser(parent) {
   whenScaled(this, [this] { style(); });
 }
 
+namespace {
+
+/// "ε = 0.25", "× 1.5" and "ε-greedy" stay on one line.
+QString unbroken(QString text) {
+  static const QRegularExpression kSign(QStringLiteral(" ([=·×+−<>≤≥]) "));
+  static const QRegularExpression kLead(QStringLiteral("([×≈]) (?=[\\d−])"));
+  const QString hard(QChar(0xa0));
+  text.replace(kSign, hard + QStringLiteral("\\1") + hard);
+  text.replace(kLead, QStringLiteral("\\1") + hard);
+  return text.replace(QStringLiteral("ε-"), QStringLiteral("ε-") + QChar(0x2060));
+}
+
+}  // namespace
+
 void MarkdownView::show(const QString& markdown) {
-  markdown_ = markdown;
+  markdown_ = unbroken(markdown);
   style();
 }
 
 void MarkdownView::changeEvent(QEvent* event) {
   QTextBrowser::changeEvent(event);
   if (event->type() == QEvent::PaletteChange) style();
+}
+
+/// Bold is a medium weight, and links have a line.
+void MarkdownView::stress(const QTextBlock& block) {
+  struct Part {
+    int at, length;
+    bool bold, link;
+  };
+  std::vector<Part> parts;  // before one of them is changed, which makes fragments anew
+  for (auto part = block.begin(); !part.atEnd(); ++part) {
+    const QTextFragment& fragment = part.fragment();
+    const QTextCharFormat format = fragment.charFormat();
+    parts.push_back({fragment.position(), fragment.length(), format.fontWeight() > QFont::Medium, format.isAnchor()});
+  }
+  for (const Part& part : parts) {
+    if (!part.bold && !part.link) continue;
+    QTextCursor cursor(document());
+    cursor.setPosition(part.at);
+    cursor.setPosition(part.at + part.length, QTextCursor::KeepAnchor);
+    QTextCharFormat stressed;
+    if (part.bold) stressed.setFont(scaledFont(13, 500));
+    if (part.link) stressed.setFontUnderline(true);
+    cursor.mergeCharFormat(stressed);
+  }
 }
 
 void MarkdownView::style() {
@@ -47,16 +86,7 @@ void MarkdownView::style() {
     format.setTopMargin(0);
     format.setBottomMargin(block.next().isValid() ? scaled(kBetween) : 0);
     cursor.setBlockFormat(format);
-    for (auto part = block.begin(); !part.atEnd(); ++part) {
-      if (part.fragment().charFormat().fontWeight() <= QFont::Medium) continue;
-      QTextCursor bold(document());
-      bold.setPosition(part.fragment().position());
-      bold.setPosition(part.fragment().position() + part.fragment().length(), QTextCursor::KeepAnchor);
-      QTextCharFormat medium;
-      medium.setFont(scaledFont(13, 500));
-      bold.mergeCharFormat(medium);
-      break;  // the fragments of the block have changed
-    }
+    stress(block);
   }
   setAccessibleName(document()->toPlainText());
   updateGeometry();

@@ -4,6 +4,8 @@
 
 #include <QTextBrowser>
 
+class QTextBlock;
+
 namespace surefoot {
 
 class MarkdownView final : public QTextBrowser {
@@ -29,6 +31,7 @@ class MarkdownView final : public QTextBrowser {
 
  private:
   void style();
+  void stress(const QTextBlock& block);
   QString markdown_;
 };
 

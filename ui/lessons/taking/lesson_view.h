@@ -4,18 +4,14 @@
 
 #include <QWidget>
 
-#include "ui/lessons/taking/lesson_driver.h"
-#include "ui/style/painted.h"
-
-class QAction;
-class QLabel;
+#include "ui/lessons/driver/lesson_driver.h"
+#include "ui/lessons/taking/curve_names.h"
 
 namespace surefoot {
 
-class BarButton;
+class LessonBar;
 class LessonColumn;
 class LessonPanels;
-class Slider;
 
 class LessonView final : public QWidget {
   Q_OBJECT
@@ -43,25 +39,16 @@ class LessonView final : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  QWidget* makeBar();
   void makeActions();
-  QAction* act(const QString& text, const QList<QKeySequence>& keys, const std::function<void()>& what);
   void refresh();
   void refreshPrediction();
-  void nameRun();
   void showLastFall();
-  QString knobWords() const;
-  bool hasSeveralRules() const;
 
   std::unique_ptr<LessonDriver> driver_;
-  QAction *run_, *restart_, *turbo_;
-  std::vector<QWidget*> runButtons_;
-  QLabel *falls_, *episodes_, *paceWord_;
-  Slider* pace_;
+  CurveNames names_;
+  LessonBar* bar_;
   LessonColumn* column_;
   LessonPanels* panels_;
-  std::map<int, QString> runWords_;     // by the numbers of lives
-  std::map<int, std::size_t> namedIn_;  // the steps in which they were named
 };
 
 }  // namespace surefoot

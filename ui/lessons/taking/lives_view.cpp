@@ -51,10 +51,14 @@ std::string LivesView::asCsv() const {
   return csv;
 }
 
+/// Every dot and every interval is on it.
 void LivesView::chooseScale() {
   double least = 0, most = 0;
-  for (const auto& way : lives_)
-    for (const double value : way) least = std::min(least, value), most = std::max(most, value);
+  const auto include = [&](double value) { least = std::min(least, value), most = std::max(most, value); };
+  for (const auto& way : lives_) {
+    for (const double value : way) include(value);
+    if (const Interval mean = meanWithInterval(way); mean.known()) include(mean.low), include(mean.high);
+  }
   if (most == least) most = least + 1;
   step_ = niceAbove((most - least) / 5.0001);
   low_ = step_ * std::floor(least / step_ + 1e-9);
@@ -65,34 +69,98 @@ double LivesView::xOf(double value) const {
   return left_ + (value - low_) / (high_ - low_) * (right_ - left_);
 }
 
-void LivesView::paintWay(QPainter& p, std::size_t way, double top, double height) const {
-  const Theme& t = themeOf(*this);
-  const double y = std::round(top + height / 2) + 0.5;
-  p.setFont(textFont(13));
-  p.setPen(t.ink);
-  const QString label = labels_[static_cast<qsizetype>(way)];
-  drawSymbol(p, QRectF(12, y - 10, left_ - 24, 20), Qt::AlignLeft,
-             QFontMetricsF(p.font()).elidedText(label, Qt::ElideRight, left_ - 24));
-  p.setPen(QPen(t.hairline, 1));
-  p.drawLine(QPointF(left_, y), QPointF(right_, y));
-  if (way >= lives_.size()) return;
-  QColor dot = t.ink;
-  dot.setAlphaF(0.35f);
+double LivesView::lineOf(std::size_t way) const {
+  return std::round(top_ + row_ * (static_cast<double>(way) + 0.5)) + 0.5;
+}
+
+/// Lives of one seed belong together: a line for each.
+void LivesView::paintPairs(QPainter& p) const {
+  if (lives_.size() != 2 || lives_[0].size() != lives_[1].size()) return;
+  QColor line = themeOf(*this).ink;
+  line.setAlphaF(0.18f);
+  p.setPen(QPen(line, 1));
+  for (std::size_t i = 0; i < lives_[0].size(); ++i)
+    p.drawLine(QPointF(xOf(lives_[0][i]), lineOf(0)), QPointF(xOf(lives_[1][i]), lineOf(1)));
+}
+
+/// A dot for each life. Dots that would hide each other stand on each other.
+void LivesView::paintDots(QPainter& p, std::size_t way) const {
+  constexpr double kDot = 4;
+  std::vector<double> values = lives_[way];
+  std::sort(values.begin(), values.end());
+  QColor dot = themeOf(*this).ink;
+  dot.setAlphaF(0.45f);
   p.setPen(Qt::NoPen);
   p.setBrush(dot);
-  for (const double value : lives_[way]) p.drawEllipse(QPointF(xOf(value), y), 4, 4);
+  const double apart = std::min(2 * kDot, 0.45 * row_ / static_cast<double>(values.size()));
+  double column = -1e9, height = 0;
+  for (const double value : values) {
+    const double x = xOf(value);
+    height = x - column < 1.5 * kDot ? height + std::max(apart, 2.0) : 0;
+    if (height == 0) column = x;
+    p.drawEllipse(QPointF(x, lineOf(way) + std::min(height, 0.45 * row_)), kDot, kDot);
+  }
+}
+
+void LivesView::paintMean(QPainter& p, std::size_t way) const {
+  const Theme& t = themeOf(*this);
   const Interval mean = meanWithInterval(lives_[way]);
-  const double above = y - std::min(14.0, height / 3);
+  const double above = lineOf(way) - std::min(14.0, row_ / 3);
   p.setPen(QPen(t.ink, 1.75));
   if (mean.known()) {
-    const double from = std::clamp(xOf(mean.low), left_, right_), to = std::clamp(xOf(mean.high), left_, right_);
-    p.drawLine(QPointF(from, above), QPointF(to, above));
-    for (const double end : {from, to}) p.drawLine(QPointF(end, above - 4), QPointF(end, above + 4));
+    p.drawLine(QPointF(xOf(mean.low), above), QPointF(xOf(mean.high), above));
+    for (const double end : {mean.low, mean.high})
+      p.drawLine(QPointF(xOf(end), above - 4), QPointF(xOf(end), above + 4));
   }
   p.setBrush(t.ink);
   p.drawEllipse(QPointF(xOf(mean.value), above), 3.5, 3.5);
-  p.setFont(textFont(13, 500));
-  drawSymbol(p, QRectF(right_ + 12, y - 10, width() - right_ - 16, 20), Qt::AlignLeft, shortText(mean.value));
+}
+
+void LivesView::paintTexts(QPainter& p, std::size_t way) const {
+  const Theme& t = themeOf(*this);
+  const double y = lineOf(way);
+  // Rows that are nearer to each other than their letters get smaller letters.
+  const int pixels = static_cast<int>(std::clamp(row_ - 2, 8.0, 13.0));
+  p.setFont(textFont(pixels));
+  p.setPen(t.ink);
+  const QString label =
+      QFontMetricsF(p.font()).elidedText(labels_[static_cast<qsizetype>(way)], Qt::ElideRight, left_ - 24);
+  drawSymbol(p, QRectF(12, y - 10, left_ - 24, 20), Qt::AlignLeft, label);
+  p.setPen(QPen(t.hairline, 1));
+  p.drawLine(QPointF(left_, y), QPointF(right_, y));
+  if (way >= lives_.size()) return;
+  p.setFont(textFont(pixels, 500));
+  p.setPen(t.ink);
+  drawSymbol(p, QRectF(right_ + 12, y - 10, width() - right_ - 16, 20), Qt::AlignLeft,
+             shortText(meanWithInterval(lives_[way]).value));
+}
+
+void LivesView::paintAxis(QPainter& p, double bottom) const {
+  const Theme& t = themeOf(*this);
+  p.setFont(textFont(11));
+  double free = left_ - 1e9;  // numbers that would touch are left out
+  for (double x = low_; x <= high_ + 1e-9 * step_; x += step_) {
+    p.setPen(QPen(t.outline, 1));
+    p.drawLine(QPointF(xOf(x), bottom), QPointF(xOf(x), bottom + 4));
+    const QString text = shortText(x);
+    const double half = symbolWidth(p.font(), text) / 2;
+    if (xOf(x) - half < free) continue;
+    free = xOf(x) + half + 8;
+    p.setPen(t.quiet);
+    drawSymbol(p, QRectF(xOf(x) - 40, bottom + 5, 80, 14), Qt::AlignHCenter, text);
+  }
+  p.setPen(t.quiet);
+  const QRectF below(12, bottom + 20, width() - 24, 16);
+  p.drawText(below, Qt::AlignHCenter, QFontMetricsF(p.font()).elidedText(unit_, Qt::ElideRight, below.width()));
+  if (row_ < 24) return;
+  const QString seeds = lives_.size() == 2 ? tr("a line joins one seed; ") : QString();
+  for (const QString& key : {tr("a dot is a life; %1bar: 95 % interval of the mean").arg(seeds),
+                             tr("a dot is a life; bar: 95 % interval"), tr("bar: 95 % interval")})
+    if (symbolWidth(p.font(), key) <= right_ - left_) {
+      p.drawText(QRectF(left_, 4, right_ - left_, 16), Qt::AlignLeft, key);
+      break;
+    }
+  p.drawText(QRectF(right_ + 12, 4, width() - right_ - 16, 16), Qt::AlignLeft, tr("mean"));
 }
 
 void LivesView::paintEvent(QPaintEvent*) {
@@ -105,19 +173,17 @@ void LivesView::paintEvent(QPaintEvent*) {
   for (const QString& label : labels_) widest = std::max(widest, symbolWidth(textFont(13), label));
   left_ = std::min(widest, 0.35 * width()) + 32;
   right_ = width() - 72;
-  const double bottom = height() - 40, row = (bottom - 8) / static_cast<double>(labels_.size());
-  for (std::size_t w = 0; w < static_cast<std::size_t>(labels_.size()); ++w)
-    paintWay(p, w, 8 + row * static_cast<double>(w), row);
+  const double bottom = height() - 40;
+  const auto ways = static_cast<double>(labels_.size());
+  top_ = (bottom - 20) / ways < 24 ? 8 : 20;
+  row_ = (bottom - top_) / ways;
+  if (!lives_.empty()) paintPairs(p);
+  for (std::size_t w = 0; w < static_cast<std::size_t>(labels_.size()); ++w) paintTexts(p, w);
+  for (std::size_t w = 0; w < lives_.size(); ++w) paintDots(p, w), paintMean(p, w);
+  if (!lives_.empty()) return paintAxis(p, bottom);
   p.setFont(textFont(11));
   p.setPen(t.quiet);
-  if (lives_.empty()) return p.drawText(rect(), Qt::AlignCenter, tr("They are being lived …"));
-  for (double x = low_; x <= high_ + 1e-9; x += step_) {
-    p.setPen(QPen(t.outline, 1));
-    p.drawLine(QPointF(xOf(x), bottom), QPointF(xOf(x), bottom + 4));
-    p.setPen(t.quiet);
-    drawSymbol(p, QRectF(xOf(x) - 40, bottom + 5, 80, 14), Qt::AlignHCenter, shortText(x));
-  }
-  p.drawText(QRectF(12, bottom + 20, width() - 24, 16), Qt::AlignHCenter, tr("dark: mean and 95 % interval"));
+  p.drawText(QRectF(0, bottom, width(), 40), Qt::AlignCenter, tr("They are being lived …"));
 }
 
 }  // namespace surefoot

@@ -28,12 +28,17 @@ class LivesView final : public Painted<>, public CsvSource {
  private:
   void chooseScale();
   double xOf(double value) const;
-  void paintWay(QPainter& p, std::size_t way, double top, double height) const;
+  double lineOf(std::size_t way) const;  ///< the height of a way's line
+  void paintPairs(QPainter& p) const;
+  void paintTexts(QPainter& p, std::size_t way) const;
+  void paintDots(QPainter& p, std::size_t way) const;
+  void paintMean(QPainter& p, std::size_t way) const;
+  void paintAxis(QPainter& p, double bottom) const;
 
   const QStringList labels_;
   const QString unit_;
   std::vector<std::vector<double>> lives_;
-  double low_ = 0, high_ = 1, step_ = 0.2, left_ = 0, right_ = 1;
+  double low_ = 0, high_ = 1, step_ = 0.2, left_ = 0, right_ = 1, top_ = 0, row_ = 1;
 };
 
 }  // namespace surefoot

@@ -12,6 +12,7 @@
 
 #include "core/files/read_file.h"
 #include "ui/controls/hairline.h"
+#include "ui/controls/labels.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
 
@@ -109,12 +110,9 @@ TeacherWindow::TeacherWindow(Lesson lesson, QString classFolder, QWidget* parent
 }
 
 QLabel* TeacherWindow::addText(QVBoxLayout& column, int pixels, int weight, bool quiet) {
-  auto* label = new QLabel;
-  label->setTextFormat(Qt::PlainText);
+  QLabel* label = makeText({}, pixels, weight, quiet, nullptr);
   label->setWordWrap(true);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  if (quiet) label->setForegroundRole(QPalette::PlaceholderText);
-  whenScaled(label, [label, pixels, weight] { label->setFont(scaledFont(pixels, weight)); });
   column.addWidget(label);
   return label;
 }

@@ -7,7 +7,7 @@
 #include <QElapsedTimer>
 #include <QTimer>
 
-#include "core/lessons/class_table.h"
+#include "core/lessons/handed_in/class_table.h"
 #include "ui/support/background.h"
 
 class QLabel;

@@ -13,7 +13,7 @@
 #include <algorithm>
 
 #include "core/files/whole_file.h"
-#include "core/lessons/lesson_reading.h"
+#include "core/lessons/reading/lesson_reading.h"
 #include "ui/controls/hairline.h"
 #include "ui/controls/text_button.h"
 #include "ui/lessons/taking/lesson_text.h"

@@ -45,11 +45,17 @@ ActionRows::ActionRows(RunningLife& life, Looking& looking, Editing& editing, QW
   });
 }
 
+void ActionRows::setPolicies(std::set<std::string> policies) {
+  policies_ = std::move(policies);
+  rebuild();
+}
+
 void ActionRows::rebuild() {
   columns_.clear();
   std::vector<std::string> names;
   for (const auto& entry : life_.registry().policies)
-    if (entry.name != "greedy") names.push_back(entry.name);  // the other policies show which action is greedy
+    if (entry.name != "greedy" && (policies_.empty() || policies_.contains(entry.name)))
+      names.push_back(entry.name);  // the other policies show which action is greedy
   if (const std::string& now = life_.configuration().names.policy;
       std::find(names.begin(), names.end(), now) == names.end())
     names.insert(names.begin(), now);
@@ -117,7 +123,8 @@ void ActionRows::takeValues() {
   looking_.valuesShown()->evaluate(state, Layer::Negative, negative_);
 }
 
-/// The scale shows as much of the task's returns, from 0 to both sides, as the values have needed since the life began.
+/// The scale shows as much of the task's returns, from 0 to both sides, as the values have needed since the life began,
+/// and more if they need more.
 /// It never shrinks, and it does not move while the threshold is dragged.
 void ActionRows::fitScale() {
   const double lowest = std::min(life_.task().lowestReturn, 0.0);
@@ -129,9 +136,9 @@ void ActionRows::fitScale() {
   if (const double t = life_.threshold(); life_.configuration().names.policy == "trl" && t >= lowest && t <= highest)
     needed = std::max(needed, shareOf(t));
   if (!dragging_) {
-    share_ = 1;
-    for (const double less : {0.5, 0.2, 0.1, 0.05})
-      if (needed <= less) share_ = less;
+    share_ = 10;  // values may lie beyond every return while they learn
+    for (const double share : {5.0, 3.0, 2.0, 1.5, 1.25, 1.0, 0.5, 0.2, 0.1, 0.05})
+      if (needed <= share) share_ = share;
   }
   low_ = share_ * lowest, high_ = share_ * highest;
 }

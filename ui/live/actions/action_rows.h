@@ -30,6 +30,8 @@ class ActionRows final : public Painted<>, public CsvSource {
   explicit ActionRows(RunningLife& life, Looking& looking, Editing& editing, QWidget* parent = nullptr);
   QSize sizeHint() const override { return scaled({576, 240}); }
   QSize minimumSizeHint() const override { return scaled({400, 190}); }
+  /// Probabilities of these policies and of the one in force; empty: of all.
+  void setPolicies(std::set<std::string> policies);
   /// One row per action: its value, the parts of the value, its probability under each policy.
   std::string asCsv() const override;
   /// Least and greatest value on the scale of Q.
@@ -94,6 +96,7 @@ class ActionRows final : public Painted<>, public CsvSource {
   RunningLife& life_;
   Looking& looking_;
   Editing& editing_;
+  std::set<std::string> policies_;  // with a column
   std::vector<Column> columns_;
   std::vector<double> q_, positive_, negative_;  // the parts are empty if the agent keeps one estimate
   std::vector<std::vector<Level>> levels_;       // [action variable][level]; empty: an action is one number

@@ -77,25 +77,6 @@ ValueMap::Quantity MapChoice::projected(const Task& task, ValueMap::Quantity who
   };
 }
 
-QString symbolOf(const StateVariable& v) {
-  return toText(v.symbol.empty() ? v.title : v.symbol);
-}
-
-QString axisTitleOf(const StateVariable& v) {
-  const QString name = v.symbol.empty() ? toText(v.title) : toText(v.title) + ' ' + toText(v.symbol);
-  return v.unit.empty() ? name : QStringLiteral("%1 [%2]").arg(name, toText(v.unit));
-}
-
-QString actionNameOf(const Task& task, std::size_t action) {
-  if (!task.actionVariables.empty()) {
-    QStringList levels;
-    for (std::size_t j = 0; j < task.actionVariables.size(); ++j)
-      levels << toText(fixedText(task.actionVariables[j].levels[levelOf(task, action, j)], 1));
-    return levels.join(QStringLiteral(" / "));
-  }
-  return toText(action < task.actionNames.size() ? task.actionNames[action] : fixedText(task.actions[action], 2));
-}
-
 std::size_t greedyValues(const MapChoice& choice, const Task& task) {
   return task.actionVariables.empty() ? task.actions.size()
                                       : task.actionVariables[static_cast<std::size_t>(choice.action)].levels.size();

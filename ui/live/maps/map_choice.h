@@ -8,6 +8,7 @@
 
 #include "core/environment.h"
 #include "ui/live/maps/value_map.h"
+#include "ui/running/task_words.h"
 
 namespace surefoot {
 
@@ -37,12 +38,6 @@ struct MapChoice {
   ValueMap::Quantity projected(const Task& task, ValueMap::Quantity quantity) const;
 };
 
-/// "α", or the title if there is no symbol.
-QString symbolOf(const StateVariable& variable);
-/// "pole angle α [rad]"
-QString axisTitleOf(const StateVariable& variable);
-/// "1.50", or the name of the action.
-QString actionNameOf(const Task& task, std::size_t action);
 /// The number of values on the map of the greedy action, and the name of one of them.
 std::size_t greedyValues(const MapChoice& choice, const Task& task);
 QString greedyNameOf(const MapChoice& choice, const Task& task, std::size_t value);

@@ -67,9 +67,9 @@ class ValueMap {
   std::optional<std::vector<double>> stateAt(const Task& task, QPointF at, const QRectF& square) const;
   /// Columns "x, y, value" of all cells, named after the axes.
   std::string asCsv(const Task& task, const std::string& quantity) const;
-  /// An arrow in every cell whose value (of another map of the same slice) is the number of a direction; right and down
-  /// are positive. Nothing where cells are too small.
-  void drawArrows(QPainter& painter, const QRectF& square, const Theme& theme, const ValueMap& numbers,
+  /// Arrows in every cell: `best`, another map of the same slice, has a bit for each direction. Right and down are
+  /// positive. Nothing where cells are too small.
+  void drawArrows(QPainter& painter, const QRectF& square, const Theme& theme, const ValueMap& best,
                   std::span<const QPointF> directions) const;
   bool empty() const { return values_.empty(); }
   int columns() const { return columns_; }

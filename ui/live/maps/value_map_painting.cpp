@@ -3,6 +3,7 @@
 #include <QPainter>
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numeric>
 #include <vector>
@@ -135,9 +136,9 @@ void ValueMap::drawMarks(QPainter& p, const QRectF& square, const Theme& t, cons
   p.restore();
 }
 
-void ValueMap::drawArrows(QPainter& p, const QRectF& square, const Theme& t, const ValueMap& numbers,
+void ValueMap::drawArrows(QPainter& p, const QRectF& square, const Theme& t, const ValueMap& best,
                           std::span<const QPointF> directions) const {
-  if (!whole_ || numbers.columns_ != columns_ || numbers.rows_ != rows_ || image_.isNull()) return;
+  if (!whole_ || best.columns_ != columns_ || best.rows_ != rows_ || image_.isNull()) return;
   const double w = square.width() / columns_, h = square.height() / rows_, reach = 0.28 * std::min(w, h);
   if (reach < 2.5) return;
   p.save();
@@ -145,13 +146,21 @@ void ValueMap::drawArrows(QPainter& p, const QRectF& square, const Theme& t, con
   p.setPen(Qt::NoPen);
   for (int row = 0; row < rows_; ++row)
     for (int column = 0; column < columns_; ++column) {
-      const double number = numbers.at(column, row);
-      if (std::isnan(number) || number < 0 || number >= static_cast<double>(directions.size())) continue;
-      const QPointF d = directions[static_cast<std::size_t>(number)] * reach, side(-d.y(), d.x());
-      const QPointF c(square.left() + (column + 0.5) * w, square.top() + (row + 0.5) * h);
+      const double bits = best.at(column, row);
+      if (std::isnan(bits)) continue;
+      const auto actions = static_cast<std::uint32_t>(bits);
+      const QPointF middle(square.left() + (column + 0.5) * w, square.top() + (row + 0.5) * h);
       const bool onDark = qGray(image_.pixel(column, row)) < 128;
       p.setBrush(onDark == t.dark ? t.ink : t.panel);
-      p.drawPolygon(QPolygonF({c + d, c - 0.5 * d + 0.7 * side, c - 0.15 * d, c - 0.5 * d - 0.7 * side}));
+      // One points from the middle on; several that are worth the same lead away from it.
+      const bool several = std::popcount(actions) > 1;
+      const double size = several ? 0.6 * reach : reach;
+      for (std::size_t a = 0; a < directions.size(); ++a) {
+        if (!(actions >> a & 1u)) continue;
+        const QPointF d = directions[a] * size, side(-d.y(), d.x());
+        const QPointF c = several ? middle + directions[a] * 0.75 * reach : middle;
+        p.drawPolygon(QPolygonF({c + d, c - 0.5 * d + 0.7 * side, c - 0.15 * d, c - 0.5 * d - 0.7 * side}));
+      }
     }
   p.restore();
 }

@@ -124,7 +124,7 @@ void ValueMaps::recompute() {
                       : choice_.quantity == MapQuantity::Eligibility ? eligibility()
                                                                      : quantity(Layer::Sum);
   big_.evaluate(task, slice_, static_cast<int>(g.square.width()) / kCell, choice_.projected(task, chosen));
-  if (!directions().empty()) greedy_.evaluate(task, slice_, static_cast<int>(g.square.width()) / kCell, greedyAction());
+  if (!directions().empty()) best_.evaluate(task, slice_, static_cast<int>(g.square.width()) / kCell, bestActions());
   bigScale_ = scaleOf(big_);
   big_.colour(bigScale_, dark);
   computeSmall(std::max(static_cast<int>(g.upper.width()) / kSmallCell, 1), dark);

@@ -68,7 +68,7 @@ class ValueMaps final : public Painted<>, public CsvSource {
   bool valued() const;  ///< the large map is in units of reward
   ValueMap::Quantity quantity(Layer layer) const;
   ValueMap::Quantity partOf(Layer layer) const;
-  ValueMap::Quantity greedyAction() const;
+  ValueMap::Quantity bestActions() const;
   ValueMap::Quantity visits() const;
   ValueMap::Quantity eligibility() const;
   MapScale scaleOf(const ValueMap& map) const;
@@ -101,7 +101,7 @@ class ValueMaps final : public Painted<>, public CsvSource {
   RunningLife& life_;
   Looking& looking_;
   MapChoice choice_;
-  ValueMap big_, upper_, lower_, greedy_;
+  ValueMap big_, upper_, lower_, best_;
   std::vector<double> drawn_;  // the live state, as it was drawn last
   QElapsedTimer sinceDrawn_;
   MapScale bigScale_, visitScale_{MapScale::Kind::Viridis, 1, 10}, eligibilityScale_{MapScale::Kind::Positive, 0, 1};

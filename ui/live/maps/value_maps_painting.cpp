@@ -89,7 +89,7 @@ void ValueMaps::paintEvent(QPaintEvent*) {
   const auto ways = directions();
   big_.draw(p, g.big, t, contour ? std::optional(life_.threshold()) : std::nullopt);
   if (!ways.empty() && (valued() || choice_.quantity == MapQuantity::GreedyAction))
-    big_.drawArrows(p, g.big, t, greedy_, ways);
+    big_.drawArrows(p, g.big, t, best_, ways);
   big_.drawMarks(p, g.big, t, life_.task(), marks(std::clamp(cell, 3.0, 6 * k)));
   drawBigBar(p, g, t);
   drawSmallMaps(p, g, t);

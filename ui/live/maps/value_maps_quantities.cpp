@@ -25,13 +25,19 @@ ValueMap::Quantity ValueMaps::quantity(Layer layer) const {
   };
 }
 
-ValueMap::Quantity ValueMaps::greedyAction() const {
+/// The best actions, one bit for each: several of them are worth the same.
+ValueMap::Quantity ValueMaps::bestActions() const {
+  constexpr double kSame = 1e-9;  // of the largest value
   const ActionValueFunction& values = *looking_.valuesShown();
   return [&values,
           q = std::vector<double>(static_cast<std::size_t>(values.actions()))](std::span<const double> s) mutable {
     if (values.familiarity(s) < kFamiliar) return kNever;
     values.evaluate(s, Layer::Sum, q);
-    return static_cast<double>(std::max_element(q.begin(), q.end()) - q.begin());
+    const double best = *std::max_element(q.begin(), q.end());
+    std::uint32_t bits = 0;
+    for (std::size_t a = 0; a < q.size() && a < 32; ++a)
+      if (q[a] >= best - kSame * std::max(1.0, std::abs(best))) bits |= 1u << a;
+    return static_cast<double>(bits);
   };
 }
 

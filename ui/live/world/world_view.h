@@ -76,7 +76,7 @@ class WorldView final : public Painted<> {
   double readOutsHeight_ = 0;         // [px]
   double band_ = 0;                   // height of all below the floor while the picture is not moved [px]
   double fit_ = 0;                    // [px/m]
-  bool ring_ = false, plain_ = false;
+  bool ring_ = false, plain_ = false, hasNumbers_ = true;
   double camera_ = 0;                        // x in the middle of the picture [m]
   static constexpr std::size_t kTrail = 14;  // frames
   std::deque<Point> trail_;

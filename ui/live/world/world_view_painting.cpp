@@ -9,6 +9,7 @@
 #include "ui/live/world/world_view.h"
 #include "ui/running/looking.h"
 #include "ui/running/running_life.h"
+#include "ui/running/task_words.h"
 #include "ui/style/policy_look.h"
 #include "ui/style/round_numbers.h"
 #include "ui/style/scene_painter.h"
@@ -28,6 +29,8 @@ constexpr double kUnderReadOuts = 20;  // from the last one's baseline to the bo
 constexpr double kHeadroom = 28;       // above the highest thing drawn
 constexpr double kCaption = 26;        // with two worlds: the caption with this world's policy and agent
 constexpr double kSide = 24;           // beside the widest scene
+constexpr double kMostAround = 0.45;   // of the height, for all that is around a plain scene
+constexpr double kEdge = 12;           // around it where there is less room
 constexpr double kMostScale = 1700;    // [px/m]
 constexpr double kGap = 6;             // between symbol, value and unit [px]
 
@@ -64,9 +67,14 @@ void WorldView::measure() {
   const int most = both ? std::min(ownColumns_, beside_->ownColumns_) : ownColumns_, rows = (n + most - 1) / most;
   columns_ = rows > 0 ? (n + rows - 1) / rows : 1;
   readOutsHeight_ = k * (kReadOut * rows + kUnderReadOuts);
-  band_ = readOutsHeight_ + k * (scene_.metres ? kScale : kNoScale);
+  const double around = readOutsHeight_ + captionHeight() + k * ((scene_.metres ? kScale : kNoScale) + kHeadroom);
+  const bool tight = plain_ && around > kMostAround * height();  // the body is what one looks at: no numbers
+  if (tight) readOutsHeight_ = 0;
+  hasNumbers_ = scene_.metres && !tight;
+  const double above = captionHeight() + (tight ? kEdge : k * kHeadroom);
+  band_ = readOutsHeight_ + (tight ? kEdge : k * (scene_.metres ? kScale : kNoScale));
 
-  fit_ = std::min(kMostScale, (height() - band_ - captionHeight() - k * kHeadroom) / scene_.height);
+  fit_ = std::min(kMostScale, (height() - band_ - above) / scene_.height);
   if (scene_.width > 0) fit_ = std::min(fit_, (width() - 2 * kSide) / scene_.width);
   const double least = 0.5 * fit_;  // below this scale, words move in from the edge instead
   for (const Shape& shape : scene_.shapes) {
@@ -77,7 +85,6 @@ void WorldView::measure() {
       fit_ = std::min(fit_, (width() / 2.0 - words) / reach);
   }
   fit_ = std::max({fit_, least, 1.0});
-  const double above = captionHeight() + k * kHeadroom;
   if (!scene_.metres) band_ += std::max(0.0, (height() - band_ - above - fit_ * scene_.height) / 2);
 }
 
@@ -165,7 +172,7 @@ void WorldView::drawFloor(QPainter& p, const Theme& t) const {
     const bool number = i % parts == 0;
     p.setPen(QPen(number ? t.ink : t.outline, 1));
     p.drawLine(QPointF(x, y), QPointF(x, y + k * (number ? 9 : i % 5 == 0 ? 6 : 4)));
-    if (!number) continue;
+    if (!number || !hasNumbers_) continue;
     const double value = static_cast<double>(i / parts);  // in steps
     QString text = toText(fixedText(value * step, decimals));
     if (value == middle) text += QStringLiteral(" m");
@@ -209,9 +216,9 @@ void WorldView::drawChoice(QPainter& p, const Theme& t) const {
   const Shown& shown = looking_.shown();
   const Task& task = life_.task();
   if (shown.action < 0 || shown.q.size() != task.actions.size() || shown.q.size() < 2) return;
+  const bool plain = task.actionVariables.empty() && task.actionNames.empty();
   const auto name = [&](std::size_t a) {
-    if (a < task.actionNames.size()) return toText(task.actionNames[a]);
-    return toText(fixedText(task.actions[a], 2) + " " + task.actionUnit);
+    return plain ? actionNameOf(task, a) + ' ' + toText(task.actionUnit) : actionNameOf(task, a);
   };
   const auto taken = static_cast<std::size_t>(shown.action);
   const auto best = static_cast<std::size_t>(std::max_element(shown.q.begin(), shown.q.end()) - shown.q.begin());

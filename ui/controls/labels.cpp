@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/controls/labels.h"
+
+#include <QEvent>
+
+#include "ui/style/scale.h"
+#include "ui/style/theme.h"
+
+namespace surefoot {
+
+QLabel* makeText(const QString& text, int pixels, int weight, bool quiet, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setTextFormat(Qt::PlainText);
+  if (quiet) label->setForegroundRole(QPalette::PlaceholderText);
+  whenScaled(label, [label, pixels, weight] { label->setFont(scaledFont(pixels, weight)); });
+  return label;
+}
+
+QLabel* makeHead(const QString& text, QWidget* parent) {
+  auto* head = new QLabel(text.toUpper(), parent);
+  head->setForegroundRole(QPalette::PlaceholderText);
+  head->setAccessibleName(text);
+  whenScaled(head, [head] {
+    QFont font = scaledFont(11, 500);
+    font.setLetterSpacing(QFont::PercentageSpacing, 106);
+    head->setFont(font);
+  });
+  return head;
+}
+
+FallLabel::FallLabel(int pixels, int weight, QWidget* parent) : QLabel(parent) {
+  setTextFormat(Qt::PlainText);
+  whenScaled(this, [this, pixels, weight] { setFont(scaledFont(pixels, weight)); });
+  QEvent first(QEvent::PaletteChange);
+  FallLabel::changeEvent(&first);
+}
+
+void FallLabel::changeEvent(QEvent* event) {
+  QLabel::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange) return;
+  QPalette falls = palette();
+  if (falls.color(QPalette::WindowText) == themeOf(*this).fallText) return;
+  falls.setColor(QPalette::WindowText, themeOf(*this).fallText);
+  setPalette(falls);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Labels whose texts follow the text size. None of them reads its text as HTML.
+#pragma once
+
+#include <QLabel>
+
+namespace surefoot {
+
+/// A text of so many pixels [at the usual text size]; `quiet`: in the colour of notes.
+QLabel* makeText(const QString& text, int pixels, int weight, bool quiet, QWidget* parent);
+
+/// "YOUR PREDICTION": a head in small capitals.
+QLabel* makeHead(const QString& text, QWidget* parent);
+
+/// A number of falls, in the colour of falls in light and dark.
+class FallLabel final : public QLabel {
+ public:
+  FallLabel(int pixels, int weight, QWidget* parent);
+
+ protected:
+  void changeEvent(QEvent* event) override;
+};
+
+}  // namespace surefoot

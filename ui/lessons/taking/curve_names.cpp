@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/lessons/taking/curve_names.h"
+
+#include <algorithm>
+
+#include "core/text/text.h"
+#include "ui/lessons/driver/lesson_driver.h"
+#include "ui/style/symbol_text.h"
+
+namespace surefoot {
+
+namespace {
+
+constexpr qsizetype kMostWords = 2;
+
+template <class Entries>
+QString titleOf(const Entries& entries, const std::string& kind, const std::string& name) {
+  const auto entry = findEntry(entries, kind, name);
+  return entry ? toText((*entry)->title) : toText(name);
+}
+
+}  // namespace
+
+CurveNames::CurveNames(LessonDriver& driver) : driver_(driver) {
+  const Names& start = driver.lesson().start.names;
+  const auto look = [&](const LessonActions& actions) {
+    for (const LessonAction& a : actions) {
+      rules_ = rules_ || (a.kind == LessonAction::Kind::Agent && a.value != start.agent);
+      policies_ = policies_ || (a.kind == LessonAction::Kind::Policy && a.value != start.policy);
+      const bool known = std::find(changed_.begin(), changed_.end(), a.key) != changed_.end();
+      if (a.kind == LessonAction::Kind::Set && !known) changed_.push_back(a.key);
+    }
+  };
+  for (const LessonStep& step : driver.lesson().steps) {
+    look(step.begin);
+    if (step.predict) look(step.predict->then);
+    const auto shows = [&](const char* name) { return std::find(step.show.begin(), step.show.end(), name); };
+    rules_ = rules_ || shows("agent") != step.show.end();
+    policies_ = policies_ || shows("policy") != step.show.end();
+  }
+}
+
+QString CurveNames::of(const RunCurve& curve) const {
+  const auto found = names_.find(curve.number);
+  return found == names_.end() ? QString() : found->second.words;
+}
+
+void CurveNames::note() {
+  const RunningLife& life = driver_.session().life();
+  const int number = life.curves().live().number;
+  const auto named = names_.find(number);
+  const bool begun = life.progress().episodes > 0;
+  if (named != names_.end() && begun && (!life.running() || named->second.step != driver_.number())) return;
+  names_[number] = {words(), driver_.number()};
+}
+
+QString CurveNames::words() const {
+  const RunningLife& life = driver_.session().life();
+  const Configuration &began = life.began(), &now = life.configuration();
+  const Registry& registry = life.registry();
+  const auto policy = findEntry(registry.policies, "policy", now.names.policy);
+  const std::vector<std::string> own = policy ? policyKeys(**policy) : std::vector<std::string>();
+  QStringList words;
+  if (!now.names.scenario.empty() && now.names.scenario != "actual")
+    words << titleOf(registry.scenarios, "scenario", now.names.scenario);
+  if (rules_) words << titleOf(registry.agents, "agent", now.names.agent);
+  if (policies_) words << titleOf(registry.policies, "policy", now.names.policy);
+  // The knobs of the step first, then what the lesson turns by itself.
+  std::vector<std::string> keys = driver_.step().show;
+  keys.insert(keys.end(), changed_.begin(), changed_.end());
+  std::set<std::string> told;
+  for (const std::string& key : keys) {
+    const auto *entry = now.parameters.find(key), *before = began.parameters.find(key);
+    const bool unused = key.starts_with("policy.") && std::find(own.begin(), own.end(), key) == own.end();
+    if (!entry || unused || !told.insert(key).second) continue;
+    const std::string& symbol = entry->parameter.symbol;
+    QString value = toText(formatValue(entry->parameter, entry->value));
+    const std::int64_t changed = life.changedAt(key).value_or(0);
+    if (before && before->value != entry->value && changed > 0) {
+      const QString old = toText(formatValue(before->parameter, before->value));
+      value = changed < life.progress().steps ? old + QStringLiteral(" → ") + value : old;
+    }
+    words << QStringLiteral("%1 %2").arg(toText(symbol.empty() ? entry->parameter.title : symbol), value);
+  }
+  return words.mid(0, kMostWords).join(QStringLiteral(", "));
+}
+
+}  // namespace surefoot
