@@ -2,11 +2,22 @@
 #include "ui/controls/labels.h"
 
 #include <QEvent>
+#include <QRegularExpression>
 
 #include "ui/style/scale.h"
 #include "ui/style/theme.h"
 
 namespace surefoot {
+
+QString unbroken(QString text) {
+  static const QRegularExpression kSign(QStringLiteral(" ([=·×+−<>≤≥]) "));
+  static const QRegularExpression kLead(QStringLiteral("([×≈]) (?=[\\d−])"));
+  static const QRegularExpression kPair(QStringLiteral("\\((\\S{1,2}), (\\S{1,6})\\)"));
+  const QString hard(QChar(0xa0));
+  text.replace(kSign, hard + QStringLiteral("\\1") + hard);
+  text.replace(kLead, QStringLiteral("\\1") + hard);
+  return text.replace(kPair, QStringLiteral("(\\1,") + hard + QStringLiteral("\\2)"));
+}
 
 QLabel* makeText(const QString& text, int pixels, int weight, bool quiet, QWidget* parent) {
   auto* label = new QLabel(text, parent);

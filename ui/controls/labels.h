@@ -6,6 +6,9 @@
 
 namespace surefoot {
 
+/// "ε = 0.25", "× 1.5" and "Q(S, A)" stay on one line.
+QString unbroken(QString text);
+
 /// A text of so many pixels [at the usual text size]; `quiet`: in the colour of notes.
 QLabel* makeText(const QString& text, int pixels, int weight, bool quiet, QWidget* parent);
 

@@ -98,7 +98,7 @@ QStringList RuleView::lines() const {
                "expects this to serve and did not test it (section 4.5).")
                 .arg(timed ? tr("; R_t: reward of every step") : QString());
   if (r->preLearned)
-    list << tr("It began with something learned: there are no limits to tell.");
+    list << tr("This life began with something learned; the limits are told of lives that begin from nothing.");
   else if (r->goal)
     list << tr("Lower limit %1, upper limit %2.")
                 .arg(r->lower ? oneDecimal(*r->lower) : tr("not yet"),

@@ -127,7 +127,7 @@ TEST(Lesson, EveryMistakeIsToldWithLineAndColumn) {
       {{"\"cliff\"", "\"clif\""}, "start: environment: there is no \"clif\", did you mean cliff"},
       {{"epsilon = 0.05", "epsilon = 5"}, "policy.epsilon"},
       {{"epsilon = [0, 0.5]", "epsilon = [0.5, 0.5]"}, "range.policy.epsilon takes the two ends of a slider: [0, 1]."},
-      {{"epsilon = [0, 0.5]", "epsilon = [0, 2]"}, "range.policy.epsilon goes from 0 to 2; it takes a number from 0 to 1."},
+      {{"epsilon = [0, 0.5]", "epsilon = [0, 2]"}, "range.policy.epsilon goes from 0 to 2; it takes"},
       {{"range.policy.epsilon", "range.policy.epsilom"}, "range: there is no parameter policy.epsilom here."},
       {{"\"falls\", after", "\"fals\", after"}, "of: there is no \"fals\"; did you mean falls."},
       {{"after = \"200 episodes\"", "after = \"200 minutes\""}, "after: this task has no clock"},

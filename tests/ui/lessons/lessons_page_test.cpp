@@ -244,6 +244,7 @@ TEST(LessonPictures, OfEveryStep) {
   l.window->resize(size.value(0).toInt(), size.value(1).toInt());
   if (qEnvironmentVariableIsSet("SUREFOOT_DARK")) applyAppearance(*qApp, Appearance::Dark);
   applyTextSize(qEnvironmentVariable("SUREFOOT_TEXT", QStringLiteral("1")).toDouble());
+  QTest::qWait(200);
   l.window->grab().save(folder + QStringLiteral("/lessons.png"));
   const QString only = qEnvironmentVariable("SUREFOOT_LESSON");
   for (const ShelvedLesson& one : l.page().lessons()) {

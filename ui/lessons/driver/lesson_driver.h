@@ -81,6 +81,10 @@ class LessonDriver final : public QObject {
   void words(const QString& text, std::optional<bool> agrees);
   void takeHint();
   void noteReplay();
+  /// The life goes on through these actions; none of them begins another.
+  bool keepsLife(const LessonActions& actions) const;
+  /// Episodes and steps of the life when one came to a step; nothing: it is not known.
+  std::optional<std::pair<std::int64_t, std::int64_t>> arrivedAt(std::size_t step) const;
   /// The draft at the step in hand; without one, the answer that was given last.
   LessonDraft draft() const;
   void keepDraft(LessonDraft draft);
@@ -117,7 +121,8 @@ class LessonDriver final : public QObject {
     std::shared_ptr<const LifeRecord> record{}, before{};  ///< the life as a record, and the one before it
     int curve = 0;                                         ///< the number of the life's curve
     int changes = 0;                                       ///< to the life until then
-    Parameters parameters{};                               ///< as the life had them
+    std::int64_t episodes = 0;
+    Parameters parameters{};  ///< as the life had them
   };
   using Then = std::function<void()>;
 
@@ -127,7 +132,6 @@ class LessonDriver final : public QObject {
   bool meddled() const;
   void arrive(std::size_t number, std::optional<Beginning> from);
   void prepare();
-  bool keepsLife(const LessonActions& actions) const;
   void place(LifeInHand life, LessonValues values, const Then& then);
   void open();
   void forgetCurves();
@@ -172,6 +176,7 @@ class LessonDriver final : public QObject {
   std::optional<int> undone_;  // the curves from this number on are of lives that did not happen
   QElapsedTimer clock_;
   std::uint64_t entered_ = 0;  // counts the steps that were entered: what comes late is of another one
+  bool charted_ = false;       // a chart showed the life in hand
   int tries_ = 0;
   bool taskDone_ = false, parKept_ = false, hintTaken_ = false;
   std::set<std::size_t> answered_;  // steps: rightly, or as often as one is asked

@@ -35,6 +35,7 @@ void LessonDriver::keepState(const std::function<void(Beginning)>& then) {
                           .record = mark.life,
                           .before = mark.before,
                           .changes = static_cast<int>(life.changes().size()),
+                          .episodes = life.log().totals().episodes,
                           .parameters = life.parameters()};
       },
       [this, kept, then] {
@@ -95,8 +96,10 @@ void LessonDriver::arrive(std::size_t number, std::optional<Beginning> from) {
   if (leaves && step().done && step().observe && !observed(number_))
     return observe(*step().observe, [this, number, from] { arrive(number, from); });
   // A life that the student played with is no curve of the lesson once the lesson begins another.
-  const bool own = leaves && (step().done || meddled()) && !lesson_.steps[number].begin.empty();
-  if (own) undone_ = session_->life().curves().live().number;
+  // Nor is one that no chart has shown.
+  const LessonActions& then = lesson_.steps[number].begin;
+  const bool own = leaves && (step().done || meddled()) && !then.empty();
+  if (own || (leaves && !charted_ && !keepsLife(then))) undone_ = session_->life().curves().live().number;
   ++entered_;
   phase_ = Phase::Preparing;  // no task is watched on the way; it is told below
   background_.cancel();
@@ -170,7 +173,12 @@ void LessonDriver::goOn(std::size_t number) {
       });
 }
 
-/// The life goes on through these, none of them begins another.
+std::optional<std::pair<std::int64_t, std::int64_t>> LessonDriver::arrivedAt(std::size_t step) const {
+  const auto found = beginnings_.find(step);
+  if (found == beginnings_.end() || !found->second.record) return std::nullopt;
+  return std::pair(found->second.episodes, found->second.record->steps);
+}
+
 bool LessonDriver::keepsLife(const LessonActions& actions) const {
   using Does = LessonAction::Kind;
   return std::all_of(actions.begin(), actions.end(), [this](const LessonAction& a) {
@@ -186,7 +194,13 @@ bool LessonDriver::keepsLife(const LessonActions& actions) const {
 /// A copy of the life at the step's beginning, with what happens before the step; in the background.
 void LessonDriver::prepare() {
   // The copy goes on with the life: its curve takes the place of the one before.
-  if (!undone_ && keepsLife(step().begin)) undone_ = session_->life().curves().live().number;
+  const bool keeps = keepsLife(step().begin);
+  // A life that this one learned from fell elsewhere: it is no comparison.
+  const LessonActions& begin = step().begin;
+  const auto another = std::find_if(begin.begin(), begin.end(), [this](const auto& a) { return !keepsLife({a}); });
+  const bool learnsFromIt = another != begin.end() && another->kind == LessonAction::Kind::Transfer;
+  if (!undone_ && (keeps || learnsFromIt)) undone_ = session_->life().curves().live().number;
+  if (!keeps) charted_ = false;
   struct Work {
     Beginning beginning;
     LessonActions begin;
@@ -254,6 +268,9 @@ void LessonDriver::forgetCurves() {
 /// The step begins.
 void LessonDriver::open() {
   renderText();
+  const auto& show = step().show;
+  charted_ = charted_ || std::any_of(show.begin(), show.end(),
+                                     [](const std::string& panel) { return panel == "falls" || panel == "reward"; });
   if (step().lives) liveWays();
   const Then over = [this] {
     session_->life().setTurbo(false);  // from here on a person runs it

@@ -37,7 +37,7 @@ QLabel* QuestionBox::addNote(const QString& text) {
 }
 
 QLabel* QuestionBox::addText(const QString& text, int pixels, int weight, bool quiet) {
-  QLabel* label = makeText(text, pixels, weight, quiet, this);
+  QLabel* label = makeText(unbroken(text), pixels, weight, quiet, this);
   label->setWordWrap(true);
   column_->addWidget(label);
   return label;
@@ -59,7 +59,7 @@ void QuestionBox::tell(const LessonVerdict& verdict) {
   const QString remark = toText(verdict.remark);
   const QString text = verdict.right ? (remark.isEmpty() ? tr("✓ Right.") : tr("✓ Right. %1").arg(remark))
                                      : tr("Not yet. %1").arg(remark);
-  verdict_->setText(text);
+  verdict_->setText(unbroken(text));
   verdict_->setVisible(true);
   Q_EMIT told(verdict_);
   announce(*verdict_, text);

@@ -5,6 +5,7 @@
 
 #include "core/text/text.h"
 #include "ui/lessons/driver/lesson_driver.h"
+#include "ui/running/run_names.h"
 #include "ui/style/symbol_text.h"
 
 namespace surefoot {
@@ -41,20 +42,27 @@ CurveNames::CurveNames(LessonDriver& driver) : driver_(driver) {
 }
 
 QString CurveNames::of(const RunCurve& curve) const {
+  const RunningLife& life = driver_.session().life();
   const auto found = names_.find(curve.number);
-  return found == names_.end() ? QString() : found->second.words;
+  QStringList words = found == names_.end() ? QStringList() : found->second.words;
+  if (policies_) {
+    const std::string lived = policiesOf(curve, life.registry());
+    const std::string& now = life.configuration().names.policy;
+    words.prepend(lived.empty() ? titleOf(life.registry().policies, "policy", now) : toText(lived));
+  }
+  if (!words.isEmpty()) return words.mid(0, kMostWords).join(QStringLiteral(", "));
+  return life.curves().earlier().empty() ? QString() : curve.began.empty() ? tr("from nothing") : tr("learned before");
 }
 
 void CurveNames::note() {
   const RunningLife& life = driver_.session().life();
   const int number = life.curves().live().number;
   const auto named = names_.find(number);
-  const bool begun = life.progress().episodes > 0;
-  if (named != names_.end() && begun && (!life.running() || named->second.step != driver_.number())) return;
+  if (named != names_.end() && life.progress().episodes > 0 && named->second.step != driver_.number()) return;
   names_[number] = {words(), driver_.number()};
 }
 
-QString CurveNames::words() const {
+QStringList CurveNames::words() const {
   const RunningLife& life = driver_.session().life();
   const Configuration &began = life.began(), &now = life.configuration();
   const Registry& registry = life.registry();
@@ -64,16 +72,18 @@ QString CurveNames::words() const {
   if (!now.names.scenario.empty() && now.names.scenario != "actual")
     words << titleOf(registry.scenarios, "scenario", now.names.scenario);
   if (rules_) words << titleOf(registry.agents, "agent", now.names.agent);
-  if (policies_) words << titleOf(registry.policies, "policy", now.names.policy);
   // The knobs of the step first, then what the lesson turns by itself.
-  std::vector<std::string> keys = driver_.step().show;
+  const LessonStep& step = driver_.step();
+  std::vector<std::string> keys = step.show;
   keys.insert(keys.end(), changed_.begin(), changed_.end());
   std::set<std::string> told;
   for (const std::string& key : keys) {
     const auto *entry = now.parameters.find(key), *before = began.parameters.find(key);
     const bool unused = key.starts_with("policy.") && std::find(own.begin(), own.end(), key) == own.end();
     if (!entry || unused || !told.insert(key).second) continue;
-    const std::string& symbol = entry->parameter.symbol;
+    // A symbol is known from its knob.
+    const bool known = std::find(step.show.begin(), step.show.end(), key) != step.show.end();
+    const std::string symbol = known || key.starts_with("policy.") ? entry->parameter.symbol : std::string();
     QString value = toText(formatValue(entry->parameter, entry->value));
     const std::int64_t changed = life.changedAt(key).value_or(0);
     if (before && before->value != entry->value && changed > 0) {
@@ -82,7 +92,7 @@ QString CurveNames::words() const {
     }
     words << QStringLiteral("%1 %2").arg(toText(symbol.empty() ? entry->parameter.title : symbol), value);
   }
-  return words.mid(0, kMostWords).join(QStringLiteral(", "));
+  return words;
 }
 
 }  // namespace surefoot

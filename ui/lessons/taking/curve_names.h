@@ -2,7 +2,8 @@
 // "ε 0.25", "ε 0.05 → 0.25", "Softmax, τ 1": what a lesson's curves are called, by what the lesson changes.
 #pragma once
 
-#include <QString>
+#include <QCoreApplication>
+#include <QStringList>
 #include <map>
 #include <set>
 #include <string>
@@ -14,6 +15,8 @@ class LessonDriver;
 struct RunCurve;
 
 class CurveNames {
+  Q_DECLARE_TR_FUNCTIONS(CurveNames)
+
  public:
   explicit CurveNames(LessonDriver& driver);
   QString of(const RunCurve& curve) const;
@@ -22,10 +25,10 @@ class CurveNames {
   void note();
 
  private:
-  QString words() const;
+  QStringList words() const;
 
   struct Name {
-    QString words;
+    QStringList words;
     std::size_t step;  ///< in which it was named
   };
   LessonDriver& driver_;

@@ -7,6 +7,7 @@
 #include <QScrollArea>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <map>
 
 #include "core/text/text.h"
@@ -181,7 +182,10 @@ QString LessonColumn::willMove() const {
   QStringList words;
   for (const auto& [key, value] : last) {
     const auto* entry = now.find(key);
-    if (!entry || toText(formatValue(entry->parameter, entry->value)) == toText(value)) continue;
+    const auto& show = driver_.step().show;
+    if (!entry || std::find(show.begin(), show.end(), key) == show.end() ||
+        toText(formatValue(entry->parameter, entry->value)) == toText(value))
+      continue;
     const std::string& symbol = entry->parameter.symbol;
     words << tr("%1 becomes %2").arg(toText(symbol.empty() ? entry->parameter.title : symbol), toText(value));
   }

@@ -161,11 +161,20 @@ QWidget* LessonPanels::makeLives(const LessonLives& lives) {
   QStringList labels;
   for (const LessonLives::Way& way : lives.ways) labels << toText(way.label);
   const QString title = toText(lives.title);
-  auto* view = new LivesView(labels, title);
+  const bool otherSeeds = std::any_of(lives.ways.begin(), lives.ways.end(), [](const LessonLives::Way& way) {
+    return std::any_of(way.first.begin(), way.first.end(),
+                       [](const LessonAction& a) { return a.kind == LessonAction::Kind::Seed; });
+  });
+  auto* view = new LivesView(labels, title, !otherSeeds);
   const Part part = wrap(title, tr("%1 lives of each").arg(lives.count), view);
   part.box->setProperty("view", QVariant::fromValue<QWidget*>(view));
   below_->add(part.box, title);
   view->show(driver_.lives());
+  const auto compares = [this] {
+    return driver_.answered() && driver_.step().ask && std::holds_alternative<CompareQuestion>(*driver_.step().ask);
+  };
+  view->showDifference(compares());
+  connect(&driver_, &LessonDriver::judged, view, [view, compares] { view->showDifference(compares()); });
   return part.box;
 }
 

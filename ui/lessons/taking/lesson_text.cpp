@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lessons/taking/lesson_text.h"
 
-#include <QRegularExpression>
 #include <QTextBlock>
 #include <QTextDocument>
 #include <cmath>
 
+#include "ui/controls/labels.h"
 #include "ui/style/scale.h"
 #include "ui/style/theme.h"
 
@@ -26,20 +26,6 @@ MarkdownView::MarkdownView(QWidget* parent) : QTextBrowser(parent) {
   });
   whenScaled(this, [this] { style(); });
 }
-
-namespace {
-
-/// "ε = 0.25", "× 1.5" and "ε-greedy" stay on one line.
-QString unbroken(QString text) {
-  static const QRegularExpression kSign(QStringLiteral(" ([=·×+−<>≤≥]) "));
-  static const QRegularExpression kLead(QStringLiteral("([×≈]) (?=[\\d−])"));
-  const QString hard(QChar(0xa0));
-  text.replace(kSign, hard + QStringLiteral("\\1") + hard);
-  text.replace(kLead, QStringLiteral("\\1") + hard);
-  return text.replace(QStringLiteral("ε-"), QStringLiteral("ε-") + QChar(0x2060));
-}
-
-}  // namespace
 
 void MarkdownView::show(const QString& markdown) {
   markdown_ = unbroken(markdown);

@@ -126,6 +126,18 @@ void LessonView::showLastFall() {
   });
 }
 
+/// The time of the life that a prediction is about, as the charts count it; none: they count otherwise.
+std::optional<double> LessonView::timeOf(const LessonPrediction& prediction, std::size_t step) const {
+  const bool minutes = panels_->span().inMinutes();
+  if (prediction.after.unit != (minutes ? LessonAmount::Unit::Minutes : LessonAmount::Unit::Episodes))
+    return std::nullopt;
+  if (!driver_->keepsLife(prediction.then)) return prediction.after.value;
+  // The life goes on: the time counts from where it was when the step began.
+  const auto arrived = driver_->arrivedAt(step);
+  if (!arrived) return std::nullopt;
+  return prediction.after.value + panels_->span().timeOf(arrived->first, arrived->second);
+}
+
 /// ◇ while a number is said, and beside what came out in the step after it.
 void LessonView::refreshPrediction() {
   const auto chartOf = [](const LessonPrediction& p) {
@@ -141,7 +153,8 @@ void LessonView::refreshPrediction() {
                                                   .locked = given,
                                                   .low = step.predict->low,
                                                   .high = step.predict->high,
-                                                  .words = tr("your prediction")});
+                                                  .words = tr("your prediction"),
+                                                  .at = timeOf(*step.predict, driver_->number())});
   }
   const std::size_t before = driver_->number() - 1;
   if (driver_->number() > 0 && driver_->lesson().steps[before].predict && driver_->predicted(before)) {
@@ -151,7 +164,8 @@ void LessonView::refreshPrediction() {
                                                               .low = p.low,
                                                               .high = p.high,
                                                               .words = tr("your prediction"),
-                                                              .outcome = driver_->observed(before)});
+                                                              .outcome = driver_->observed(before),
+                                                              .at = timeOf(p, before)});
   }
   panels_->setPrediction("", std::nullopt);
 }

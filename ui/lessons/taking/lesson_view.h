@@ -42,6 +42,7 @@ class LessonView final : public QWidget {
   void makeActions();
   void refresh();
   void refreshPrediction();
+  std::optional<double> timeOf(const LessonPrediction& prediction, std::size_t step) const;
   void showLastFall();
 
   std::unique_ptr<LessonDriver> driver_;

@@ -22,12 +22,22 @@ QString shortText(double value) {
 
 }  // namespace
 
-LivesView::LivesView(QStringList labels, QString unit, QWidget* parent)
+LivesView::LivesView(QStringList labels, QString unit, bool paired, QWidget* parent)
     : Painted(parent),
       labels_(std::move(labels)),
-      unit_(std::move(unit)) {
+      unit_(std::move(unit)),
+      paired_(paired) {
   setFocusPolicy(Qt::TabFocus);
   setAccessibleName(unit_);
+}
+
+void LivesView::showDifference(bool on) {
+  if (std::exchange(isDifferenceShown_, on) != on) update();
+}
+
+std::optional<Interval> LivesView::difference() const {
+  if (!isDifferenceShown_ || lives_.size() != 2) return std::nullopt;
+  return compare(lives_[0], lives_[1]).difference;
 }
 
 void LivesView::show(std::vector<std::vector<double>> lives) {
@@ -59,6 +69,7 @@ void LivesView::chooseScale() {
     for (const double value : way) include(value);
     if (const Interval mean = meanWithInterval(way); mean.known()) include(mean.low), include(mean.high);
   }
+  if (const auto d = difference(); d && d->known()) include(d->low), include(d->high);
   if (most == least) most = least + 1;
   step_ = niceAbove((most - least) / 5.0001);
   low_ = step_ * std::floor(least / step_ + 1e-9);
@@ -75,9 +86,9 @@ double LivesView::lineOf(std::size_t way) const {
 
 /// Lives of one seed belong together: a line for each.
 void LivesView::paintPairs(QPainter& p) const {
-  if (lives_.size() != 2 || lives_[0].size() != lives_[1].size()) return;
+  if (!paired_ || lives_.size() != 2 || lives_[0].size() != lives_[1].size()) return;
   QColor line = themeOf(*this).ink;
-  line.setAlphaF(0.18f);
+  line.setAlphaF(0.34f);
   p.setPen(QPen(line, 1));
   for (std::size_t i = 0; i < lives_[0].size(); ++i)
     p.drawLine(QPointF(xOf(lives_[0][i]), lineOf(0)), QPointF(xOf(lives_[1][i]), lineOf(1)));
@@ -103,17 +114,7 @@ void LivesView::paintDots(QPainter& p, std::size_t way) const {
 }
 
 void LivesView::paintMean(QPainter& p, std::size_t way) const {
-  const Theme& t = themeOf(*this);
-  const Interval mean = meanWithInterval(lives_[way]);
-  const double above = lineOf(way) - std::min(14.0, row_ / 3);
-  p.setPen(QPen(t.ink, 1.75));
-  if (mean.known()) {
-    p.drawLine(QPointF(xOf(mean.low), above), QPointF(xOf(mean.high), above));
-    for (const double end : {mean.low, mean.high})
-      p.drawLine(QPointF(xOf(end), above - 4), QPointF(xOf(end), above + 4));
-  }
-  p.setBrush(t.ink);
-  p.drawEllipse(QPointF(xOf(mean.value), above), 3.5, 3.5);
+  paintInterval(p, meanWithInterval(lives_[way]), lineOf(way) - std::min(14.0, row_ / 3));
 }
 
 void LivesView::paintTexts(QPainter& p, std::size_t way) const {
@@ -135,6 +136,34 @@ void LivesView::paintTexts(QPainter& p, std::size_t way) const {
              shortText(meanWithInterval(lives_[way]).value));
 }
 
+/// How far the means lie apart, with the interval that decides: does it hold 0?
+void LivesView::paintDifference(QPainter& p) const {
+  const Theme& t = themeOf(*this);
+  const Interval d = *difference();
+  const double y = lineOf(lives_.size()), zero = xOf(0);
+  p.setFont(textFont(13));
+  p.setPen(t.ink);
+  drawSymbol(p, QRectF(12, y - 10, left_ - 24, 20), Qt::AlignLeft, tr("difference"));
+  drawSymbol(p, QRectF(right_ + 12, y - 10, width() - right_ - 16, 20), Qt::AlignLeft, shortText(d.value));
+  p.setPen(QPen(t.hairline, 1));
+  p.drawLine(QPointF(left_, y), QPointF(right_, y));
+  p.setPen(QPen(t.ink, 1, Qt::DashLine));
+  p.drawLine(QPointF(zero, y - row_ / 2), QPointF(zero, y + row_ / 2));
+  paintInterval(p, d, y);
+}
+
+void LivesView::paintInterval(QPainter& p, const Interval& interval, double y) const {
+  const Theme& t = themeOf(*this);
+  p.setPen(QPen(t.ink, 1.75));
+  if (interval.known()) {
+    p.drawLine(QPointF(xOf(interval.low), y), QPointF(xOf(interval.high), y));
+    for (const double end : {interval.low, interval.high})
+      p.drawLine(QPointF(xOf(end), y - 4), QPointF(xOf(end), y + 4));
+  }
+  p.setBrush(t.ink);
+  p.drawEllipse(QPointF(xOf(interval.value), y), 3.5, 3.5);
+}
+
 void LivesView::paintAxis(QPainter& p, double bottom) const {
   const Theme& t = themeOf(*this);
   p.setFont(textFont(11));
@@ -153,9 +182,10 @@ void LivesView::paintAxis(QPainter& p, double bottom) const {
   const QRectF below(12, bottom + 20, width() - 24, 16);
   p.drawText(below, Qt::AlignHCenter, QFontMetricsF(p.font()).elidedText(unit_, Qt::ElideRight, below.width()));
   if (row_ < 24) return;
-  const QString seeds = lives_.size() == 2 ? tr("a line joins one seed; ") : QString();
-  for (const QString& key : {tr("a dot is a life; %1bar: 95 % interval of the mean").arg(seeds),
-                             tr("a dot is a life; bar: 95 % interval"), tr("bar: 95 % interval")})
+  const bool pairs = paired_ && lives_.size() == 2;
+  const QString line = pairs ? tr("a line: one seed; ") : QString();
+  for (const QString& key : {tr("a dot: one life; %1bar: 95 % interval of the mean").arg(line),
+                             tr("%1bar: 95 % interval").arg(line), tr("bar: 95 % interval")})
     if (symbolWidth(p.font(), key) <= right_ - left_) {
       p.drawText(QRectF(left_, 4, right_ - left_, 16), Qt::AlignLeft, key);
       break;
@@ -174,12 +204,13 @@ void LivesView::paintEvent(QPaintEvent*) {
   left_ = std::min(widest, 0.35 * width()) + 32;
   right_ = width() - 72;
   const double bottom = height() - 40;
-  const auto ways = static_cast<double>(labels_.size());
+  const auto ways = static_cast<double>(labels_.size() + (difference() ? 1 : 0));
   top_ = (bottom - 20) / ways < 24 ? 8 : 20;
   row_ = (bottom - top_) / ways;
   if (!lives_.empty()) paintPairs(p);
   for (std::size_t w = 0; w < static_cast<std::size_t>(labels_.size()); ++w) paintTexts(p, w);
   for (std::size_t w = 0; w < lives_.size(); ++w) paintDots(p, w), paintMean(p, w);
+  if (difference()) paintDifference(p);
   if (!lives_.empty()) return paintAxis(p, bottom);
   p.setFont(textFont(11));
   p.setPen(t.quiet);

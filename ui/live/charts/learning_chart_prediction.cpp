@@ -48,8 +48,14 @@ void LearningChart::movePrediction(double pixel) {
   Q_EMIT predictionMoved(std::clamp(value, prediction_->low, prediction_->high));
 }
 
+/// Where ◇ stands.
+double LearningChart::predictionX() const {
+  if (!prediction_->at || *prediction_->at >= span_.to() || *prediction_->at <= span_.from()) return plot_.right();
+  return toPixel(*prediction_->at, 0).x();
+}
+
 void LearningChart::drawPrediction(QPainter& p, const Theme& t) const {
-  const double y = toPixel(0, prediction_->value).y(), right = plot_.right();
+  const double y = toPixel(0, prediction_->value).y(), right = predictionX();
   QPen dots(t.ink, 1.25, Qt::CustomDashLine);
   dots.setDashPattern({1.2, 2.8});
   p.setRenderHint(QPainter::Antialiasing);
@@ -74,9 +80,21 @@ void LearningChart::drawPrediction(QPainter& p, const Theme& t) const {
   p.setBrush(Qt::NoBrush);
 }
 
+bool LearningChart::crossesCurve(const QRectF& box) const {
+  const auto runs = this->runs();
+  return std::any_of(runs.begin(), runs.end(), [&](const Run& run) {
+    const auto& points = run.curve->points;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const QPointF a = toPixel(xOf(points[i - 1]), yOf(points[i - 1])), b = toPixel(xOf(points[i]), yOf(points[i]));
+      if (QRectF(a, b).normalized().adjusted(-1, -1, 1, 1).intersects(box)) return true;
+    }
+    return false;
+  });
+}
+
 /// From where the live curve reached what was said to the end, and how many more or fewer came out.
 void LearningChart::drawOutcome(QPainter& p, const Theme& t) const {
-  const double said = prediction_->value, y = toPixel(0, said).y(), right = plot_.right();
+  const double said = prediction_->value, y = toPixel(0, said).y(), right = predictionX();
   const auto& points = life_.curves().live().points;
   const auto reached =
       std::find_if(points.begin(), points.end(), [&](const CurvePoint& point) { return yOf(point) >= said; });
@@ -93,7 +111,7 @@ void LearningChart::drawOutcome(QPainter& p, const Theme& t) const {
     p.drawLine(QPointF(from, y), QPointF(from, plot_.bottom()));
     const QString words = tr("%1 at %2").arg(valueText(said), timeText(xOf(*reached)));
     const double width = symbolWidth(p.font(), words) + 6;
-    const bool before = from + 6 + width > right;
+    const bool before = from + 6 + width > right && from - 6 - width > plot_.left();
     p.setPen(t.quiet);
     drawSymbol(p, QRectF(before ? from - 6 - width : from + 6, y + 3, width, h),
                before ? Qt::AlignRight : Qt::AlignLeft, words);
@@ -105,7 +123,12 @@ void LearningChart::drawOutcome(QPainter& p, const Theme& t) const {
   p.drawLine(QPointF(x, at), QPointF(x, y));
   const QString words = more > 0 ? tr("%1 more").arg(valueText(more)) : tr("%1 fewer").arg(valueText(-more));
   const double width = symbolWidth(p.font(), words) + 8;
-  const QRectF box(x - 8 - width, (at + y - h) / 2, width, h);
+  const auto boxAt = [&](double top) { return QRectF(x - 8 - width, top, width, h); };
+  const double high = std::min(at, y), low = std::max(at, y);
+  QRectF box = boxAt((at + y - h) / 2);  // beside the bracket, or where no curve runs
+  for (const QRectF& other : {boxAt(high - h - 4), boxAt(low + 4)})
+    if (crossesCurve(box) && !crossesCurve(other) && other.top() >= plot_.top() && other.bottom() <= plot_.bottom())
+      box = other;
   p.fillRect(box, t.panel);
   drawSymbol(p, box, Qt::AlignRight, words);
 }

@@ -31,6 +31,7 @@ struct ChartPrediction {
   double low = 0, high = 1;  ///< the range of the axis
   QString words;             ///< "your prediction for ε 0.25"
   std::optional<double> outcome{};
+  std::optional<double> at{};  ///< the time that it is about; none: the end of the axis
 };
 
 /// One chart. Qt Charts draws the curves; grid, axes, marks and the list at the right are drawn here, because the
@@ -141,6 +142,8 @@ class LearningChart final : public Painted<QChartView>, public CsvSource {
   void drawCursor(QPainter& p, const Theme& t) const;
   void drawPrediction(QPainter& p, const Theme& t) const;
   void drawOutcome(QPainter& p, const Theme& t) const;
+  bool crossesCurve(const QRectF& box) const;
+  double predictionX() const;
   void fitPrediction(double most);
   bool movesPrediction(const QPointF& at) const;
   void movePrediction(double pixel);

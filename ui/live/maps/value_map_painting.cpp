@@ -77,7 +77,9 @@ void ValueMap::drawHatching(QPainter& p, const QRectF& where, const Theme& t) {
   p.save();
   p.setClipRect(where);
   p.setRenderHint(QPainter::Antialiasing);
-  p.setPen(QPen(t.outline, 1));
+  QColor line = t.quiet;  // to be told from a value near 0, which has the ground's colour
+  line.setAlphaF(0.6f);
+  p.setPen(QPen(line, 1));
   for (double d = 0; d < where.width() + where.height(); d += 6)
     p.drawLine(QPointF(where.left() + d - where.height(), where.bottom()), QPointF(where.left() + d, where.top()));
   p.restore();

@@ -70,7 +70,7 @@ ValueMaps::Geometry ValueMaps::belowEachOther() const {
   g.bigBarRoom = width() - g.bigBar.right() - 6;
   g.upperTitleEnd = g.lower.left() - kBetween;
   g.lowerTitleEnd = width();
-  const double key = symbolWidth(textFont(11), tr("never visited")) + k * 22;
+  const double key = symbolWidth(textFont(11), tr("no step yet")) + k * 22;
   g.key = {g.big.right() - key, g.square.bottom() + k * 25};
   g.xTitle = {g.big.left() + key, g.big.right() - key};
   return g;

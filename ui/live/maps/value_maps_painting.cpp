@@ -199,7 +199,7 @@ void ValueMaps::drawKey(QPainter& p, const Geometry& g, const Theme& t) const {
   p.drawRect(key);
   p.setFont(textFont(11));
   p.setPen(t.quiet);
-  drawSymbol(p, QRectF(key.right() + 6 * k, key.top() - 5 * k, 200, 20 * k), Qt::AlignLeft, tr("never visited"));
+  drawSymbol(p, QRectF(key.right() + 6 * k, key.top() - 5 * k, 200, 20 * k), Qt::AlignLeft, tr("no step yet"));
 }
 
 void ValueMaps::drawNumbers(QPainter& p, const QRectF& m, const Theme& t, bool horizontal) const {

@@ -216,9 +216,9 @@ void WorldView::drawChoice(QPainter& p, const Theme& t) const {
   const Shown& shown = looking_.shown();
   const Task& task = life_.task();
   if (shown.action < 0 || shown.q.size() != task.actions.size() || shown.q.size() < 2) return;
-  const bool plain = task.actionVariables.empty() && task.actionNames.empty();
+  const bool isNumber = task.actionVariables.empty() && task.actionNames.empty();
   const auto name = [&](std::size_t a) {
-    return plain ? actionNameOf(task, a) + ' ' + toText(task.actionUnit) : actionNameOf(task, a);
+    return isNumber ? actionNameOf(task, a) + ' ' + toText(task.actionUnit) : actionNameOf(task, a);
   };
   const auto taken = static_cast<std::size_t>(shown.action);
   const auto best = static_cast<std::size_t>(std::max_element(shown.q.begin(), shown.q.end()) - shown.q.begin());
@@ -226,10 +226,12 @@ void WorldView::drawChoice(QPainter& p, const Theme& t) const {
   const double y = height() - 12;
   p.setFont(textFont(13, 500));
   p.setPen(explores ? t.fallText : t.ink);
-  const QString words =
-      explores ? tr("taken at random: %1").arg(name(taken)) : tr("taken, the best: %1").arg(name(taken));
+  // A combination of several is too long to be read here; its parts are drawn at the joints.
+  const bool combined = !task.actionVariables.empty();
+  const QString how = explores ? tr("taken at random") : tr("taken, the best");
+  const QString words = combined ? how : QStringLiteral("%1: %2").arg(how, name(taken));
   drawSymbol(p, 12, y, words);
-  if (!explores) return;
+  if (!explores || combined) return;
   const double x = 12 + symbolWidth(p.font(), words) + 24;
   p.setFont(textFont(13));
   p.setPen(t.ink);
