@@ -140,6 +140,7 @@ struct LessonStep {
   std::optional<LessonCondition> observe{};  ///< kept when the step's run ends, or when the step is left
   std::optional<LessonCondition> done{}, par{};
   std::string task{};                     ///< the task in one sentence
+  std::optional<LessonAmount> attempt{};  ///< how much of a life is one attempt at the task
   std::vector<LessonCondition> expect{};  ///< what the text says: it holds at the end of the step
   LessonActions solution{}, wrong{};
   double minutes = 0.0;  ///< for the teacher

@@ -63,6 +63,8 @@ class Looking final : public QObject {
   void examine(const std::optional<std::vector<double>>& state);
   void pin(const std::optional<std::vector<double>>& state);
 
+  /// In a playback: what was shown when the action was chosen that is carried out now; nullptr: it is not known.
+  const Shown* whenChosen() const;
   /// The falls and values seen in this life, to be kept with it.
   SeenFalls seen() const;
   /// Sets the falls and values of the next life; called before that life takes the place of this one.

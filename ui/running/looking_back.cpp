@@ -104,6 +104,16 @@ void Looking::backToLive() {
   Q_EMIT playbackChanged();
 }
 
+const Shown* Looking::whenChosen() const {
+  constexpr std::size_t kFarthest = 200;  // frames: slow steps fill several
+  if (!playback_) return nullptr;
+  const auto& frames = playback_->frames;
+  const auto now = static_cast<std::size_t>(playback_->position);
+  for (std::size_t back = 1; back <= std::min(now, kFarthest); ++back)
+    if (frames[now - back].state != frames[now].state) return &frames[now - back];
+  return nullptr;
+}
+
 void Looking::showPlayback(double seconds) {
   Playback& p = *playback_;
   if (p.rate > 0) {

@@ -152,9 +152,12 @@ QString MainWindow::whatIsNotSaved() const {
   if (!session_.life().unsaved())
     return with(before.empty() ? QString() : tr("%1 kept for Ctrl+Z only, not saved.").arg(kept));
   const QString episodes = episodesText(session_.life().progress().episodes - session_.life().file().saved.episodes);
-  const QString now = session_.life().file().path.isEmpty()
-                          ? tr("What this life learned in %1 is not saved.").arg(episodes)
-                          : tr("What %1 learned in %2 is not saved.").arg(sessionName(), episodes);
+  const QString now =
+      session_.life().file().path.isEmpty()
+          ? (pages_->currentIndex() == 0 ? tr("What this life learned in %1 is not saved.")
+                                         : tr("What the robot of the Live page learned in %1 is not saved."))
+                .arg(episodes)
+          : tr("What %1 learned in %2 is not saved.").arg(sessionName(), episodes);
   return with(before.empty() ? now : now + ' ' + tr("%1 kept for Ctrl+Z only.").arg(kept));
 }
 

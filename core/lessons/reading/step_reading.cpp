@@ -55,6 +55,9 @@ class StepReader {
     step.done = parts_.condition(reader_, table_, "done", ValueKind::Condition);
     step.par = parts_.condition(reader_, table_, "par", ValueKind::Condition);
     step.task = reader_.text("task");
+    step.attempt = parts_.amount(reader_, "attempt");
+    if (step.attempt && !step.done)
+      reader_.complain("attempt", "an attempt belongs to a task, which has done = \"…\".");
     step.solution = parts_.actions(reader_, "solution");
     step.wrong = parts_.actions(reader_, "wrong");
     if (step.par && !step.done) reader_.complain("par", "a par belongs to a task, which has done = \"…\".");

@@ -29,7 +29,9 @@ const char* const kSteps =
     "then = [{set = \"policy.epsilon = 0.25\"}, {restart = true}]\n"
     "[[step]]\ntitle = \"s\"\nsay = \"{observed(2)} against {observed(1)}\"\n"
     "ask = {kind = \"choice\", question = \"?\", options = [\"x\", \"y\"], answer = 2}\n"
-    "[[step]]\ntitle = \"s\"\nsay = \"a\"\ntask = \"t\"\ndone = \"episodes >= 50 and falls > 0\"\n"
+    "[[step]]\ntitle = \"s\"\nsay = \"a\"\ntask = \"t\"\ndone = \"episodes >= 50 and falls > 0 "
+    "and policy.epsilon > 0.4\"\n"
+    "attempt = \"60 episodes\"\n"
     "begin = [{set = \"policy.epsilon = 0\"}, {restart = true}]\n"
     "solution = [{set = \"policy.epsilon = 0.5\"}, {restart = true}, {run = \"60 episodes\"}]\n"
     "[[step]]\ntitle = \"s\"\nsay = \"a\"\nbegin = [{run = \"50 episodes\"}, {transfer = true}]\n"
@@ -179,6 +181,52 @@ TEST(LessonDriver, TheNextStepBeginsAsTheLessonWasChecked) {
   t.driver->next();
   ASSERT_TRUE(t.opens(2));
   EXPECT_EQ(t.hash(), after);
+}
+
+// Back and on again, the curves of the lives before are there, each once.
+TEST(LessonDriver, CurvesAreThereAgainAfterTheWayBack) {
+  Taking t;
+  t.driver->enter(0);
+  ASSERT_TRUE(t.opens(0));
+  t.driver->next();
+  ASSERT_TRUE(t.opens(1));
+  t.driver->say(40);
+  ASSERT_TRUE(t.opens(2));
+  const RunCurves& curves = t.driver->session().life().curves();
+  const auto falls = [&] {
+    std::vector<std::int64_t> all;
+    for (const RunCurve& curve : curves.earlier()) all.push_back(curve.points.back().falls);
+    return all;
+  };
+  const auto before = falls();
+  ASSERT_EQ(before.size(), 1u);
+  for (int times = 0; times < 2; ++times) {
+    t.driver->back();
+    ASSERT_TRUE(t.opens(1));
+    EXPECT_TRUE(curves.earlier().empty()) << "the second life was not lived yet";
+    t.driver->next();
+    ASSERT_TRUE(t.opens(2));
+    EXPECT_EQ(falls(), before);
+  }
+}
+
+// An attempt that is over without the task is told, and the life pauses there.
+TEST(LessonDriver, AnAttemptEndsAndIsTold) {
+  Taking t;
+  t.driver->enter(3);
+  ASSERT_TRUE(t.opens(3));
+  Session& session = t.driver->session();
+  const QSignalSpy judged(t.driver.get(), &LessonDriver::judged);
+  const auto live = [&] {
+    session.life().setTurbo(true);
+    session.life().setRunning(true);
+    return QTest::qWaitFor([&] { return !judged.isEmpty() && !session.life().running(); }, 20'000);
+  };
+  ASSERT_TRUE(live()) << "with ε = 0 the attempt fails";
+  EXPECT_FALSE(t.driver->taskDone());
+  EXPECT_TRUE(QTest::qWaitFor([&] { return session.life().progress().episodes >= 60; }, 2'000));
+  EXPECT_EQ(session.life().snapshot().totals.episodes, 60);
+  EXPECT_FALSE(judged.at(0).at(0).value<LessonVerdict>().right);
 }
 
 TEST(LessonDriver, SeveralLivesAreThoseOfTheProgram) {

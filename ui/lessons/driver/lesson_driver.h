@@ -122,7 +122,8 @@ class LessonDriver final : public QObject {
     int curve = 0;                                         ///< the number of the life's curve
     int changes = 0;                                       ///< to the life until then
     std::int64_t episodes = 0;
-    Parameters parameters{};  ///< as the life had them
+    std::vector<RunCurve> earlier{};  ///< the curves beside the life's own
+    Parameters parameters{};          ///< as the life had them
   };
   using Then = std::function<void()>;
 
@@ -143,6 +144,7 @@ class LessonDriver final : public QObject {
   void observe(const LessonCondition& of, const Then& then);
   void watchTask();
   void noteTask(LessonMark done);
+  void noteAttempt(bool wasDone);
   void renderText();
   void mark(LessonMark mark);
   /// Writes the life, and the one before it, into a mark; on the learner's thread.
@@ -173,7 +175,8 @@ class LessonDriver final : public QObject {
   std::size_t number_ = 0;
   Phase phase_ = Phase::Preparing;
   QString text_;
-  std::optional<int> undone_;  // the curves from this number on are of lives that did not happen
+  std::optional<std::vector<RunCurve>> restored_;  // the curves of the state that was gone back to
+  std::optional<int> undone_;                      // the curves from this number on are of lives that did not happen
   QElapsedTimer clock_;
   std::uint64_t entered_ = 0;  // counts the steps that were entered: what comes late is of another one
   bool charted_ = false;       // a chart showed the life in hand

@@ -174,16 +174,24 @@ void LessonDriver::liveWays() {
         });
 }
 
-/// Looks now, and after every step, whether the task is done; once it is, whether its par is kept, too.
+/// Looks now, and after every step, whether the task is done; once it is, whether its par is kept, too. When an attempt
+/// is over without it, the life pauses and it is said.
 void LessonDriver::watchTask() {
   if (!step().done || (taskDone_ && (!step().par || parKept_))) return;
-  const auto look = [this, done = *step().done, par = step().par, wasDone = taskDone_, knowledge = knowledge_,
-                     entered = entered_, record = recorder(), step = number_,
-                     turbo = session_->life().turbo()](const Life& life) {
+  auto look = [this, done = *step().done, par = step().par, attempt = step().attempt, wasDone = taskDone_,
+               knowledge = knowledge_, entered = entered_, record = recorder(), step = number_,
+               turbo = session_->life().turbo(), before = 1.0](const Life& life) mutable {
     const LessonValues& values = knowledge->values;
-    if (!values.holds(done, life)) return Watching::GoOn;
-    const bool kept = par && values.holds(*par, life);
-    if (wasDone && !kept) return Watching::GoOn;
+    const double share = attempt ? shareOf(*attempt, LifeFacts{}, life) : 0;
+    const bool isOver = std::exchange(before, share) < 1 && share >= 1;
+    const bool isDone = values.holds(done, life), kept = isDone && par && values.holds(*par, life);
+    if (!isDone || (wasDone && !kept)) {
+      if (!isOver) return Watching::GoOn;
+      calls_.post([this, entered, wasDone] {
+        if (entered == entered_) noteAttempt(wasDone);
+      });
+      return Watching::EnoughAndPause;
+    }
     LessonMark given{.kind = LessonMark::Kind::Done, .step = step, .right = kept};
     record(life, *knowledge, given);
     calls_.post([this, entered, given = std::move(given)]() mutable {
@@ -191,8 +199,14 @@ void LessonDriver::watchTask() {
     });
     return turbo ? Watching::EnoughAndPause : Watching::Enough;
   };
-  session_->life().visit([look](const Life& life) { look(life); });  // of a life that rests a knob may do it
+  session_->life().visit([look](const Life& life) mutable { look(life); });  // of a life that rests a knob may do it
   session_->life().watch(look);
+}
+
+void LessonDriver::noteAttempt(bool wasDone) {
+  session_->life().setRunning(false);
+  if (!wasDone) Q_EMIT judged({false, tr("That life is over; restart it and try another way.").toStdString()});
+  watchTask();
 }
 
 void LessonDriver::noteTask(LessonMark done) {

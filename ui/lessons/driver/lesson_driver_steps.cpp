@@ -40,6 +40,7 @@ void LessonDriver::keepState(const std::function<void(Beginning)>& then) {
       },
       [this, kept, then] {
         (*kept)->curve = session_->life().curves().live().number;
+        (*kept)->earlier = session_->life().curves().earlier();
         then(std::move(**kept));
       });
 }
@@ -127,7 +128,7 @@ void LessonDriver::arrive(std::size_t number, std::optional<Beginning> from) {
         {.kind = LessonMark::Kind::Arrived, .step = number_, .life = beginning_->record, .before = beginning_->before});
     !restore&& step().begin.empty() ? open() : prepare();
   };
-  if (from) undone_ = from->curve;
+  if (from) restored_ = from->earlier, undone_ = from->curve;
   from ? begin(std::move(*from)) : keepState(begin);
 }
 
@@ -256,13 +257,15 @@ void LessonDriver::place(LifeInHand life, LessonValues values, const Then& then)
 
 /// The curves of lives that came after the state that was gone back to.
 void LessonDriver::forgetCurves() {
-  if (!undone_) return;
+  RunCurves& curves = session_->life().curves();
+  const auto restored = std::exchange(restored_, std::nullopt);
+  const auto undone = std::exchange(undone_, std::nullopt);
+  if (!restored && !undone) return;
   std::vector<int> numbers;
-  const RunCurves& curves = session_->life().curves();
   for (const RunCurve& curve : curves.earlier())
-    if (curve.number >= *undone_ && curve.number != curves.live().number) numbers.push_back(curve.number);
-  session_->life().curves().remove(numbers);
-  undone_.reset();
+    if (restored || curve.number >= *undone) numbers.push_back(curve.number);
+  curves.remove(numbers);
+  if (restored) curves.putBack(*restored);
 }
 
 /// The step begins.

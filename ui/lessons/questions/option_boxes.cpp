@@ -33,8 +33,10 @@ void OptionsBox::choose(int option) {
 }
 
 void OptionsBox::keepWhenChosen(const std::function<void()>& keep) {
-  connect(options_, &QButtonGroup::idToggled, this, [keep](int, bool on) {
-    if (on) keep();
+  connect(options_, &QButtonGroup::idToggled, this, [this, keep](int, bool on) {
+    if (!on) return;
+    verdict_->hide();  // it was about another one
+    keep();
   });
 }
 
@@ -62,6 +64,7 @@ ChoiceBox::ChoiceBox(LessonDriver& driver, const ChoiceQuestion& question, QWidg
   }
   keepWhenChosen([this] { keep(); });
   column().addWidget(verdict_);
+  if (driver.answered() && chosen() >= 0) tell(judge(question, static_cast<std::size_t>(chosen())));
 }
 
 void ChoiceBox::keep() {

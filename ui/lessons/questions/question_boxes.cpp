@@ -64,6 +64,7 @@ NumberBox::NumberBox(LessonDriver& driver, const NumberQuestion& question, QWidg
   connect(number_, &QLineEdit::textChanged, this, [this](const QString& text) {
     driver_.keepDraft({text.toStdString(), {}});
   });
+  connect(&driver, &LessonDriver::judged, number_, &QLineEdit::selectAll);  // so that one types another
   setFirst(number_);
   setNextWord(tr("Check"));
 }
@@ -207,6 +208,9 @@ TaskBox::TaskBox(LessonDriver& driver, QWidget* parent)
       par_(addNote({})) {
   setFocusPolicy(Qt::TabFocus);
   setAccessibleName(toText(driver.step().task));
+  column().addWidget(verdict_);
+  connect(&driver.session().life(), &RunningLife::replaced, verdict_, &QWidget::hide);
+  connect(&driver, &LessonDriver::taskChanged, verdict_, &QWidget::hide);
   connect(&driver, &LessonDriver::taskChanged, this, &TaskBox::refresh);
   connect(&driver, &LessonDriver::stepChanged, this, &TaskBox::refresh);
   refresh();

@@ -85,10 +85,11 @@ QStringList CurveNames::words() const {
     const bool known = std::find(step.show.begin(), step.show.end(), key) != step.show.end();
     const std::string symbol = known || key.starts_with("policy.") ? entry->parameter.symbol : std::string();
     QString value = toText(formatValue(entry->parameter, entry->value));
-    const std::int64_t changed = life.changedAt(key).value_or(0);
-    if (before && before->value != entry->value && changed > 0) {
+    // A knob that was turned at rest says nothing of what was lived before.
+    const std::int64_t steps = life.progress().steps, changed = life.changedAt(key).value_or(steps);
+    if (before && before->value != entry->value && steps > 0 && changed > 0) {
       const QString old = toText(formatValue(before->parameter, before->value));
-      value = changed < life.progress().steps ? old + QStringLiteral(" → ") + value : old;
+      value = changed < steps ? old + QStringLiteral(" → ") + value : old;
     }
     words << QStringLiteral("%1 %2").arg(toText(symbol.empty() ? entry->parameter.title : symbol), value);
   }

@@ -4,6 +4,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <set>
 #include <utility>
 
@@ -32,6 +33,7 @@ KnobRows::KnobRows(Session& session, const std::vector<std::string>& shown, cons
     : QWidget(parent),
       session_(session),
       ranges_(ranges),
+      runs_(std::find(shown.begin(), shown.end(), "run") != shown.end()),
       column_(new QVBoxLayout(this)) {
   column_->setContentsMargins(0, 0, 0, 0);
   whenScaled(this, [this] { column_->setSpacing(scaled(4)); });
@@ -45,6 +47,13 @@ KnobRows::KnobRows(Session& session, const std::vector<std::string>& shown, cons
   connect(&session_.editing(), &Editing::needsNewTable, this, [this](const QString& key, double value) {
     if (const Status s = session_.newLives().setParameterAndRestart(key.toStdString(), value); !s)
       Q_EMIT refused(toText(s.error().message));
+  });
+  constexpr int kSettled = 250;  // [ms] without another turn
+  anew_.setSingleShot(true);
+  anew_.setInterval(kSettled);
+  connect(&anew_, &QTimer::timeout, this, [this] {
+    if (session_.life().progress().steps > 0 || session_.life().running()) return;
+    if (const Status s = session_.newLives().restart(); !s) Q_EMIT refused(toText(s.error().message));
   });
   refresh();
 }
@@ -96,7 +105,9 @@ void KnobRows::addChoice(const std::string& what) {
   });
 }
 
+/// Of a life that has not begun, a knob is what it begins with: the same as to turn it and to restart.
 void KnobRows::edit(const QString& key, double value) {
+  if (runs_ && session_.life().progress().steps == 0 && !session_.life().running()) anew_.start();
   if (const Status s = session_.editing().setParameter(key.toStdString(), value); !s)
     Q_EMIT refused(toText(s.error().message));
   refresh();

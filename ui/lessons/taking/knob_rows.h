@@ -2,6 +2,7 @@
 // The knobs of a step: the parameters that it shows, and the choices of policy, learning rule and scenario.
 #pragma once
 
+#include <QTimer>
 #include <QWidget>
 #include <map>
 #include <vector>
@@ -36,7 +37,9 @@ class KnobRows final : public QWidget {
   void refresh();
 
   Session& session_;
+  QTimer anew_;
   const Ranges ranges_;
+  const bool runs_;  // the step lets one run the life
   QVBoxLayout* column_;
   std::vector<ParameterRow*> rows_;
   std::map<std::string, Combo*> choices_;

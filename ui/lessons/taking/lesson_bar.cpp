@@ -53,7 +53,10 @@ void LessonBar::makeActions() {
   restart_ = act(tr("Restart"), tr("Start the life again with the same seed"), Qt::Key_R, [this] {
     if (const Status s = driver_.session().newLives().restart(); !s) Q_EMIT refused(toText(s.error().message));
   });
-  turbo_ = act(tr("Turbo"), tr("Learn flat out"), Qt::Key_T, [&life] { life.setTurbo(!life.turbo()); });
+  turbo_ = act(tr("Turbo"), tr("Learn flat out"), Qt::Key_T, [&life] {
+    life.setTurbo(!life.turbo());
+    if (life.turbo()) life.setRunning(true);
+  });
   turbo_->setCheckable(true);
 }
 

@@ -3,8 +3,10 @@
 
 #include <QAbstractSpinBox>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -149,7 +151,8 @@ void LessonColumn::showStep() {
     connect(question_, &QuestionBox::predictionMoved, this, &LessonColumn::predictionMoved);
     connect(question_, &QuestionBox::told, this, [this](QWidget* verdict) {
       // When it has its place: what was said about the answer is always in sight.
-      QTimer::singleShot(0, verdict, [this, verdict] { scroll_->ensureWidgetVisible(verdict, 0, scaled(16)); });
+      for (const int later : {0, 60})
+        QTimer::singleShot(later, verdict, [this, verdict] { scroll_->ensureWidgetVisible(verdict, 0, scaled(16)); });
       if (driver_.answered() && next_->isVisible()) next_->setFocus(Qt::OtherFocusReason);
     });
   }
@@ -217,6 +220,9 @@ void LessonColumn::focusFirst() {
 
 void LessonColumn::refresh() {
   using Phase = LessonDriver::Phase;
+  // What is disabled loses the focus; it waits here, where no key leads away.
+  QWidget* focus = window()->focusWidget();
+  if (driver_.phase() == Phase::Running && focus && isAncestorOf(focus)) setFocus(Qt::OtherFocusReason);
   if (knobs_ && driver_.phase() == Phase::Open) knobs_->takeBase();
   if (driver_.phase() == Phase::Finished && number_->text() != tr("done")) return showEnd();
   const bool finished = driver_.phase() == Phase::Finished,
@@ -242,6 +248,14 @@ void LessonColumn::refresh() {
                                                            : QString());
     progress_->setVisible(!progress_->text().isEmpty());
   }
+}
+
+/// Page Up and Page Down read on, wherever the focus is in the column.
+void LessonColumn::keyPressEvent(QKeyEvent* event) {
+  const int pages = event->key() == Qt::Key_PageDown ? 1 : event->key() == Qt::Key_PageUp ? -1 : 0;
+  if (pages == 0) return QWidget::keyPressEvent(event);
+  QScrollBar* bar = scroll_->verticalScrollBar();
+  bar->setValue(bar->value() + pages * bar->pageStep());
 }
 
 void LessonColumn::goOn() {

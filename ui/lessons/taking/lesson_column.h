@@ -40,6 +40,9 @@ class LessonColumn final : public QWidget {
   void predictionMoved(double value);
   void refused(const QString& sentence);
 
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
  private:
   void makeFoot(QVBoxLayout& column);
   void showStep();

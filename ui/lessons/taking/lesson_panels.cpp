@@ -61,6 +61,7 @@ LessonPanels::LessonPanels(LessonDriver& driver, QWidget* parent)
       rows_(new QSplitter(Qt::Vertical, this)),
       below_(new PanelRow) {
   span_->countEpisodes(!countsMinutes(driver.lesson()));
+  span_->showWholeLife();
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(rows_);

@@ -213,7 +213,9 @@ void WorldView::drawCaption(QPainter& p, const Theme& t) const {
 
 /// In a replay: whether the action that was taken was the best one by what the robot knew.
 void WorldView::drawChoice(QPainter& p, const Theme& t) const {
-  const Shown& shown = looking_.shown();
+  const Shown* before = looking_.whenChosen();
+  if (!before) return;
+  const Shown& shown = *before;
   const Task& task = life_.task();
   if (shown.action < 0 || shown.q.size() != task.actions.size() || shown.q.size() < 2) return;
   const bool isNumber = task.actionVariables.empty() && task.actionNames.empty();
