@@ -10,6 +10,8 @@
 #include "app/reports/figures.h"
 #include "app/reports/progress_line.h"
 #include "app/reports/reproduction.h"
+#include "app/reports/stability.h"
+#include "core/files/whole_file.h"
 
 namespace surefoot {
 
@@ -27,35 +29,68 @@ std::string verdictsOf(const Reproduced& r) {
   return text;
 }
 
+/// All recipes under one master seed, with their report in `folder`.
+class Reproduction {
+ public:
+  Reproduction(const Registry& registry, const ReproduceRequest& request)
+      : registry_(registry),
+        request_(request),
+        lab_(request.lab) {
+    lab_.interrupted = &watchForInterrupt();
+  }
+
+  /// An exit code; kDone: `done` has the results.
+  int under(const PlanChanges& changes, const std::string& folder, std::vector<Reproduced>& done) {
+    if (const Status s = checkReportPlace(folder); !s) return fail(s.error());
+    for (const std::string& path : request_.recipes) {
+      std::optional<ProgressLine> line;
+      if (isatty(STDERR_FILENO)) tellProgress(line, done.size() + 1);
+      auto result = reproduce(registry_, path, folder, changes, lab_, request_.otherVersion,
+                              [&](const Figure& figure, const std::string& own) { return drawer_.draw(figure, own); });
+      line.reset();
+      if (!result) return fail(result.error());
+      if (const int code = print(verdictsOf(*result)); code != kDone) return code;
+      done.push_back(std::move(*result));
+    }
+    if (const Status s = writeReport(done, folder, FigureDrawer::canDraw()); !s) return fail(s.error());
+    return print(fmt::format("{0}/report.html, {0}/report.md, {0}/claims.json\n", folder));
+  }
+
+ private:
+  void tellProgress(std::optional<ProgressLine>& line, std::size_t recipe) {
+    line.emplace();
+    lab_.progress = [this, &line, recipe](const LabProgress& p) {
+      line->show(p.work.share, fmt::format("recipe {} of {}: {} of {} lives", recipe, request_.recipes.size(),
+                                           p.livesThere + p.work.livesDone, p.livesPlanned));
+    };
+  }
+
+  const Registry& registry_;
+  const ReproduceRequest& request_;
+  LabOptions lab_;
+  FigureDrawer drawer_;
+};
+
 }  // namespace
 
 int reproduceCommand(const Registry& registry, const ReproduceRequest& request) {
-  LabOptions lab = request.lab;
-  lab.interrupted = &watchForInterrupt();
-  if (const Status s = checkReportPlace(request.out); !s) return fail(s.error());
-  FigureDrawer drawer;
-  std::vector<Reproduced> done;
-  for (const std::string& path : request.recipes) {
-    std::optional<ProgressLine> line;
-    if (isatty(STDERR_FILENO)) {
-      line.emplace();
-      lab.progress = [&](const LabProgress& p) {
-        line->show(p.work.share, fmt::format("recipe {} of {}: {} of {} lives", done.size() + 1, request.recipes.size(),
-                                             p.livesThere + p.work.livesDone, p.livesPlanned));
-      };
-    }
-    auto result =
-        reproduce(registry, path, request.out, request.changes, lab, request.otherVersion,
-                  [&](const Figure& figure, const std::string& folder) { return drawer.draw(figure, folder); });
-    line.reset();
-    if (!result) return fail(result.error());
-    if (const int code = print(verdictsOf(*result)); code != kDone) return code;
-    done.push_back(std::move(*result));
+  Reproduction reproduction(registry, request);
+  std::vector<OfSeed> seeds;
+  for (const std::uint64_t seed : request.seeds) seeds.push_back({seed, {}});
+  if (seeds.empty()) seeds.push_back({});
+  for (OfSeed& of : seeds) {
+    PlanChanges changes = request.changes;
+    if (!request.seeds.empty()) changes.seed = of.seed;
+    const std::string folder = seeds.size() > 1 ? fmt::format("{}/seed-{}", request.out, of.seed) : request.out;
+    if (const int code = reproduction.under(changes, folder, of.recipes); code != kDone) return code;
   }
-  if (const Status s = writeReport(done, request.out, FigureDrawer::canDraw()); !s) return fail(s.error());
   if (!FigureDrawer::canDraw())
     std::fprintf(stderr, "surefoot: no figures were drawn: that needs the program with its window (Qt).\n");
-  return print(fmt::format("{0}/report.html, {0}/report.md, {0}/claims.json\n", request.out));
+  if (seeds.size() < 2) return kDone;
+  for (const auto& [name, text] :
+       {std::pair("stability.md", stabilityAsMarkdown(seeds)), std::pair("stability.json", stabilityAsJson(seeds))})
+    if (const Status s = writeWhole("--out", request.out + "/" + name, text); !s) return fail(s.error());
+  return print(fmt::format("{0}/stability.md, {0}/stability.json\n", request.out));
 }
 
 }  // namespace surefoot

@@ -102,7 +102,8 @@ struct ReproduceRequest {
   std::string out;
   PlanChanges changes{};
   LabOptions lab{};
-  bool otherVersion = false;  ///< go on with stores whose lives another version lived
+  std::vector<std::uint64_t> seeds{};  ///< master seeds; empty: the recipes' own
+  bool otherVersion = false;           ///< go on with stores whose lives another version lived
 };
 
 /// `surefoot export`

@@ -57,6 +57,11 @@ LaboratoryLine::LaboratoryLine(CLI::App& app)
   reproduce_->add_option("--out", r.out, "the folder to write to; what is done there already is not done again")
       ->type_name("FOLDER")
       ->capture_default_str();
+  reproduce_
+      ->add_option(
+          "--seed", r.seeds,
+          "master seed, in place of the recipes'; several: all of it under each, and how stable the verdicts are")
+      ->type_name("N …");
   addOption(*reproduce_, "--jobs", r.jobs, "threads [all cores]", "N");
   reproduce_->add_flag("--other-version", r.otherVersion,
                        "go on even if a version lived what is there whose lives are others");
@@ -112,6 +117,13 @@ Result<Request> makeReproduceRequest(const ReproduceOptions& o) {
     const auto lives = parseCount("--lives", o.lives, 1'000'000);
     if (!lives) return lives.error();
     request.changes.lives = static_cast<int>(*lives);
+  }
+  for (const std::string& text : o.seeds) {
+    const auto seed = parseSeed("--seed", text);
+    if (!seed) return seed.error();
+    if (std::find(request.seeds.begin(), request.seeds.end(), *seed) != request.seeds.end())
+      return Error{fmt::format("--seed: {} is named twice.", *seed)};
+    request.seeds.push_back(*seed);
   }
   if (const Status s = readJobs(o.jobs, request.lab); !s) return s.error();
   return Request(std::move(request));

@@ -25,7 +25,7 @@ struct ExperimentOptions {
 
 /// The options of `reproduce`, as they were written.
 struct ReproduceOptions {
-  std::vector<std::string> list;
+  std::vector<std::string> list, seeds;
   std::string out = "reproduction", lives = "thesis";
   std::optional<std::string> jobs;
   bool otherVersion = false;

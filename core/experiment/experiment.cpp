@@ -32,12 +32,24 @@ LifeResult summarise(const Life& life, int index, double cpuSeconds) {
   r.testEvery = life.environment().task().testEvery;
   r.greedyTests = life.greedyTests();
   r.rows = life.log().rows();
+  if (r.steps > 0) r.exploring = static_cast<double>(life.agent().explored()) / static_cast<double>(r.steps);
   return r;
 }
+
+namespace {
+
+double valueNamed(const std::vector<NamedValue>& values, std::string_view name) {
+  const auto found = std::find_if(values.begin(), values.end(), [&](const NamedValue& v) { return v.name == name; });
+  return found == values.end() ? std::nan("") : found->value;
+}
+
+}  // namespace
 
 std::vector<NamedValue> measuresOf(const LifeResult& r) {
   std::vector<NamedValue> all;
   const double hours = r.simulatedSeconds / 3600.0;
+  if (r.steps > 0) all.push_back({"exploring", r.exploring});
+  if (r.final) all.push_back({"final_falls", r.final->falls}), all.push_back({"final_reward", r.final->reward});
   if (r.taskMeasures.empty()) return all;
   for (std::size_t m = 0; m < r.taskMeasures.size(); ++m) {
     const double value = valueOfALife(r.taskMeasures[m], r.totals.measures[m], r.totals.episodes);
@@ -57,6 +69,9 @@ std::vector<NamedValue> measuresOf(const LifeResult& r) {
     all.push_back({"greedy_" + r.taskMeasures[m].key, mean([m](const GreedyTest& t) { return t.measures[m]; })});
   all.push_back({"greedy_reward", mean([](const GreedyTest& t) { return t.reward; })});
   all.push_back({"greedy_falls", mean([](const GreedyTest& t) { return static_cast<double>(t.falls); })});
+  if (!r.final)
+    for (const char* what : {"reward", "falls"})
+      all.push_back({std::string("final_") + what, valueNamed(all, std::string("greedy_") + what)});
   if (const GreedyTest* walk = firstWalk(r.greedyTests, r.taskMeasures); walk && hours > 0)
     all.push_back({"walks_after", 60.0 * hours * static_cast<double>(walk->lifeSteps) / static_cast<double>(r.steps)});
   return all;

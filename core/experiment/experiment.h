@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/experiment/configuration.h"
+#include "core/experiment/final_greedy.h"
 #include "core/experiment/meter.h"
 #include "core/life/rule_of_thumb.h"
 
@@ -32,7 +33,9 @@ struct LifeResult {
   bool changesLeftOut = false;  ///< there were more changes than these
   bool complete = false;        ///< a limit was reached; false: diverged or interrupted
   std::vector<TaskMeasure> taskMeasures;
-  int testEvery = 0;  ///< Task::testEvery
+  int testEvery = 0;                   ///< Task::testEvery
+  double exploring = 0.0;              ///< share of the steps whose action was not the best by q̂
+  std::optional<FinalGreedy> final{};  ///< only where it was made
   std::vector<GreedyTest> greedyTests;
   std::vector<EpisodeRow> rows;  ///< only if asked for
 };
@@ -44,7 +47,9 @@ struct NamedValue {
   std::string name;
   double value = 0.0;
 };
-/// The values of lifeMeasures(); measures that a life does not have, as without a clock or a greedy test, are left out.
+/// The values of lifeMeasures(), the share of exploring steps (`exploring`), and what the greedy policy does at the end
+/// (`final_falls`, `final_reward`: from `final`, or from the last ten greedy tests); measures that a life does not
+/// have, as without a clock or a greedy test, are left out.
 std::vector<NamedValue> measuresOf(const LifeResult& result);
 
 struct RunOptions {

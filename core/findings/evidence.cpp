@@ -51,7 +51,16 @@ constexpr NamedMeasure kMeasures[] = {
      [](const LifeMeasures& l) { return l.after.failure; }},
     {"first_transitions", "transitions of an episode, first 80",
      [](const LifeMeasures& l) { return l.firstTransitions; }},
-    {"walks", "lives that walk", walks}};
+    {"walks", "lives that walk", walks},
+    {"falls_1_min", "falls by minute 1", [](const LifeMeasures& l) { return l.fallsByMinute[0]; }},
+    {"falls_3_min", "falls by minute 3", [](const LifeMeasures& l) { return l.fallsByMinute[1]; }},
+    {"falls_6_min", "falls by minute 6", [](const LifeMeasures& l) { return l.fallsByMinute[2]; }},
+    {"falls_330", "falls by episode 330", [](const LifeMeasures& l) { return l.fallsByEpisode; }},
+    {"exploring", "share of actions that are not the best", [](const LifeMeasures& l) { return own(l, "exploring"); }},
+    {"final_falls", "falls of a greedy episode at the end",
+     [](const LifeMeasures& l) { return own(l, "final_falls"); }},
+    {"final_reward", "reward of a greedy episode at the end",
+     [](const LifeMeasures& l) { return own(l, "final_reward"); }}};
 
 }  // namespace
 
@@ -147,6 +156,31 @@ bool sameUnits(const Evidence& a, const Evidence& b) {
   const UnitKeys ofA = keysOf(a), ofB = keysOf(b);
   return (!ofA.qFunctions.empty() && ofA.qFunctions == ofB.qFunctions) ||
          (!ofA.lives.empty() && ofA.lives == ofB.lives);
+}
+
+std::vector<double> unitMeans(const Evidence& evidence, std::string_view measure) {
+  const Units units = unitsOf(evidence.record);
+  const std::vector<double> values = valuesOf(evidence, measure);
+  std::vector<double> sums(units.count), counts(units.count);
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (std::isfinite(values[i])) sums[units.of[i]] += values[i], ++counts[units.of[i]];
+  for (std::size_t g = 0; g < units.count; ++g) sums[g] /= counts[g];  // NaN: none has a value
+  return sums;
+}
+
+std::optional<TestResult> testOfUnits(const Evidence& a, const Evidence& b, std::string_view measure) {
+  std::vector<double> first = unitMeans(a, measure), second = unitMeans(b, measure);
+  const auto isMissing = [](double v) { return !std::isfinite(v); };
+  if (sameUnits(a, b)) {
+    std::vector<double> pairs[2];
+    for (std::size_t i = 0; i < std::min(first.size(), second.size()); ++i)
+      if (!isMissing(first[i]) && !isMissing(second[i])) pairs[0].push_back(first[i]), pairs[1].push_back(second[i]);
+    return pairedTest(pairs[0], pairs[1]);
+  }
+  const bool shared = unitsOf(a.record).areQFunctions || unitsOf(b.record).areQFunctions;
+  std::erase_if(first, isMissing);
+  std::erase_if(second, isMissing);
+  return shared ? welchTest(first, second) : anovaOfTwo(first, second);
 }
 
 std::size_t FirstWithSameUnits::add(const Evidence& evidence) {

@@ -31,7 +31,9 @@ Result<std::vector<Evidence>> readEvidence(const Registry& registry, const Store
 
 /// The names of the measures of a life: falls, minutes, all_falls, end_performance, average_reward, success_during,
 /// success_after, failure_during, failure_after, first_transitions, walks (0 or 1: more than kWalkDistance on the mean
-/// of the last ten greedy tests, at most half of which fall); and what follows from the task's own (lifeMeasures).
+/// of the last ten greedy tests, at most half of which fall); at fixed moments falls_1_min, falls_3_min, falls_6_min,
+/// falls_330; exploring; final_falls and final_reward (final_greedy.h); and what follows from the task's own
+/// (lifeMeasures).
 std::vector<std::string> measureNames(const std::vector<TaskMeasure>& task);
 /// The measures of the tasks of all these conditions.
 std::vector<TaskMeasure> taskMeasuresOf(std::span<const Evidence> evidence);
@@ -44,6 +46,12 @@ std::vector<double> valuesOf(const Evidence& evidence, std::string_view measure)
 Groups groupsOf(const Evidence& evidence, std::string_view measure);
 /// Whether both have the same units: lives with the same seeds, or the same Q-functions.
 bool sameUnits(const Evidence& a, const Evidence& b);
+
+/// The means of the units (unitsOf), in their order; lives without a value are left out.
+std::vector<double> unitMeans(const Evidence& evidence, std::string_view measure);
+/// Whether two conditions differ in a measure, by their units: pairs of units where both have the same; means of
+/// Q-functions against each other (Welch) where lives share several; else the analysis of variance of the lives.
+std::optional<TestResult> testOfUnits(const Evidence& a, const Evidence& b, std::string_view measure);
 
 /// Finds, for each of a row of conditions, the first condition with the same units (sameUnits).
 class FirstWithSameUnits {

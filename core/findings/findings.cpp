@@ -38,6 +38,12 @@ Finding describe(const Evidence& m) {
   f.allFalls = meanOf(m, "all_falls");
   f.endPerformance = meanOf(m, "end_performance");
   f.averageReward = meanOf(m, "average_reward");
+  for (std::size_t i = 0; i < kFixedMinutes.size(); ++i)
+    f.fallsByMinute[i] = meanOf(m, fmt::format("falls_{}_min", kFixedMinutes[i]));
+  f.fallsByEpisode = meanOf(m, "falls_330");
+  f.exploring = meanOf(m, "exploring");
+  f.finalFalls = meanOf(m, "final_falls");
+  f.finalReward = meanOf(m, "final_reward");
   f.successDuring = meanOf(m, "success_during");
   f.successAfter = meanOf(m, "success_after");
   f.failureDuring = meanOf(m, "failure_during");
@@ -67,20 +73,6 @@ void warn(Finding& f, const Evidence& m) {
                     100 * f.betweenQFunctions->share));
 }
 
-/// Pairs of units: lives with one seed, or the means of the lives of one Q-function.
-std::optional<TestResult> testOfPairs(const Evidence& reference, const Evidence& other) {
-  const auto means = [](const Evidence& e) {
-    const Units units = unitsOf(e.record);
-    std::vector<double> sums(units.count), counts(units.count);
-    const auto falls = valuesOf(e, "falls");
-    for (std::size_t i = 0; i < falls.size(); ++i) sums[units.of[i]] += falls[i], ++counts[units.of[i]];
-    for (std::size_t g = 0; g < units.count; ++g) sums[g] /= counts[g];
-    return sums;
-  };
-  if (!sameUnits(reference, other)) return std::nullopt;
-  return pairedTest(means(reference), means(other));
-}
-
 Comparison compare(const Evidence& reference, const Evidence& other, std::vector<std::string>& warnings) {
   Comparison c;
   const bool same = sameUnits(reference, other);
@@ -96,7 +88,7 @@ Comparison compare(const Evidence& reference, const Evidence& other, std::vector
   const auto a = valuesOf(reference, "falls"), b = valuesOf(other, "falls");
   c.anova = anovaOfTwo(a, b);
   c.welch = welchTest(a, b);
-  c.paired = testOfPairs(reference, other);
+  if (same) c.paired = testOfUnits(reference, other, "falls");
   c.effect = effectSize(a, b);
   if (reference.record.condition.stepTime > 0)
     c.minutes = differenceOf(estimateOf(reference, "minutes"), estimateOf(other, "minutes"), same);

@@ -3,6 +3,7 @@
 // reference condition.
 #pragma once
 
+#include <array>
 #include <limits>
 #include <string>
 #include <vector>
@@ -36,6 +37,9 @@ struct Finding {
   std::optional<std::size_t> end;  ///< the episode in which learning ended
   double largestChangeAfter = 0.0;
   Interval falls, minutes, allFalls, endPerformance, averageReward;
+  std::array<Interval, 3> fallsByMinute;                              ///< at kFixedMinutes
+  Interval fallsByEpisode;                                            ///< 330
+  Interval exploring, finalFalls, finalReward;                        ///< NaN in stores that do not have them
   Interval successDuring, successAfter, failureDuring, failureAfter;  ///< transitions; NaN where there are none
   std::optional<Interval> threshold;                                  ///< the rule of thumb with n* during learning
   int qFunctions = 0, atCap = 0;                       ///< pre-learned Q-functions; how many did not reach their reward

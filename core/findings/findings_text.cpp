@@ -83,23 +83,29 @@ std::string changeText(const Comparison& c, int decimals) {
 nlohmann::ordered_json findingsAsJson(const Findings& findings) {
   OrderedJson list = OrderedJson::array();
   for (const Finding& f : findings.conditions) {
-    OrderedJson condition = {{"name", f.name},
-                             {"reference", f.reference},
-                             {"lives", f.lives},
-                             {"diverged", f.diverged},
-                             {"end_of_learning", f.end ? OrderedJson(*f.end) : OrderedJson(nullptr)},
-                             {"largest_change_after", f.largestChangeAfter},
-                             {"falls", asJson(f.falls)},
-                             {"minutes", asJson(f.minutes)},
-                             {"all_falls", asJson(f.allFalls)},
-                             {"falls_per_episode_at_the_end", asJson(f.endPerformance)},
-                             {"average_reward", asJson(f.averageReward)},
-                             {"transitions",
-                              {{"success_during", asJson(f.successDuring)},
-                               {"success_after", asJson(f.successAfter)},
-                               {"failure_during", asJson(f.failureDuring)},
-                               {"failure_after", asJson(f.failureAfter)}}},
-                             {"rule_of_thumb", asJson(f.threshold)}};
+    OrderedJson condition = {
+        {"name", f.name},
+        {"reference", f.reference},
+        {"lives", f.lives},
+        {"diverged", f.diverged},
+        {"end_of_learning", f.end ? OrderedJson(*f.end) : OrderedJson(nullptr)},
+        {"largest_change_after", f.largestChangeAfter},
+        {"falls", asJson(f.falls)},
+        {"minutes", asJson(f.minutes)},
+        {"all_falls", asJson(f.allFalls)},
+        {"falls_per_episode_at_the_end", asJson(f.endPerformance)},
+        {"average_reward", asJson(f.averageReward)},
+        {"falls_by_minute",
+         {{"1", asJson(f.fallsByMinute[0])}, {"3", asJson(f.fallsByMinute[1])}, {"6", asJson(f.fallsByMinute[2])}}},
+        {"falls_by_episode_330", asJson(f.fallsByEpisode)},
+        {"exploring", asJson(f.exploring)},
+        {"final_greedy", {{"falls", asJson(f.finalFalls)}, {"reward", asJson(f.finalReward)}}},
+        {"transitions",
+         {{"success_during", asJson(f.successDuring)},
+          {"success_after", asJson(f.successAfter)},
+          {"failure_during", asJson(f.failureDuring)},
+          {"failure_after", asJson(f.failureAfter)}}},
+        {"rule_of_thumb", asJson(f.threshold)}};
     if (f.qFunctions > 0) {
       OrderedJson between = nullptr;
       if (f.betweenQFunctions)

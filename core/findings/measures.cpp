@@ -44,6 +44,21 @@ double fallsOf(std::span<const StoredEpisode> episodes) {
   return falls;
 }
 
+/// Falls of the episodes that were over by then; NaN if the life, of `steps` transitions, did not come to it.
+double fallsByMinute(std::span<const StoredEpisode> episodes, std::int64_t steps, double stepTime, double minute) {
+  constexpr double kRounding = 1e-9;
+  const double most = minute * 60 / stepTime;  // transitions
+  if (!(stepTime > 0) || static_cast<double>(steps) < most * (1 - kRounding))
+    return std::numeric_limits<double>::quiet_NaN();
+  double falls = 0, transitions = 0;
+  for (const StoredEpisode& e : episodes) {
+    transitions += static_cast<double>(e.transitions);
+    if (transitions > most * (1 + kRounding)) break;
+    falls += e.falls;
+  }
+  return falls;
+}
+
 double minutesOf(std::span<const StoredEpisode> episodes, double stepTime) {
   double transitions = 0;
   for (const StoredEpisode& e : episodes) transitions += static_cast<double>(e.transitions);
@@ -200,6 +215,11 @@ std::vector<LifeMeasures> measure(const ConditionRecord& record, std::optional<s
          .firstTransitions = transitionsOf(whole.first(std::min<std::size_t>(EpisodeLog::kAverageOver, whole.size()))),
          .during = lengthsOf(during),
          .after = lengthsOf(after)});
+    LifeMeasures& life = all.back();
+    for (std::size_t m = 0; m < kFixedMinutes.size(); ++m)
+      life.fallsByMinute[m] =
+          fallsByMinute(whole, record.lives[all.size() - 1].steps, record.condition.stepTime, kFixedMinutes[m]);
+    life.fallsByEpisode = whole.size() >= kFixedEpisodes ? fallsOf(whole.first(kFixedEpisodes)) : std::nan("");
     if (all.size() <= record.measures.size())
       for (const StoredMeasure& m : record.measures[all.size() - 1])
         if (m.episode == 0) all.back().own.push_back(m);

@@ -3,6 +3,7 @@
 // last 80 episodes, or of all so far if there are fewer.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -44,14 +45,21 @@ struct Lengths {
   double success = 0.0, failure = 0.0;
 };
 
+inline constexpr std::array kFixedMinutes = {1.0, 3.0, 6.0};
+inline constexpr std::size_t kFixedEpisodes = 330;
+
 /// One life, measured up to the end of its condition's learning.
 struct LifeMeasures {
-  double falls = 0.0;                ///< during learning
-  double minutes = 0.0;              ///< simulated minutes of learning; NaN without a clock
-  double allFalls = 0.0;             ///< falls of the whole life
-  double endPerformance = 0.0;       ///< falls per episode over the last 500
-  double averageReward = 0.0;        ///< at the end of the life
-  double firstTransitions = 0.0;     ///< transitions per episode, over the first 80
+  double falls = 0.0;             ///< during learning
+  double minutes = 0.0;           ///< simulated minutes of learning; NaN without a clock
+  double allFalls = 0.0;          ///< falls of the whole life
+  double endPerformance = 0.0;    ///< falls per episode over the last 500
+  double averageReward = 0.0;     ///< at the end of the life
+  double firstTransitions = 0.0;  ///< transitions per episode, over the first 80
+  /// Falls up to a fixed moment, whenever learning ended: by kFixedMinutes, by episode kFixedEpisodes. NaN: the life is
+  /// shorter.
+  std::array<double, 3> fallsByMinute{};
+  double fallsByEpisode = 0.0;
   std::vector<StoredMeasure> own{};  ///< measures of its task (measuresOf)
   Lengths during, after;
 };

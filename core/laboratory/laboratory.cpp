@@ -234,7 +234,12 @@ class Laboratory {
   }
 
   Status save(const Task& task, const Life& life, const std::optional<StoredPreLearning>& before) {
-    const LifeResult r = summarise(life, task.life, 0.0);
+    LifeResult r = summarise(life, task.life, 0.0);
+    if (r.greedyTests.empty() && !life.diverged()) {
+      const auto final = finalGreedy(registry_, conditionOf(task).configuration, life);
+      if (!final) return final.error();
+      r.final = *final;
+    }
     StoredLife row{.condition = task.condition,
                    .life = task.life,
                    .qFunction = task.shared ? task.shared->number : -1,

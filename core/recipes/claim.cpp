@@ -120,7 +120,7 @@ std::vector<double> Judge::values(const Evidence& e) const {
 }
 
 double Judge::p(const Evidence& a, const Evidence& b) {
-  const auto test = anovaOfTwo(values(a), values(b));
+  const auto test = testOfUnits(a, b, measure_);
   return test ? test->p : std::nan("");
 }
 
@@ -194,7 +194,7 @@ Verdict Judge::tooFew(const std::string& condition) {
 }
 
 bool Judge::mayExceed(const Interval& change, bool down, bool up) {
-  const double widest = number("widest", 25);
+  const double widest = number("widest", 15);
   return !change.known() || (down && change.low < -widest) || (up && change.high > widest);
 }
 

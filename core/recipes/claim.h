@@ -3,16 +3,21 @@
 //
 //   value         the 95 % interval of a mean overlaps the thesis's number ± tolerance (a share of it, 10 %) or ±
 //                 within; undecided where the interval is wider than ± 2.5 times that
-//   reduction     of the mean against the reference, in per cent: the thesis's sign, p < .01 by the analysis of
-//                 variance, and an interval that overlaps the number ± 10 points (or ours is at least `at_least`)
+//   reduction     of the mean against the reference, in per cent. With the thesis's p (`thesis_p`, of `thesis_lives` a
+//                 side): agrees if ours has its direction (p < .01) and the two studies' difference is within 1.96
+//                 standard errors (Higgins & Thomas 2023, Cochrane handbook, 6.3.1: the error from p); differs beyond
+//                 that, or in the other direction; else undecided. Without it: the thesis's sign, p < .01, and an
+//                 interval that overlaps the number ± 10 points (or ours is at least `at_least`)
 //   significant   the sign and p < .01, for every condition
-//   no-difference p ≥ .01 for every condition; undecided where the interval leaves ± `widest` (25 % of the reference)
+//   no-difference equivalence: the interval lies within ± `widest` (15 % of the reference), for every condition;
+//   differs
+//                 with p < .01 and an interval without 0; else undecided
 //   order         the means rise in the order of `conditions` in at least 95 % of the means drawn; differs below 5 %
 //   lowest        the first of `conditions` has the lowest mean of all, likewise
 //   spread        the means of `conditions` lie closer together than those of `others`, likewise
 //   pairs         the mean of every first is below that of its second: `pairs` = [[first, second], …]
 //   within-lives  of two measures of one life, `measure` is on the mean below `other`, for every condition
-//   not-longer    the interval of the difference from the reference is not wholly above 0; undecided if it reaches 25 %
+//   not-longer    the interval of the difference from the reference is not wholly above 0; undecided if it reaches 15 %
 //   not-worse     no condition is significantly below the first (p < .01); undecided if one may be by `widest`
 //   ratio         mean(first)/mean(second) lies in low … high, its interval is no wider; differs if that lies outside
 //   extreme       the largest reduction of all conditions in per cent, likewise
@@ -30,6 +35,9 @@
 //   bands-overlap the 95 % bands of the learning curve and of the reference's overlap at 95 % of all moments; undecided
 //                 where they are wider than half of what the curve reaches
 //   dips          the average reward falls below that of the `first` episodes (10)
+//
+// p is that of the units (testOfUnits): pairs of lives or of Q-functions where both conditions have the same, means of
+// Q-functions where lives share them, and only else the thesis's analysis of variance of the lives.
 //
 // A claim is undecided where the lives cannot decide it: one life never can. A reduction or significance with p ≥ .01
 // is undecided if its interval leaves it open (beyond `widest`, or on the thesis's side up to its number or `at_least`,

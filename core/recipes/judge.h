@@ -73,7 +73,7 @@ class Judge {
   std::vector<double> values(const Evidence& e) const;
   double mean(const Evidence& e) const { return surefoot::meanOf(values(e)); }
   Interval interval(const Evidence& e) const { return meanOf(e, measure_); }
-  /// NaN: one of the two has a single life.
+  /// By their units (testOfUnits). NaN: one of the two has a single one.
   double p(const Evidence& a, const Evidence& b);
   Interval change(const Evidence& reference, const Evidence& e);
   /// The change for verdicts. If `e` is 0 in every life, the change has no interval: then the interval of the
@@ -90,7 +90,7 @@ class Judge {
   void note(const std::string& words) { j_.note += (j_.note.empty() ? "" : "; ") + words; }
   /// Notes why there is no verdict: too few lives, a change from a reference of 0, or a change to 0.
   Verdict tooFew(const std::string& condition = "");
-  /// Whether the interval of a change reaches beyond `widest` (25 %) or is unknown: downwards, upwards, or either.
+  /// Whether the interval of a change reaches beyond `widest` (15 %) or is unknown: downwards, upwards, or either.
   bool mayExceed(const Interval& change, bool down, bool up);
   /// Whether a claimed change may be true although ours is not significant: on the side of `sign` the interval reaches
   /// beyond `widest`, or our change has this sign and the interval reaches `size` per cent.
@@ -100,6 +100,7 @@ class Judge {
 
   // The kinds.
 
+  Verdict replication(const Interval& ours, double p);
   Verdict value();
   Verdict reduction();
   Verdict significant();

@@ -40,6 +40,28 @@ Verdict Judge::value() {
   return reached && wide ? tooFew() : agreesIf(reached);
 }
 
+/// Two studies of one change, the thesis's and ours: do they agree on its direction, and on its size? The thesis prints
+/// no interval, but its p, of n lives a side, says how large its standard error was: |change| over the quantile of t.
+Verdict Judge::replication(const Interval& ours, double pValue) {
+  const double thesis = number("thesis"), lives = number("thesis_lives", 40), degrees = 2 * lives - 2;
+  const boost::math::students_t t(degrees);
+  const double error = std::abs(thesis) / boost::math::quantile(boost::math::complement(t, number("thesis_p") / 2));
+  constexpr double kNormal = 1.96;
+  const double ourError = (ours.high - ours.low) / (2 * kNormal);
+  const double z = (ours.value - thesis) / std::hypot(error, ourError);
+  const bool sizeAgrees = std::abs(z) <= kNormal, shown = pValue < kSignificant && (ours.low > 0 || ours.high < 0);
+  const bool sameDirection = (ours.value < 0) == (thesis < 0);
+  note(fmt::format("the thesis's ± {:.0f}, difference of the two studies {} standard errors", kNormal * error,
+                   signedText(z, 1)));
+  if (shown && !sameDirection) return Verdict::Differs;
+  if (!sizeAgrees) {
+    if (shown) note("the direction agrees, the size differs");
+    return Verdict::Differs;
+  }
+  if (!shown) note("ours is not significant by itself");
+  return shown ? Verdict::Agrees : Verdict::Undecided;
+}
+
 Verdict Judge::reduction() {
   const double thesis = number("thesis");
   const bool least = arguments_.contains("at_least");
@@ -51,6 +73,7 @@ Verdict Judge::reduction() {
   report(shown);
   if (!i.known() || std::isnan(pValue)) return tooFew();
   j_.p = pValue;
+  if (arguments_.contains("thesis_p")) return replication(i, pValue);
   if (pValue >= kSignificant) {
     const bool reached = least ? (thesis < 0 ? -i.low : i.high) >= atLeast : overlaps(i, thesis - 10, thesis + 10);
     return reached && leavesOpen(i, thesis, atLeast) ? tooFew() : Verdict::Differs;
@@ -96,7 +119,9 @@ Verdict Judge::noDifference() {
     if (e == &reference) continue;
     const double pValue = p(reference, *e);
     const Interval i = change(reference, *e);
-    if (!(pValue > j_.p.value_or(1))) report(i);
+    // Shown is what reaches furthest, for that is what could be missed.
+    const auto reach = [](const Interval& change) { return std::max(std::abs(change.low), std::abs(change.high)); };
+    if (!j_.low || (i.known() && reach(i) > reach({0, *j_.low, *j_.high}))) report(i);
     if (pValue <= j_.p.value_or(1)) j_.p = pValue;
     if (pValue < kSignificant && leavesZeroIn(reference, *e)) {
       verdicts.push_back(Verdict::Undecided);
@@ -146,7 +171,7 @@ Verdict Judge::notLonger() {
     if (!i.known())
       verdicts.push_back(tooFew(e->name()));
     else
-      verdicts.push_back(i.low > 0 ? Verdict::Differs : i.high >= 25 ? Verdict::Undecided : Verdict::Agrees);
+      verdicts.push_back(i.low > 0 ? Verdict::Differs : i.high >= 15 ? Verdict::Undecided : Verdict::Agrees);
   }
   return all(verdicts);
 }

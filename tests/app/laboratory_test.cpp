@@ -151,6 +151,23 @@ TEST_F(LaboratoryCommands, EveryRecipeIsASoundPlan) {
   EXPECT_GT(recipes, 15);
 }
 
+// All of it under each of several master seeds, and which verdicts are the same.
+TEST_F(LaboratoryCommands, ReproduceTellsHowStableItsVerdictsAre) {
+  const std::string out = file("seeds");
+  const Finished done = surefoot("reproduce 6.2 --lives 3 --seed 1 --seed 7 --out " + out);
+  ASSERT_EQ(done.code, 0) << done.err;
+  const auto stability = nlohmann::json::parse(contentOf(out + "/stability.json"));
+  ASSERT_GE(stability.size(), 2u);
+  for (const auto& row : stability) {
+    EXPECT_EQ(row["verdicts"].size(), 2u);
+    EXPECT_EQ(row["stable"], row["verdicts"]["1"] == row["verdicts"]["7"]);
+  }
+  EXPECT_NE(contentOf(out + "/stability.md").find("master seeds 1, 7"), std::string::npos);
+  const auto one = nlohmann::json::parse(contentOf(out + "/seed-1/claims.json"));
+  const auto seven = nlohmann::json::parse(contentOf(out + "/seed-7/claims.json"));
+  EXPECT_NE(one[0]["ours"], seven[0]["ours"]) << "other lives";
+}
+
 TEST_F(LaboratoryCommands, ReproduceRunsDrawsJudgesAndReports) {
   const std::string out = file("rep");
   const Finished first = surefoot("reproduce 4.3 --lives 3 --out " + out);
@@ -179,6 +196,8 @@ TEST_F(LaboratoryCommands, ReproduceRunsDrawsJudgesAndReports) {
   EXPECT_EQ(nlohmann::json::parse(contentOf(out + "/claims.json")), claims) << "from what is there already";
   expectRefusal("reproduce 4.3 --lives 4 --out " + out, 3, {"3 lives", "4"});
   expectRefusal("reproduce", 2, {"LIST"});
+  expectRefusal("reproduce 4.3 --seed one", 2, {"--seed", "one"});
+  expectRefusal("reproduce 4.3 --seed 1 --seed 1", 2, {"1 is named twice"});
   expectRefusal("reproduce 9.9", 2, {"9.9"});
   expectRefusal("reproduce 4.3 --lives none", 2, {"--lives"});
 }

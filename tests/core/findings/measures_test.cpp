@@ -55,6 +55,22 @@ TEST(Measures, LearningEndsAtTheFirstQuietEpisodeFrom330) {
   EXPECT_EQ(endOfLearning({}, 200), std::nullopt);
 }
 
+// Whenever learning ended: falls of the episodes that were over by then.
+TEST(Measures, FallsAtFixedMoments) {
+  std::vector<StoredEpisode> episodes(340, success(2));
+  for (const std::size_t fallen : {10u, 49u, 50u, 329u, 330u}) episodes[fallen] = fall(2);
+  ConditionRecord record = recordOf({episodes, {fall(10)}});
+  record.lives[0].steps = 680;
+  record.lives[1].steps = 10;
+  const auto lives = measure(record, std::nullopt);
+  EXPECT_EQ(lives[0].fallsByMinute[0], 2) << "episodes 11 and 50 of the 50 in the first 100 transitions";
+  EXPECT_EQ(lives[0].fallsByMinute[1], 3);
+  EXPECT_EQ(lives[0].fallsByMinute[2], 3);
+  EXPECT_EQ(lives[0].fallsByEpisode, 4) << "of the first 330";
+  EXPECT_TRUE(std::isnan(lives[1].fallsByMinute[0])) << "it lived for 10 transitions";
+  EXPECT_TRUE(std::isnan(lives[1].fallsByEpisode));
+}
+
 TEST(Measures, TheLargestChangeBehindTheEnd) {
   std::vector<double> a(1000, 195);
   a[700] = 190;

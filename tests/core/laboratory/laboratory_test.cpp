@@ -46,6 +46,26 @@ class LaboratoryTest : public testing::Test {
 
 }  // namespace
 
+// Beside its episodes a life says how often it explored, and what the greedy policy does with what it has learned.
+TEST_F(LaboratoryTest, ALifeKeepsItsShareOfExploringAndItsGreedyEnd) {
+  Store store = make("measured");
+  ASSERT_TRUE(run(store, {.jobs = 2}).complete());
+  const auto evidence = readEvidence(registry, store);
+  ASSERT_TRUE(evidence) << evidence.error().message;
+  for (const Evidence& e : *evidence) {
+    const double epsilon = e.configuration["parameters"].value("policy.epsilon", 0.0);
+    const auto actions = 5.0;
+    for (const double share : valuesOf(e, "exploring")) {
+      EXPECT_GE(share, 0) << e.name();
+      if (e.configuration.value("policy", "") == "epsilon-greedy") {
+        EXPECT_NEAR(share, epsilon * (actions - 1) / actions, 0.25 * epsilon + 0.02) << e.name();
+      }
+    }
+    for (const double falls : valuesOf(e, "final_falls")) EXPECT_TRUE(falls >= 0 && falls <= 1) << e.name();
+    EXPECT_EQ(valuesOf(e, "final_reward").size(), e.lives.size());
+  }
+}
+
 TEST_F(LaboratoryTest, TheSameContentForAnyNumberOfThreads) {
   std::optional<std::uint64_t> hash;
   for (const int jobs : {1, 2, 7}) {
