@@ -9,6 +9,7 @@
 
 #include "core/basics/typed_json.h"
 #include "core/life/rule_of_thumb.h"
+#include "core/statistics/distribution.h"
 
 namespace surefoot {
 
@@ -26,6 +27,24 @@ std::optional<Interval> thresholdOf(const Evidence& m, const Interval& transitio
   return Interval{rule(transitions.value), rule(transitions.high), rule(transitions.low)};
 }
 
+SpreadOfFalls spreadOf(const Evidence& m) {
+  const auto falls = valuesOf(m, "falls");
+  const Units units = unitsOf(m.record);
+  const auto quantile = [](double q) {
+    return [q](Sample x) {
+      std::vector<double> sorted(x.begin(), x.end());
+      std::sort(sorted.begin(), sorted.end());
+      return sorted.empty() ? std::nan("") : quantileOfSorted(sorted, q);
+    };
+  };
+  const auto never = std::count(falls.begin(), falls.end(), 0.0);
+  return {.iqm = bootstrapped(falls, units, interquartileMean),
+          .median = bootstrapped(falls, units, quantile(0.5)),
+          .most = bootstrapped(falls, units, quantile(0.9)),
+          .worst = bootstrapped(falls, units, [](Sample x) { return worstMean(x, 0.1); }),
+          .withoutFall = falls.empty() ? std::nan("") : static_cast<double>(never) / static_cast<double>(falls.size())};
+}
+
 Finding describe(const Evidence& m) {
   Finding f;
   f.name = m.record.condition.name, f.reference = m.record.condition.reference;
@@ -41,6 +60,7 @@ Finding describe(const Evidence& m) {
   for (std::size_t i = 0; i < kFixedMinutes.size(); ++i)
     f.fallsByMinute[i] = meanOf(m, fmt::format("falls_{}_min", kFixedMinutes[i]));
   f.fallsByEpisode = meanOf(m, "falls_330");
+  f.spread = spreadOf(m);
   f.exploring = meanOf(m, "exploring");
   f.finalFalls = meanOf(m, "final_falls");
   f.finalReward = meanOf(m, "final_reward");
@@ -130,6 +150,9 @@ Findings findingsOf(StoredPlan plan, const std::vector<Evidence>& measured) {
     if (measured[r].lives.empty() || measured[i].lives.empty()) continue;
     Finding& f = findings.conditions[i];
     f.comparison = compare(measured[r], measured[i], f.warnings);
+    f.improvement = bootstrappedImprovement(valuesOf(measured[i], "falls"), unitsOf(measured[i].record),
+                                            valuesOf(measured[r], "falls"), unitsOf(measured[r].record),
+                                            sameUnits(measured[r], measured[i]));
     families[r].push_back(i);
   }
   for (auto& [r, family] : families) {

@@ -31,15 +31,24 @@ struct Comparison {
   bool significant() const { return p() < 0.01; }  ///< the thesis's X
 };
 
+/// How the falls of a condition's lives during learning are spread (distribution.h).
+struct SpreadOfFalls {
+  Interval iqm, median, most;  ///< `most`: nine of ten lives fall less often
+  Interval worst;              ///< mean of the worst tenth
+  double withoutFall = 0.0;    ///< share of the lives
+};
+
 struct Finding {
   std::string name, reference;
   int lives = 0, diverged = 0;
   std::optional<std::size_t> end;  ///< the episode in which learning ended
   double largestChangeAfter = 0.0;
   Interval falls, minutes, allFalls, endPerformance, averageReward;
-  std::array<Interval, 3> fallsByMinute;                              ///< at kFixedMinutes
-  Interval fallsByEpisode;                                            ///< 330
-  Interval exploring, finalFalls, finalReward;                        ///< NaN in stores that do not have them
+  std::array<Interval, 3> fallsByMinute;  ///< at kFixedMinutes
+  Interval fallsByEpisode;                ///< 330
+  SpreadOfFalls spread;
+  std::optional<Interval> improvement;          ///< chance that a life falls less than one of the reference
+  Interval exploring, finalFalls, finalReward;  ///< NaN in stores that do not have them
   Interval successDuring, successAfter, failureDuring, failureAfter;  ///< transitions; NaN where there are none
   std::optional<Interval> threshold;                                  ///< the rule of thumb with n* during learning
   int qFunctions = 0, atCap = 0;                       ///< pre-learned Q-functions; how many did not reach their reward
@@ -67,7 +76,7 @@ nlohmann::ordered_json findingsAsJson(const Findings& findings);
 std::string findingsAsCsv(const Findings& findings);
 /// A table for LaTeX that needs no package.
 std::string findingsAsLatex(const Findings& findings);
-/// A table for people, with the warnings below it.
+/// Tables for people, with the warnings below them.
 std::string findingsAsTable(const Findings& findings);
 
 }  // namespace surefoot

@@ -64,6 +64,31 @@ std::string padded(const std::string& s, std::size_t width) {
   return s + std::string(shown < width ? width - shown : 0, ' ');
 }
 
+/// "12.0 (10.1 … 14.2)"
+std::string withEnds(const Interval& i, int decimals) {
+  if (!std::isfinite(i.value)) return "–";
+  std::string text = fmt::format("{:.{}f}", i.value, decimals);
+  if (i.known()) text += fmt::format(" ({:.{}f} … {:.{}f})", i.low, decimals, i.high, decimals);
+  return text;
+}
+
+/// Beside the mean: how much was explored, falls at fixed moments, how the lives spread, and the greedy policy at last.
+std::string spreadTable(const Findings& findings, std::size_t width) {
+  std::string out = fmt::format("\n{} {} {} {} {} {} {} {} {}\n", padded("", width), padded("explored %", 10),
+                                padded("by min 1", 8), padded("3", 7), padded("6", 7), padded("IQM (95 %)", 22),
+                                padded("90 %", 7), padded("P(fewer) (95 %)", 22), "greedy falls, end");
+  for (const Finding& f : findings.conditions) {
+    const Interval percent = {100 * f.exploring.value, f.exploring.low, f.exploring.high};
+    const auto plain = [](const Interval& i, int decimals) { return withEnds({i.value, NAN, NAN}, decimals); };
+    out += fmt::format("{} {} {} {} {} {} {} {} {}\n", padded(f.name, width), padded(plain(percent, 2), 10),
+                       padded(plain(f.fallsByMinute[0], 1), 8), padded(plain(f.fallsByMinute[1], 1), 7),
+                       padded(plain(f.fallsByMinute[2], 1), 7), padded(withEnds(f.spread.iqm, 1), 22),
+                       padded(plain(f.spread.most, 1), 7), padded(f.improvement ? withEnds(*f.improvement, 2) : "", 22),
+                       withEnds(f.finalFalls, 4));
+  }
+  return out;
+}
+
 bool isReference(const StoredPlan& plan, const std::string& name) {
   return std::any_of(plan.conditions.begin(), plan.conditions.end(),
                      [&](const StoredCondition& c) { return c.reference == name; });
@@ -98,6 +123,13 @@ nlohmann::ordered_json findingsAsJson(const Findings& findings) {
         {"falls_by_minute",
          {{"1", asJson(f.fallsByMinute[0])}, {"3", asJson(f.fallsByMinute[1])}, {"6", asJson(f.fallsByMinute[2])}}},
         {"falls_by_episode_330", asJson(f.fallsByEpisode)},
+        {"spread_of_falls",
+         {{"interquartile_mean", asJson(f.spread.iqm)},
+          {"median", asJson(f.spread.median)},
+          {"quantile_90", asJson(f.spread.most)},
+          {"mean_of_worst_10_per_cent", asJson(f.spread.worst)},
+          {"share_without_a_fall", numberAsJson(f.spread.withoutFall)}}},
+        {"probability_of_improvement", asJson(f.improvement)},
         {"exploring", asJson(f.exploring)},
         {"final_greedy", {{"falls", asJson(f.finalFalls)}, {"reward", asJson(f.finalReward)}}},
         {"transitions",
@@ -141,6 +173,7 @@ std::string findingsAsTable(const Findings& findings) {
                        padded(plusMinusText(f.minutes, 2), 13), padded(changes[i], ofChanges), c ? pText(c->p()) : "",
                        c && c->significant() ? " X" : "");
   }
+  out += spreadTable(findings, width);
   for (const Finding& f : findings.conditions)
     for (const std::string& warning : f.warnings) out += fmt::format("{}: {}.\n", f.name, warning);
   if (!findings.complete) out += "Not all planned lives are there.\n";

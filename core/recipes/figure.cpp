@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <map>
+#include <set>
 
 #include "core/basics/typed_json.h"
 #include "core/experiment/configuration_json.h"
@@ -42,6 +43,22 @@ Curve settlingOf(const Evidence& e) {
   return curve;
 }
 
+/// The share of lives with at most x falls during learning, for every x that occurs.
+Curve profileOf(const Evidence& e) {
+  const std::vector<double> falls = valuesOf(e, "falls");
+  const Units units = unitsOf(e.record);
+  Curve curve;
+  for (const double x : std::set<double>(falls.begin(), falls.end())) {
+    std::vector<double> within;
+    for (const double f : falls) within.push_back(f <= x ? 1.0 : 0.0);
+    const Interval share = intervalOf(estimateOf(within, units));
+    const Interval before = curve.y.empty() ? Interval{} : curve.y.back();
+    curve.x.insert(curve.x.end(), {x, x});  // a staircase
+    curve.y.insert(curve.y.end(), {before, {share.value, std::max(0.0, share.low), std::min(1.0, share.high)}});
+  }
+  return curve;
+}
+
 using Chosen = std::vector<const Evidence*>;
 
 /// A figure with a curve for each condition.
@@ -56,7 +73,8 @@ constexpr CurveKind kCurveKinds[] = {
     {"learning-curve", "", "average reward", [](const Evidence& e) { return learningCurve(e.record, kCurvePoints); }},
     {"reward-against-falls", "falls", "average reward", [](const Evidence& e) { return rewardAgainstFalls(e.record); }},
     {"cumulative-falls", "", "falls so far", [](const Evidence& e) { return cumulativeFalls(e.record, kCurvePoints); }},
-    {"settling", "episodes", "change in 250 episodes", settlingOf}};
+    {"settling", "episodes", "change in 250 episodes", settlingOf},
+    {"profile", "falls during learning", "share of lives", profileOf}};
 
 void addCurves(Figure& figure, const CurveKind& kind, const Chosen& chosen) {
   const bool clock = chosen[0]->record.condition.stepTime > 0;
@@ -95,6 +113,18 @@ void addBars(Figure& figure, const FigureSpec& spec, const Chosen& chosen, const
                              {meanOf(e, spec.measure)},
                              {differs(e, all, spec.measure)},
                              {}});
+  }
+}
+
+void addFrontier(Figure& figure, const FigureSpec& spec, const Chosen& chosen, const std::vector<Evidence>& all) {
+  figure.points = true;
+  figure.xTitle = measureTitle("falls", all);
+  figure.yTitle = measureTitle(spec.measure, all);
+  for (const Evidence* e : chosen) {
+    const Interval falls = meanOf(*e, "falls"), end = meanOf(*e, spec.measure);
+    if (!std::isfinite(falls.value) || !std::isfinite(end.value)) continue;
+    figure.series.push_back(
+        {.name = e->name(), .policy = policyOf(*e), .x = {falls.value}, .y = {end}, .marked = {}, .spread = {falls}});
   }
 }
 
@@ -157,6 +187,8 @@ Result<Figure> makeFigure(const Registry& registry, const FigureSpec& spec, cons
     addCurves(figure, *curve, chosen);
   else if (spec.kind == "bars")
     addBars(figure, spec, chosen, evidence);
+  else if (spec.kind == "frontier")
+    addFrontier(figure, spec, chosen, evidence);
   else if (spec.kind != "against")
     return Error{fmt::format("figure {}: nothing draws the kind {}.", spec.name, spec.kind)};
   else if (const Status s = addAgainst(registry, figure, spec, chosen, evidence); !s)

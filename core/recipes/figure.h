@@ -23,10 +23,10 @@ std::span<const FigureKind> figureKinds();
 struct FigureSpec {
   std::string name;  ///< "4.5a"
   std::string title, kind;
-  std::vector<std::string> conditions;  ///< names or patterns; empty: all
-  std::string measure = "falls";        ///< for the kinds bars and against: the measure that is drawn
-  std::string along;                    ///< for the kind against: the key of the parameter
-  std::vector<double> q, state;         ///< q: for probabilities; state: for generalisation, values, tilings
+  std::vector<std::string> conditions{};  ///< names or patterns; empty: all
+  std::string measure = "falls";          ///< for the kinds bars, against and frontier: the measure that is drawn
+  std::string along{};                    ///< for the kind against: the key of the parameter
+  std::vector<double> q{}, state{};       ///< q: for probabilities; state: for generalisation, values, tilings
 };
 
 struct FigureSeries {
@@ -35,6 +35,7 @@ struct FigureSeries {
   std::vector<Interval> y;
   std::vector<bool> marked;        ///< bars: differs from the reference
   std::optional<double> thesis{};  ///< bars: where the thesis's number would put it
+  std::vector<Interval> spread{};  ///< frontier: the intervals of x
   std::string agent{};             ///< the learning rule
   std::string reference{};         ///< the condition that it is compared with; empty: none
   int lives = 0, planned = 0;      ///< lives of the condition; 0, 0: it needs none
@@ -44,8 +45,8 @@ struct FigureSeries {
 
 struct Figure {
   std::string name, title, xTitle, yTitle;
-  bool bars = false;
-  std::vector<std::string> labels;  ///< for bars: one label per bar
+  bool bars = false, points = false;  ///< points: each series is one, with intervals of both its numbers
+  std::vector<std::string> labels;    ///< for bars: one label per bar
   std::vector<FigureSeries> series;
   std::optional<Scene> scene{};  ///< in place of series: a picture
 };

@@ -18,6 +18,8 @@ std::span<const FigureKind> figureKinds() {
       {"reward-against-falls", Needs::Lives, "the average reward against the falls so far"},
       {"cumulative-falls", Needs::Lives, "the falls so far against time, with 95 % bands"},
       {"settling", Needs::Lives, "|A(k) − A(k − 250)| of the average reward A against the episode k"},
+      {"profile", Needs::Lives, "the share of lives with at most so many falls during learning, with 95 % bands"},
+      {"frontier", Needs::Measure, "a condition a point: its falls during learning against a measure of its end"},
       {"bars", Needs::Measure, "the mean of a measure, an X where it differs from the reference with p < .01"},
       {"against", Needs::Measure, "the mean of a measure against the parameter `along` that was varied"},
       {"probabilities", Needs::Nothing, "of actions whose values are `q`"},

@@ -81,6 +81,7 @@ class FigurePainter {
   QStringList barHead() const;
   void paintCurves(QPainter& p, const Theme& t, const QRectF& plot) const;
   void paintCurve(QPainter& p, const Theme& t, const QRectF& plot, std::size_t series) const;
+  void paintPoint(QPainter& p, const Theme& t, const QRectF& plot, std::size_t series) const;
   void paintBeyond(QPainter& p, const Theme& t, const QRectF& plot, std::size_t series) const;
   void paintReading(QPainter& p, const Theme& t, QSizeF size) const;
   std::optional<std::size_t> placeAt(std::size_t series, double time) const;  ///< index of the last value by then

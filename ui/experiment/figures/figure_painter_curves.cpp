@@ -128,6 +128,7 @@ void FigurePainter::paintCurve(QPainter& p, const Theme& t, const QRectF& plot, 
   const FigureSeries& s = figure_.series[series];
   if (s.x.empty()) return;
   const QPen pen = penOf(series, t);
+  if (figure_.points) return paintPoint(p, t, plot, series);
   QPainterPath line(at(s.x[0], s.y[0].value, plot));
   QPolygonF band;
   for (std::size_t k = 0; k < s.x.size(); ++k) {
@@ -161,6 +162,19 @@ void FigurePainter::paintCurve(QPainter& p, const Theme& t, const QRectF& plot, 
     p.drawEllipse(at(s.x[k], s.y[k].value, plot), 3, 3);
     p.setBrush(Qt::NoBrush);
   }
+}
+
+/// A cross of both intervals, and the policy's marker where they meet.
+void FigurePainter::paintPoint(QPainter& p, const Theme& t, const QRectF& plot, std::size_t series) const {
+  const FigureSeries& s = figure_.series[series];
+  const QPointF middle = at(s.x[0], s.y[0].value, plot);
+  p.save();
+  p.setClipRect(plot.adjusted(-2, -2, 2, 2), Qt::IntersectClip);
+  p.setPen(QPen(penOf(series, t).color(), 1.2));
+  if (known(s.y[0])) p.drawLine(at(s.x[0], s.y[0].low, plot), at(s.x[0], s.y[0].high, plot));
+  if (known(s.spread[0])) p.drawLine(at(s.spread[0].low, s.y[0].value, plot), at(s.spread[0].high, s.y[0].value, plot));
+  p.restore();
+  drawMarker(p, middle, policyLook(s.policy, t), standsOut(series));
 }
 
 /// Where a curve, or the band of one that stands out, goes on beyond the axis: a triangle at the edge, in the middle of
