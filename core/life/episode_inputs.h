@@ -15,6 +15,7 @@ struct EpisodeInputs {
   std::array<std::uint64_t, 4> random{};  ///< the world's generator before reset()
   std::vector<double> start;              ///< the state it was placed in; empty: the state after reset()
   std::vector<std::uint16_t> actions;
+  std::vector<std::uint8_t> explored{};  ///< 1: the action was not the best by q̂; as long as `actions`, or not known
   std::vector<std::uint64_t> pushSteps;  ///< steps of the episode before each push
   std::vector<double> pushImpulses;      ///< [N s]
 
@@ -25,6 +26,7 @@ struct EpisodeInputs {
     actions.clear();
     pushSteps.clear();
     pushImpulses.clear();
+    explored.clear();
   }
 };
 

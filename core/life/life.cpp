@@ -40,7 +40,9 @@ void Life::beginEpisode(const std::vector<double>& state) {
   inputs_.start = state;
   if (!state.empty()) environment_->place(state);
   tellTime();
+  const std::int64_t explored = agent_->explored();
   action_ = agent_->start(environment_->state(), policyRandom_);
+  explores_ = agent_->explored() != explored;
   inEpisode_ = true;
 }
 
@@ -59,13 +61,18 @@ void Life::step() {
   while (nextCommand_ < commands_.size() && commands_[nextCommand_].step <= steps_) obey(commands_[nextCommand_++]);
   if (!inEpisode_) beginEpisode();
   if (everyStep_) tellTime(true);
-  if (keepInputs_) inputs_.actions.push_back(static_cast<std::uint16_t>(action_));
+  const std::int64_t explored = keepInputs_ ? agent_->explored() : 0;
+  if (keepInputs_) {
+    inputs_.actions.push_back(static_cast<std::uint16_t>(action_));
+    inputs_.explored.push_back(explores_);
+  }
   const Outcome outcome = environment_->step(action_);
   ++steps_;
   log_.add(outcome);
   switch (outcome.ending) {
     case Ending::None:
       action_ = agent_->step(outcome, environment_->state(), policyRandom_);
+      explores_ = keepInputs_ && agent_->explored() != explored;
       return;
     case Ending::Terminal:
       agent_->end(outcome);

@@ -162,7 +162,8 @@ class Life {
   // The environment's inputs since the beginning of the episode. With them a resumed life brings any environment to the
   // same state.
   bool keepInputs_ = false;
-  EpisodeInputs inputs_;  // inputs of the current episode, or of the last one
+  bool explores_ = false;  // the next action is not the best by q̂
+  EpisodeInputs inputs_;   // inputs of the current episode, or of the last one
 };
 
 }  // namespace surefoot

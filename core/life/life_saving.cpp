@@ -72,7 +72,8 @@ void Life::transfer(Archive& archive) {
 }
 
 void Life::repeatEpisode(Archive& archive) {
-  const auto& [random, start, actions, pushSteps, pushImpulses] = inputs_;
+  const auto& [random, start, actions, explored, pushSteps, pushImpulses] = inputs_;
+  static_cast<void>(explored);  // only for people
   const Task& task = environment_->task();
   for (std::size_t i = 0; i < actions.size(); ++i)
     if (!isAction(task, inputs_.actionAt(i)))

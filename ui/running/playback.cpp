@@ -39,6 +39,9 @@ Playback playbackOf(const Fall& fall, const Registry& registry, const std::strin
     frame.state.assign(world->state().begin(), world->state().end());
     frame.pose = world->pose();
     frame.action = next;
+    const std::size_t step = playback.frames.size();
+    if (fall.inputs.explored.size() == fall.inputs.actions.size() && step < fall.inputs.explored.size())
+      frame.explores = fall.inputs.explored[step] != 0;
     frame.q.resize(n);
     if (playback.values) {
       playback.values->evaluate(frame.state, Layer::Sum, frame.q);

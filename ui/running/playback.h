@@ -5,6 +5,7 @@
 #include <QString>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/action_value.h"
@@ -18,7 +19,8 @@ struct Shown {
   std::vector<double> state, pose, q;
   std::vector<double> qPositive, qNegative;  ///< empty where the agent keeps one estimate
   Action action = kNoAction;
-  bool flash = false;  ///< it fell within the last 200 ms
+  std::optional<bool> explores{};  ///< `action` was not the best by what the robot knew then; only in a replayed fall
+  bool flash = false;              ///< it fell within the last 200 ms
 };
 
 struct Playback {

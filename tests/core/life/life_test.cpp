@@ -109,4 +109,26 @@ TEST(Life, AStepLimitIsNoEnd) {
   EXPECT_NEAR(learned, life->log().last().reward + 9.8, 1e-12);
 }
 
+// An episode's inputs say of each action whether it was the best, as the agent counts it.
+TEST(LifeInputs, SayWhichActionsExplored) {
+  const Registry registry = fullRegistry();
+  auto configuration = pendulumConfiguration(registry, "epsilon-greedy");
+  ASSERT_TRUE(configuration.parameters.set("policy.epsilon", 0.3));
+  configuration.episodes = 30;
+  const auto life = makeLife(registry, configuration, 0, false);
+  ASSERT_TRUE(life);
+  (*life)->keepInputs();
+  std::int64_t explored = 0, steps = 0;
+  while (!(*life)->finished()) {
+    (*life)->step();
+    if ((*life)->inEpisode()) continue;
+    const EpisodeInputs& inputs = (*life)->inputs();
+    ASSERT_EQ(inputs.explored.size(), inputs.actions.size());
+    for (const std::uint8_t one : inputs.explored) explored += one, ++steps;
+  }
+  EXPECT_EQ(steps, (*life)->steps());
+  EXPECT_EQ(explored, (*life)->agent().explored());
+  EXPECT_GT(explored, 0);
+}
+
 }  // namespace surefoot

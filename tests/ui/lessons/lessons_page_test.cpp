@@ -109,6 +109,22 @@ TEST(LessonsPage, WhatIsChosenAndTypedIsKept) {
   EXPECT_EQ(because().toPlainText(), "") << "the step begins again";
 }
 
+// The step where one was, also when its lives are still being lived.
+TEST(LessonsPage, GoesOnWithTheStepInHandWhateverIsBeingLived) {
+  Lessons l;
+  ASSERT_TRUE(l.page().start("exploring-costs-falls"));
+  for (std::size_t step = 0; step < 4; ++step) {
+    ASSERT_TRUE(l.opens(step)) << step;
+    l.driver().step().predict ? l.driver().say(40) : l.driver().next();
+  }
+  ASSERT_TRUE(QTest::qWaitFor([&] { return l.driver().number() == 4; }, 20'000));
+  ASSERT_TRUE(QTest::qWaitFor([&] { return l.driver().handIn().last(LessonMark::Kind::Arrived, 4); }, 20'000));
+  l.window.reset();
+  l.open();
+  ASSERT_TRUE(l.page().start("exploring-costs-falls"));
+  EXPECT_TRUE(l.opens(4));
+}
+
 TEST(LessonsPage, TheLessonsRobotGoesToTheLivePageAndTheLessonWaits) {
   Lessons l;
   ASSERT_TRUE(l.page().start("exploring-costs-falls"));

@@ -40,6 +40,7 @@ LessonDriver::LessonDriver(const Registry& registry, Lesson lesson, HandIn handI
       k.before = std::make_shared<const LifeRecord>(recordOf(*this_, began, life, from));
     });
   });
+  connect(&session_->life(), &RunningLife::replaced, this, [this] { attemptOver_ = false; });
   for (const auto changed : {&RunningLife::replaced, &RunningLife::configurationChanged, &RunningLife::stateChanged})
     connect(&session_->life(), changed, this, [this] {
       if (phase_ == Phase::Open) watchTask();

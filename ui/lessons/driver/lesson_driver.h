@@ -79,6 +79,8 @@ class LessonDriver final : public QObject {
   void compared(Compared said);
   /// `agrees`: with the model answer, by the student.
   void words(const QString& text, std::optional<bool> agrees);
+  /// Runs or pauses; where an attempt at a task is over, another life begins.
+  void run();
   void takeHint();
   void noteReplay();
   /// The life goes on through these actions; none of them begins another.
@@ -179,6 +181,7 @@ class LessonDriver final : public QObject {
   std::optional<int> undone_;                      // the curves from this number on are of lives that did not happen
   QElapsedTimer clock_;
   std::uint64_t entered_ = 0;  // counts the steps that were entered: what comes late is of another one
+  bool attemptOver_ = false;   // the life in hand was an attempt
   bool charted_ = false;       // a chart showed the life in hand
   int tries_ = 0;
   bool taskDone_ = false, parKept_ = false, hintTaken_ = false;

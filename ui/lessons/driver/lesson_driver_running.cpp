@@ -203,7 +203,16 @@ void LessonDriver::watchTask() {
   session_->life().watch(look);
 }
 
+void LessonDriver::run() {
+  RunningLife& life = session_->life();
+  if (life.running() || !attemptOver_) return life.setRunning(!life.running());
+  if (const Status s = session_->newLives().restart(); !s)
+    return Q_EMIT refused(QString::fromStdString(s.error().message));
+  life.setRunning(true);
+}
+
 void LessonDriver::noteAttempt(bool wasDone) {
+  attemptOver_ = true;
   session_->life().setRunning(false);
   if (!wasDone) Q_EMIT judged({false, tr("That life is over; restart it and try another way.").toStdString()});
   watchTask();
@@ -213,6 +222,7 @@ void LessonDriver::noteTask(LessonMark done) {
   if (taskDone_ && (parKept_ || !done.right)) return;
   taskDone_ = true;
   parKept_ = done.right;
+  attemptOver_ = step().attempt.has_value();
   if (session_->life().turbo()) session_->life().setRunning(false);  // else it is far beyond before one has seen it
   mark(std::move(done));
   renderText();

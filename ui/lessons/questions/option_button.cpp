@@ -24,6 +24,12 @@ OptionButton::OptionButton(const QString& text, QWidget* parent) : Painted(paren
   whenScaled(this, [this] { updateGeometry(); });
 }
 
+/// Enter gives the answer; it does not press this.
+void OptionButton::keyPressEvent(QKeyEvent* event) {
+  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) return event->ignore();
+  Painted::keyPressEvent(event);
+}
+
 int OptionButton::heightForWidth(int width) const {
   const double room = std::max(40.0, width / textSize() - kLeft - kRight);
   const QRectF text =

@@ -18,6 +18,7 @@ class OptionButton final : public Painted<QAbstractButton> {
   int heightForWidth(int width) const override;
 
  protected:
+  void keyPressEvent(QKeyEvent* event) override;
   void paintEvent(QPaintEvent*) override;
 };
 

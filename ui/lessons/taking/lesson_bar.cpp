@@ -49,13 +49,13 @@ void LessonBar::makeActions() {
     connect(action, &QAction::triggered, this, what);
     return action;
   };
-  run_ = act(tr("Run"), tr("Run or pause"), Qt::Key_Space, [&life] { life.setRunning(!life.running()); });
+  run_ = act(tr("Run"), tr("Run or pause"), Qt::Key_Space, [this] { driver_.run(); });
   restart_ = act(tr("Restart"), tr("Start the life again with the same seed"), Qt::Key_R, [this] {
     if (const Status s = driver_.session().newLives().restart(); !s) Q_EMIT refused(toText(s.error().message));
   });
-  turbo_ = act(tr("Turbo"), tr("Learn flat out"), Qt::Key_T, [&life] {
+  turbo_ = act(tr("Turbo"), tr("Learn flat out"), Qt::Key_T, [this, &life] {
     life.setTurbo(!life.turbo());
-    if (life.turbo()) life.setRunning(true);
+    if (life.turbo() && !life.running()) driver_.run();
   });
   turbo_->setCheckable(true);
 }

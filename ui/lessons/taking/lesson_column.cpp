@@ -171,8 +171,23 @@ void LessonColumn::showStep() {
     addText(words, 11, true);
   knobs->setVisible(!knobs->empty());
   column_->addStretch(1);
+  orderTabs();
   announce(*this, tr("Step %1 of %2: %3").arg(driver_.number() + 1).arg(lesson.steps.size()).arg(toText(step.title)));
   refresh();
+}
+
+/// Tab goes from the question to what gives the answer, and then to what is at hand besides.
+void LessonColumn::orderTabs() {
+  QWidget* before = nullptr;
+  const auto add = [&before](QWidget* next) {
+    if (before) setTabOrder(before, next);
+    before = next;
+  };
+  for (QWidget* part : content_->findChildren<QWidget*>())
+    if (part->focusPolicy() & Qt::TabFocus) add(part);
+  for (QWidget* part : {static_cast<QWidget*>(next_), static_cast<QWidget*>(back_), static_cast<QWidget*>(hintLink_),
+                        static_cast<QWidget*>(reset_), static_cast<QWidget*>(explore_)})
+    add(part);
 }
 
 /// "ε becomes 0.25 when you commit": what a prediction does to the knobs.

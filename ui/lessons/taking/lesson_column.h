@@ -49,6 +49,7 @@ class LessonColumn final : public QWidget {
   void showEnd();
   void refresh();
   QString willMove() const;
+  void orderTabs();
   QLabel* addText(const QString& text, int pixels, bool quiet);
   void addLine();
   QVBoxLayout& anew();

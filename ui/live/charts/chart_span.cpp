@@ -34,7 +34,7 @@ void ChartSpan::countEpisodes(bool episodes) {
 }
 
 void ChartSpan::setLeast(double least) {
-  if (std::exchange(least_, least) != least) wish(std::nullopt);
+  if (std::exchange(least_, least) != least) wish(wished_);
 }
 
 double ChartSpan::timeOf(std::int64_t episode, std::int64_t lifeSteps) const {

@@ -211,33 +211,21 @@ void WorldView::drawCaption(QPainter& p, const Theme& t) const {
                  title(findEntry(registry.agents, "agent", names.agent), names.agent));
 }
 
-/// In a replay: whether the action that was taken was the best one by what the robot knew.
+/// In a replay: whether the action that is carried out now was the best by what the robot knew then.
 void WorldView::drawChoice(QPainter& p, const Theme& t) const {
-  const Shown* before = looking_.whenChosen();
-  if (!before) return;
-  const Shown& shown = *before;
+  const Shown* chosen = looking_.whenChosen();
   const Task& task = life_.task();
-  if (shown.action < 0 || shown.q.size() != task.actions.size() || shown.q.size() < 2) return;
-  const bool isNumber = task.actionVariables.empty() && task.actionNames.empty();
-  const auto name = [&](std::size_t a) {
-    return isNumber ? actionNameOf(task, a) + ' ' + toText(task.actionUnit) : actionNameOf(task, a);
-  };
-  const auto taken = static_cast<std::size_t>(shown.action);
-  const auto best = static_cast<std::size_t>(std::max_element(shown.q.begin(), shown.q.end()) - shown.q.begin());
-  const bool explores = shown.q[taken] < shown.q[best];
-  const double y = height() - 12;
-  p.setFont(textFont(13, 500));
-  p.setPen(explores ? t.fallText : t.ink);
+  if (!chosen || !chosen->explores || chosen->action < 0) return;
+  const auto action = static_cast<std::size_t>(chosen->action);
+  if (action >= task.actions.size()) return;
+  QString words = *chosen->explores ? tr("taken at random") : tr("taken as the best");
   // A combination of several is too long to be read here; its parts are drawn at the joints.
-  const bool combined = !task.actionVariables.empty();
-  const QString how = explores ? tr("taken at random") : tr("taken, the best");
-  const QString words = combined ? how : QStringLiteral("%1: %2").arg(how, name(taken));
-  drawSymbol(p, 12, y, words);
-  if (!explores || combined) return;
-  const double x = 12 + symbolWidth(p.font(), words) + 24;
-  p.setFont(textFont(13));
-  p.setPen(t.ink);
-  drawSymbol(p, x, y, tr("the best: %1").arg(name(best)));
+  const bool isNumber = task.actionVariables.empty() && task.actionNames.empty();
+  if (task.actionVariables.empty()) words += QStringLiteral(": ") + actionNameOf(task, action);
+  if (isNumber) words += ' ' + toText(task.actionUnit);
+  p.setFont(textFont(13, 500));
+  p.setPen(*chosen->explores ? t.fallText : t.ink);
+  drawSymbol(p, 12, height() - 12, words);
 }
 
 void WorldView::drawReadOuts(QPainter& p, const Theme& t) const {
