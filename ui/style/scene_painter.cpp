@@ -89,7 +89,7 @@ QRectF ScenePainter::within(QRectF text) const {
 QRectF ScenePainter::free(const QRectF& text) const {
   for (const double lines : {0.0, -1.0, 1.0}) {
     const QRectF where = within(text.translated(0, 0.85 * lines * text.height()));
-    const QRectF letters = where.adjusted(0, 0.2 * where.height(), 0, -0.2 * where.height());
+    const QRectF letters = where.adjusted(0, 0.1 * where.height(), 0, -0.1 * where.height());
     const auto covers = [&](const QRectF& other) { return other.intersects(letters); };
     if (std::any_of(words_.begin(), words_.end(), covers)) continue;
     words_.push_back(letters);
