@@ -29,11 +29,14 @@ void LearningChart::setRunWords(std::function<QString(const RunCurve&)> words) {
   refresh();
 }
 
-/// The axis has the range of what can be said, in quarters; more if the curves go beyond it.
+/// The axis has the range of what can be said, in quarters or in whole numbers; more if the curves go beyond it.
 void LearningChart::fitPrediction(double most) {
   if (most > prediction_->high) return roundRange(std::min(prediction_->low, 0.0), most);
   yLeast_ = prediction_->low, yMost_ = prediction_->high;
-  yStep_ = (yMost_ - yLeast_) / 4;
+  const double range = yMost_ - yLeast_;
+  yStep_ = range / 4;
+  for (const int parts : {2, 3, 5, 4})  // the last that gives whole numbers
+    if (range >= 10 && std::fmod(range, parts) == 0) yStep_ = range / parts;
 }
 
 bool LearningChart::movesPrediction(const QPointF& at) const {
