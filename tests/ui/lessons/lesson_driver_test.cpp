@@ -1,75 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/lessons/driver/lesson_driver.h"
-
-#include <gtest/gtest.h>
-
-#include <QSignalSpy>
-#include <QTest>
-#include <atomic>
-
 #include "core/lessons/handed_in/grading.h"
-#include "core/lessons/reading/lesson_reading.h"
-#include "core/life/lives_version.h"
-#include "tests/core/experiment/test_setup.h"
+#include "tests/ui/lessons/taking.h"
 
 namespace surefoot {
-
-namespace {
-
-using Phase = LessonDriver::Phase;
-
-const char* const kSteps =
-    "title = \"a\"\ngoal = \"b\"\n[start]\nenvironment = \"cliff\"\nfeatures = \"table\"\nseed = 7\n"
-    "set.policy.epsilon = 0.05\nshow = [\"world\", \"falls\", \"policy.epsilon\", \"run\", \"restart\", \"turbo\"]\n"
-    "[[step]]\ntitle = \"s\"\nsay = \"{falls} falls\"\nrun = {for = \"100 episodes\", turbo = true}\nobserve = "
-    "\"falls\"\n"
-    "[[step]]\ntitle = \"s\"\nsay = \"It fell {observed(1)} times.\"\n"
-    "[step.predict]\nkind = \"number\"\nquestion = \"?\"\nlow = 0\nhigh = 500\nof = \"falls\"\nafter = \"100 "
-    "episodes\"\n"
-    "then = [{set = \"policy.epsilon = 0.25\"}, {restart = true}]\n"
-    "[[step]]\ntitle = \"s\"\nsay = \"{observed(2)} against {observed(1)}\"\n"
-    "ask = {kind = \"choice\", question = \"?\", options = [\"x\", \"y\"], answer = 2}\n"
-    "[[step]]\ntitle = \"s\"\nsay = \"a\"\ntask = \"t\"\ndone = \"episodes >= 50 and falls > 0 "
-    "and policy.epsilon > 0.4\"\n"
-    "attempt = \"60 episodes\"\n"
-    "begin = [{set = \"policy.epsilon = 0\"}, {restart = true}]\n"
-    "solution = [{set = \"policy.epsilon = 0.5\"}, {restart = true}, {run = \"60 episodes\"}]\n"
-    "[[step]]\ntitle = \"s\"\nsay = \"a\"\nbegin = [{run = \"50 episodes\"}, {transfer = true}]\n"
-    "lives = {count = 3, of = \"falls\", after = \"20 episodes\", ways = [{label = \"low\"}, {label = \"high\", first "
-    "= "
-    "[{set = \"policy.epsilon = 0.9\"}, {restart = true}]}]}\nask = {kind = \"compare\", question = \"?\"}\n"
-    "[[step]]\ntitle = \"s\"\nsay = \"a\"\n"
-    "ask = {kind = \"number\", question = \"?\", answer = \"1 + falls\", tolerance = 0.1}\n";
-
-struct Taking {
-  explicit Taking(HandIn before = {}) : registry(fullRegistry()) {
-    std::vector<Complaint> complaints;
-    auto read = readLesson(registry, kSteps, "a.toml", complaints);
-    EXPECT_TRUE(read) << complaintText("a", complaints.empty() ? Complaint{} : complaints[0]);
-    if (before.lesson.empty())
-      before = {.lesson = "a", .student = {}, .lessonHash = read->hash, .seed = 7, .livesVersion = kLivesVersion};
-    driver = std::make_unique<LessonDriver>(registry, *read, before);
-    QObject::connect(driver.get(), &LessonDriver::refused,
-                     [](const QString& sentence) { ADD_FAILURE() << sentence.toStdString(); });
-  }
-  bool opens(std::size_t number) {
-    return QTest::qWaitFor([&] { return driver->number() == number && driver->phase() == Phase::Open; }, 20'000) &&
-           QTest::qWaitFor([&] { return !driver->text().isEmpty(); }, 5'000);
-  }
-  std::uint64_t hash() {
-    std::uint64_t value = 0;
-    std::atomic<bool> seen = false;
-    driver->session().life().visit([&](const Life& life) { value = life.hash(), seen = true; });
-    EXPECT_TRUE(QTest::qWaitFor([&] { return seen.load(); }, 5'000));
-    return value;
-  }
-  const Lesson& lesson() const { return driver->lesson(); }
-
-  Registry registry;
-  std::unique_ptr<LessonDriver> driver;
-};
-
-}  // namespace
 
 // Whatever is shown and whoever looks, the lesson's life is the one that is lived without a window, bit for bit.
 TEST(LessonDriver, LivesTheLessonAsItIsLivedWithoutAWindow) {
@@ -107,25 +40,6 @@ TEST(LessonDriver, LivesTheLessonAsItIsLivedWithoutAWindow) {
   ASSERT_TRUE(lived->act(t.lesson().steps[3].begin));
   EXPECT_EQ(t.hash(), lived->life().hash());
   EXPECT_EQ(t.driver->session().life().configuration().parameters.get("policy.epsilon"), 0);
-}
-
-TEST(LessonDriver, ATaskTicksItselfAfterTheStepThatDoesIt) {
-  Taking t;
-  t.driver->enter(3);
-  ASSERT_TRUE(t.opens(3));
-  EXPECT_FALSE(t.driver->mayGoOn());
-  Session& session = t.driver->session();
-  ASSERT_TRUE(session.editing().setParameter("policy.epsilon", 0.5));
-  ASSERT_TRUE(session.newLives().restart());
-  session.life().setTurbo(true);
-  session.life().setRunning(true);
-  ASSERT_TRUE(QTest::qWaitFor([&] { return t.driver->taskDone(); }, 20'000)) << "it is watched over a restart";
-  const LessonMark* done = t.driver->handIn().last(LessonMark::Kind::Done, 3);
-  ASSERT_TRUE(done && done->life);
-  const auto again = relive(t.registry, t.lesson(), *done->life);
-  ASSERT_TRUE(again) << again.error().message;
-  EXPECT_EQ(again->life->log().totals().episodes, 50) << "the very step";
-  EXPECT_FALSE(session.life().running()) << "in turbo it would be far beyond before one has seen it";
 }
 
 TEST(LessonDriver, AStepThatIsResetBeginsAsItBegan) {
@@ -208,31 +122,6 @@ TEST(LessonDriver, CurvesAreThereAgainAfterTheWayBack) {
     ASSERT_TRUE(t.opens(2));
     EXPECT_EQ(falls(), before);
   }
-}
-
-// An attempt that is over without the task is told, and the life pauses there.
-TEST(LessonDriver, AnAttemptEndsAndIsTold) {
-  Taking t;
-  t.driver->enter(3);
-  ASSERT_TRUE(t.opens(3));
-  Session& session = t.driver->session();
-  const QSignalSpy judged(t.driver.get(), &LessonDriver::judged);
-  const auto live = [&] {
-    session.life().setTurbo(true);
-    session.life().setRunning(true);
-    return QTest::qWaitFor([&] { return !judged.isEmpty() && !session.life().running(); }, 20'000);
-  };
-  ASSERT_TRUE(live()) << "with ε = 0 the attempt fails";
-  EXPECT_FALSE(t.driver->taskDone());
-  EXPECT_TRUE(QTest::qWaitFor([&] { return session.life().progress().episodes >= 60; }, 2'000));
-  EXPECT_TRUE(QTest::qWaitFor([&] { return session.life().snapshot().totals.episodes == 60; }, 5'000));
-  EXPECT_FALSE(judged.at(0).at(0).value<LessonVerdict>().right);
-  // To run on is to try again, from the beginning.
-  const auto life = session.life().snapshot().life;
-  t.driver->run();
-  EXPECT_TRUE(QTest::qWaitFor([&] { return session.life().snapshot().life != life; }, 5'000));
-  EXPECT_TRUE(QTest::qWaitFor([&] { return judged.size() == 2; }, 20'000)) << "that attempt ends, too";
-  EXPECT_TRUE(QTest::qWaitFor([&] { return session.life().snapshot().totals.episodes == 60; }, 5'000));
 }
 
 TEST(LessonDriver, SeveralLivesAreThoseOfTheProgram) {
