@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
+
 #include "app/commands/commands.h"
 #include "app/process/exit_code.h"
 #include "app/process/interrupt.h"
@@ -11,7 +13,9 @@
 #include "app/reports/progress_line.h"
 #include "app/reports/reproduction.h"
 #include "app/reports/stability.h"
+#include "core/files/read_file.h"
 #include "core/files/whole_file.h"
+#include "core/plans/plan_time.h"
 
 namespace surefoot {
 
@@ -29,6 +33,36 @@ std::string verdictsOf(const Reproduced& r) {
   return text;
 }
 
+/// Whether any condition of a recipe is on the preset that was asked for.
+bool isOnPreset(const Recipe& recipe, const std::string& preset) {
+  const auto& all = recipe.plan.conditions;
+  return std::any_of(all.begin(), all.end(),
+                     [&](const Condition& c) { return c.configuration.names.preset == preset; });
+}
+
+/// Prints what would be done and about how long it takes, a line a recipe.
+int tell(const Registry& registry, const ReproduceRequest& request) {
+  std::string text;
+  double minutes = 0;
+  for (const std::string& path : request.recipes) {
+    const auto recipe = readRecipe(registry, path, request.changes);
+    if (!recipe) return fail(recipe.error());
+    if (request.changes.preset && !isOnPreset(*recipe, *request.changes.preset)) continue;
+    const auto content = readText(path);
+    if (!content) return fail(content.error());
+    const auto file = parsePlanFile(*content, path);
+    if (!file) return fail(file.error());
+    const double own = minutesFor(registry, *file, request.lab.jobs, request.changes.lives);
+    minutes += own;
+    text += fmt::format("{}: {}; {} conditions, {} lives each, about {}\n", recipe->name, recipe->plan.title,
+                        recipe->plan.conditions.size(), recipe->plan.lives, roundedTime(own));
+  }
+  const std::size_t seeds = std::max<std::size_t>(1, request.seeds.size());
+  minutes *= static_cast<double>(seeds);
+  return print(text + fmt::format("In all about {}{}, within a factor of two.\n", roundedTime(minutes),
+                                  seeds > 1 ? fmt::format(" for {} master seeds", seeds) : ""));
+}
+
 /// All recipes under one master seed, with their report in `folder`.
 class Reproduction {
  public:
@@ -43,6 +77,11 @@ class Reproduction {
   int under(const PlanChanges& changes, const std::string& folder, std::vector<Reproduced>& done) {
     if (const Status s = checkReportPlace(folder); !s) return fail(s.error());
     for (const std::string& path : request_.recipes) {
+      if (changes.preset) {
+        const auto recipe = readRecipe(registry_, path, changes);
+        if (!recipe) return fail(recipe.error());
+        if (!isOnPreset(*recipe, *changes.preset)) continue;
+      }
       std::optional<ProgressLine> line;
       if (isatty(STDERR_FILENO)) tellProgress(line, done.size() + 1);
       auto result = reproduce(registry_, path, folder, changes, lab_, request_.otherVersion,
@@ -74,6 +113,13 @@ class Reproduction {
 }  // namespace
 
 int reproduceCommand(const Registry& registry, const ReproduceRequest& request) {
+  if (const auto& preset = request.changes.preset) {
+    std::vector<std::string> names;
+    for (const auto& p : registry.presets) names.push_back(p.name);
+    if (std::find(names.begin(), names.end(), *preset) == names.end())
+      return fail(Error{"--" + unknownName("preset", *preset, names).message, ErrorKind::Usage});
+  }
+  if (request.dryRun) return tell(registry, request);
   Reproduction reproduction(registry, request);
   std::vector<OfSeed> seeds;
   for (const std::uint64_t seed : request.seeds) seeds.push_back({seed, {}});

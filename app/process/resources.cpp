@@ -89,11 +89,12 @@ Result<std::vector<std::string>> findRecipes(const std::vector<std::string>& wan
   std::vector<std::string> known = {"all"};
   std::vector<std::vector<std::string>> names;  // the names that each file can be asked for by
   for (const fs::path& file : files) {
-    const auto shows = recipeShows(file.string());
-    if (!shows) return shows.error();
-    names.push_back({"all", file.stem().string()});
-    names.back().insert(names.back().end(), shows->begin(), shows->end());
-    known.insert(known.end(), names.back().begin() + 1, names.back().end());
+    const auto head = recipeHead(file.string());
+    if (!head) return head.error();
+    names.push_back({file.stem().string()});
+    names.back().insert(names.back().end(), head->shows.begin(), head->shows.end());
+    known.insert(known.end(), names.back().begin(), names.back().end());
+    if (!head->apart) names.back().push_back("all");
   }
   std::vector<bool> chosen(files.size());
   std::vector<std::string> paths;
@@ -107,8 +108,8 @@ Result<std::vector<std::string>> findRecipes(const std::vector<std::string>& wan
       if (std::find(names[i].begin(), names[i].end(), want) != names[i].end()) found = chosen[i] = true;
     if (found) continue;
     const std::string near = nearestWord(want, known);
-    return Error{fmt::format("LIST: there is no recipe for \"{}\"{}; all runs every one.", shortened(want),
-                             near.empty() ? "" : ", did you mean " + near)};
+    return Error{fmt::format("LIST: there is no recipe for \"{}\"{}; all runs every one that does not take long.",
+                             shortened(want), near.empty() ? "" : ", did you mean " + near)};
   }
   for (std::size_t i = 0; i < files.size(); ++i)
     if (chosen[i]) paths.push_back(files[i].string());

@@ -17,9 +17,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Runs the missing lives of a plan into a store, and reads all results.
+/// Runs the missing lives of a plan into a store, and reads all results and the hash of its content.
 Result<std::vector<Evidence>> runAndRead(const Registry& registry, const Plan& plan, const StoredPlan& stored,
-                                         const std::string& path, const LabOptions& lab, bool otherVersion) {
+                                         const std::string& path, const LabOptions& lab, bool otherVersion,
+                                         std::string& content) {
   auto store = Store::missing(path) ? Store::create(path, stored) : Store::openToWrite(path, &watchForInterrupt());
   if (!store) return store.error();
   const auto there = store->plan();
@@ -39,6 +40,9 @@ Result<std::vector<Evidence>> runAndRead(const Registry& registry, const Plan& p
     return Error{fmt::format("interrupted; {} of {} lives are in {}, and the same command goes on.", result->livesThere,
                              result->livesPlanned, path),
                  ErrorKind::Interrupted};
+  const auto hash = store->contentHash();
+  if (!hash) return hash.error();
+  content = fmt::format("{:016x}", *hash);
   return readEvidence(registry, *store);
 }
 
@@ -68,10 +72,14 @@ Result<Reproduced> reproduce(const Registry& registry, const std::string& recipe
 
   const auto stored = planToStore(registry, recipe->plan);
   if (!stored) return stored.error();
-  const auto evidence = runAndRead(registry, recipe->plan, *stored, own + "/results.sqlite", lab, otherVersion);
+  std::string content;
+  const auto evidence =
+      runAndRead(registry, recipe->plan, *stored, own + "/results.sqlite", lab, otherVersion, content);
   if (!evidence) return evidence.error();
   Reproduced done{.name = recipe->name,
                   .title = recipe->plan.title,
+                  .preset = changes.preset.value_or("thesis"),
+                  .content = content,
                   .lives = recipe->plan.lives,
                   .conditions = static_cast<int>(evidence->size())};
   for (const FigureSpec& spec : recipe->figures) {
@@ -89,13 +97,13 @@ Result<Reproduced> reproduce(const Registry& registry, const std::string& recipe
   if (!judgements) return judgements.error();
   done.judgements = std::move(*judgements);
 
-  if (recipe->calibrated()) {
+  if (recipe->calibrated() && !changes.preset) {
     const auto onLab = onLabPreset(registry, recipePath, changes);
     if (!onLab) return onLab.error();
     const auto labStored = planToStore(registry, onLab->plan);
     if (!labStored) return labStored.error();
     const auto labEvidence =
-        runAndRead(registry, onLab->plan, *labStored, own + "/results-lab.sqlite", lab, otherVersion);
+        runAndRead(registry, onLab->plan, *labStored, own + "/results-lab.sqlite", lab, otherVersion, done.labContent);
     if (!labEvidence) return labEvidence.error();
     auto labJudgements = judgeAll(registry, *onLab, *labEvidence);
     if (!labJudgements) return labJudgements.error();

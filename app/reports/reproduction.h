@@ -20,6 +20,9 @@ struct Reproduced {
   std::vector<Judgement> judgements{};    ///< on the recipe's own conditions
   std::vector<Judgement> onLabPreset{};   ///< the calibrated claims, judged on the lab preset
   std::vector<std::string> calibrated{};  ///< ids of the calibrated claims
+  std::string preset = "thesis";          ///< of the recipe's own conditions
+  /// Content of the stores, as `experiment` prints it: the recipe's own conditions, and those on the lab preset.
+  std::string content{}, labContent{};
   int lives = 0, conditions = 0;
   double seconds = 0;
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <span>
 
 #include "app/reports/progress_line.h"
@@ -29,7 +30,7 @@ struct Row {
 std::vector<Row> rowsOf(std::span<const Reproduced> recipes) {
   std::vector<Row> rows;
   for (const Reproduced& r : recipes) {
-    for (const Judgement& j : r.judgements) rows.push_back({&j, r.name, "thesis"});
+    for (const Judgement& j : r.judgements) rows.push_back({&j, r.name, r.preset});
     for (const Judgement& j : r.onLabPreset) rows.push_back({&j, r.name, "lab"});
   }
   const auto place = [](const std::string& id) {
@@ -58,16 +59,31 @@ std::string pText(const Judgement& j) {
 }
 
 std::string summary(const std::vector<Row>& rows) {
-  std::array<int, 3> counts{};
-  for (const Row& r : rows) ++counts[static_cast<std::size_t>(r.judgement->verdict)];
-  return fmt::format("{} judgements: {} agree with the thesis, {} differ, {} are undecided.", rows.size(), counts[0],
-                     counts[1], counts[2]);
+  std::map<std::string, std::array<int, 3>> counts;
+  for (const Row& r : rows) ++counts[r.judgement->counts][static_cast<std::size_t>(r.judgement->verdict)];
+  const auto& tests = counts["test"];
+  std::string text =
+      fmt::format("{} judgements could have failed: {} agree with the thesis, {} differ, {} are undecided.",
+                  tests[0] + tests[1] + tests[2], tests[0], tests[1], tests[2]);
+  constexpr std::pair<const char*, const char*> kOthers[] = {
+      {"fitted", "numbers that the default preset was fitted to, which is no evidence"},
+      {"arithmetic", "arithmetic"},
+      {"implied", "numbers that the thesis implies and does not print"},
+      {"question", "questions that the thesis leaves open"}};
+  for (const auto& [name, what] : kOthers)
+    if (const auto& c = counts[name]; c[0] + c[1] + c[2] > 0)
+      text += fmt::format(" Apart from them: {} ({} agree, {} differ, {} undecided).", what, c[0], c[1], c[2]);
+  return text;
 }
 
-/// "36 conditions, 40 lives each"
+/// "36 conditions, 40 lives each, 1:20, content 0123…"
 std::string extentOf(const Reproduced& r) {
-  return fmt::format("{} condition{}, {} {}{}", r.conditions, r.conditions == 1 ? "" : "s", r.lives,
-                     r.lives == 1 ? "life" : "lives", r.conditions == 1 ? "" : " each");
+  std::string text =
+      fmt::format("{} condition{}, {} {}{}, {}", r.conditions, r.conditions == 1 ? "" : "s", r.lives,
+                  r.lives == 1 ? "life" : "lives", r.conditions == 1 ? "" : " each", durationText(r.seconds));
+  if (!r.content.empty()) text += fmt::format(", content {}", r.content);
+  if (!r.labContent.empty()) text += fmt::format(", on the lab preset {}", r.labContent);
+  return text;
 }
 
 std::string base64(const std::string& bytes) {
@@ -116,8 +132,8 @@ Result<std::string> asHtml(const std::vector<Reproduced>& recipes, const std::st
   if (!pictures)
     out += "<p>There are no pictures: this program was built without Qt. The numbers are in the CSV files.</p>\n";
   for (const Reproduced& r : recipes) {
-    out += fmt::format("<h2 id=\"{0}\">{0}: {1}</h2>\n<p><small>{2}, {3}</small></p>\n", escapedForHtml(r.name),
-                       escapedForHtml(r.title), extentOf(r), durationText(r.seconds));
+    out += fmt::format("<h2 id=\"{0}\">{0}: {1}</h2>\n<p><small>{2}</small></p>\n", escapedForHtml(r.name),
+                       escapedForHtml(r.title), extentOf(r));
     for (std::size_t i = 0; pictures && i < r.figures.size(); ++i) {
       const auto png = readFile(folder + "/" + r.figures[i] + ".png");
       if (!png) return png.error();
@@ -147,7 +163,7 @@ std::string asMarkdown(const std::vector<Reproduced>& recipes, bool pictures) {
       fmt::format("# Avoiding failure states during reinforcement learning: a reproduction\n\n{} Surefoot {}.\n",
                   summary(all), kVersion);
   for (const Reproduced& r : recipes) {
-    out += fmt::format("\n## {}: {}\n\n{}, {}.\n\n", r.name, r.title, extentOf(r), durationText(r.seconds));
+    out += fmt::format("\n## {}: {}\n\n{}.\n\n", r.name, r.title, extentOf(r));
     for (std::size_t i = 0; pictures && i < r.figures.size(); ++i)
       out += fmt::format("![{}]({}.png)\n", r.captions[i], r.figures[i]);
     if (!r.table.rows.empty()) out += "\n" + asMarkdown(r.table);

@@ -103,7 +103,8 @@ struct ReproduceRequest {
   PlanChanges changes{};
   LabOptions lab{};
   std::vector<std::uint64_t> seeds{};  ///< master seeds; empty: the recipes' own
-  bool otherVersion = false;           ///< go on with stores whose lives another version lived
+  bool dryRun = false;
+  bool otherVersion = false;  ///< go on with stores whose lives another version lived
 };
 
 /// `surefoot export`

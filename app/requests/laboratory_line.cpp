@@ -62,7 +62,9 @@ LaboratoryLine::LaboratoryLine(CLI::App& app)
           "--seed", r.seeds,
           "master seed, in place of the recipes'; several: all of it under each, and how stable the verdicts are")
       ->type_name("N …");
+  addOption(*reproduce_, "--preset", r.preset, "every condition on this preset: thesis or lab", "NAME");
   addOption(*reproduce_, "--jobs", r.jobs, "threads [all cores]", "N");
+  reproduce_->add_flag("--dry-run", r.dryRun, "tell what would be done, and about how long it takes");
   reproduce_->add_flag("--other-version", r.otherVersion,
                        "go on even if a version lived what is there whose lives are others");
 
@@ -110,6 +112,8 @@ Result<Request> makeReproduceRequest(const ReproduceOptions& o) {
     return Error{fmt::format("LIST: what to reproduce is needed: {}, or all.", fmt::join(shippedRecipes(), ", "))};
   ReproduceRequest request{.recipes = {}, .out = o.out};
   request.otherVersion = o.otherVersion;
+  request.dryRun = o.dryRun;
+  request.changes.preset = o.preset;
   auto recipes = findRecipes(o.list);
   if (!recipes) return recipes.error();
   request.recipes = std::move(*recipes);

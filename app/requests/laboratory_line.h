@@ -27,8 +27,8 @@ struct ExperimentOptions {
 struct ReproduceOptions {
   std::vector<std::string> list, seeds;
   std::string out = "reproduction", lives = "thesis";
-  std::optional<std::string> jobs;
-  bool otherVersion = false;
+  std::optional<std::string> jobs, preset;
+  bool otherVersion = false, dryRun = false;
 };
 
 class LaboratoryLine {

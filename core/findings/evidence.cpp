@@ -41,6 +41,7 @@ constexpr NamedMeasure kMeasures[] = {
     {"all_falls", "falls of a life", [](const LifeMeasures& l) { return l.allFalls; }},
     {"end_performance", "falls per episode, last 500", [](const LifeMeasures& l) { return l.endPerformance; }},
     {"average_reward", "average reward at the end", [](const LifeMeasures& l) { return l.averageReward; }},
+    {"life_reward", "reward of an episode, whole life", [](const LifeMeasures& l) { return l.lifeReward; }},
     {"success_during", "transitions of a success, during learning",
      [](const LifeMeasures& l) { return l.during.success; }},
     {"success_after", "transitions of a success, after learning",
@@ -192,6 +193,33 @@ std::size_t FirstWithSameUnits::add(const Evidence& evidence) {
   for (const std::string& key : {keys.qFunctions, keys.lives})
     if (!key.empty()) firsts_.try_emplace(key, count_ - 1);
   return first;
+}
+
+Evidence halfOf(const Evidence& whole, std::size_t which) {
+  const ConditionRecord& all = whole.record;
+  Evidence half{.record = {.condition = all.condition,
+                           .lives = {},
+                           .episodes = {},
+                           .measures = {},
+                           .preLearned = all.preLearned,
+                           .diverged = all.diverged,
+                           .paired = all.paired},
+                .averages = whole.averages,
+                .end = whole.end,
+                .lives = {},
+                .pool = whole.pool,
+                .configuration = whole.configuration,
+                .taskMeasures = whole.taskMeasures};
+  const Units units = unitsOf(all);
+  for (std::size_t i = 0; i < units.of.size(); ++i) {
+    if (units.of[i] % 2 != which) continue;
+    half.record.lives.push_back(all.lives[i]);
+    half.lives.push_back(whole.lives[i]);
+    if (i < all.episodes.size()) half.record.episodes.push_back(all.episodes[i]);
+    if (i < all.measures.size()) half.record.measures.push_back(all.measures[i]);
+  }
+  half.untilOtherEnds = resampledUntilEnd(half.record, half.end);
+  return half;
 }
 
 MeanEstimate estimateOf(const Evidence& evidence, std::string_view measure) {

@@ -29,11 +29,11 @@ struct Evidence {
 /// The evidence of all conditions of a store, in order.
 Result<std::vector<Evidence>> readEvidence(const Registry& registry, const Store& store);
 
-/// The names of the measures of a life: falls, minutes, all_falls, end_performance, average_reward, success_during,
-/// success_after, failure_during, failure_after, first_transitions, walks (0 or 1: more than kWalkDistance on the mean
-/// of the last ten greedy tests, at most half of which fall); at fixed moments falls_1_min, falls_3_min, falls_6_min,
-/// falls_330; exploring; final_falls and final_reward (final_greedy.h); and what follows from the task's own
-/// (lifeMeasures).
+/// The names of the measures of a life: falls, minutes, all_falls, end_performance, average_reward, life_reward,
+/// success_during, success_after, failure_during, failure_after, first_transitions, walks (0 or 1: more than
+/// kWalkDistance on the mean of the last ten greedy tests, at most half of which fall); at fixed moments falls_1_min,
+/// falls_3_min, falls_6_min, falls_330; exploring; final_falls and final_reward (final_greedy.h); and what follows from
+/// the task's own (lifeMeasures).
 std::vector<std::string> measureNames(const std::vector<TaskMeasure>& task);
 /// The measures of the tasks of all these conditions.
 std::vector<TaskMeasure> taskMeasuresOf(std::span<const Evidence> evidence);
@@ -63,6 +63,10 @@ class FirstWithSameUnits {
   std::map<std::string, std::size_t> firsts_;
   std::size_t count_ = 0;
 };
+
+/// Every second unit of a condition's lives, from the first (0) or the second (1) on: what was chosen by one half is
+/// reported from the other. It keeps the whole condition's end of learning.
+Evidence halfOf(const Evidence& evidence, std::size_t which);
 
 /// Mean of one value per life, with its error.
 MeanEstimate estimateOf(const Evidence& evidence, std::string_view measure);

@@ -27,6 +27,18 @@ std::optional<Interval> thresholdOf(const Evidence& m, const Interval& transitio
   return Interval{rule(transitions.value), rule(transitions.high), rule(transitions.low)};
 }
 
+Interval endRangeOf(const Evidence& m) {
+  const double end = m.end ? static_cast<double>(*m.end) : std::numeric_limits<double>::infinity();
+  const auto found = m.untilOtherEnds.find("end");
+  if (found == m.untilOtherEnds.end()) return {end, end, end};
+  std::vector<double> sorted = found->second;
+  std::sort(sorted.begin(), sorted.end());
+  const auto at = [&](double q) {
+    return sorted[static_cast<std::size_t>(q * static_cast<double>(sorted.size() - 1))];
+  };
+  return {end, at(0.025), at(0.975)};
+}
+
 SpreadOfFalls spreadOf(const Evidence& m) {
   const auto falls = valuesOf(m, "falls");
   const Units units = unitsOf(m.record);
@@ -51,6 +63,7 @@ Finding describe(const Evidence& m) {
   f.lives = static_cast<int>(m.lives.size());
   f.diverged = m.record.diverged;
   f.end = m.end;
+  f.endRange = endRangeOf(m);
   if (m.end) f.largestChangeAfter = largestChangeAfter(m.averages, *m.end);
   f.falls = meanOf(m, "falls");
   f.minutes = meanOf(m, "minutes");
@@ -78,7 +91,10 @@ Finding describe(const Evidence& m) {
 
 void warn(Finding& f, const Evidence& m) {
   if (f.lives == 1) f.warnings.push_back("one life has no interval and no test; it takes two, better five");
-  if (!f.end) f.warnings.push_back("learning did not end by the rule of section 4.2.1; the whole lives are measured");
+  if (!f.end)
+    f.warnings.push_back(
+        "learning did not end by the rule of section 4.2.1: falls and minutes are those of lives that were cut off, "
+        "compare them at fixed moments");
   if (f.diverged > 0) f.warnings.push_back(fmt::format("{} lives diverged and are left out", f.diverged));
   if (f.atCap > 0)
     f.warnings.push_back(
@@ -88,9 +104,34 @@ void warn(Finding& f, const Evidence& m) {
         fmt::format("falls are not normally distributed (p {:.2g}); trust the interval rather than p", normal->p));
   if (f.betweenQFunctions && f.betweenQFunctions->test.p < 0.01)
     f.warnings.push_back(
-        fmt::format("lives of one Q-function are alike ({:.0f} % of the variance lies between Q-functions); the "
-                    "analysis of variance takes them for independent, the intervals do not",
-                    100 * f.betweenQFunctions->share));
+        fmt::format("lives of one Q-function are alike ({:.0f} % of the variance lies between Q-functions): its units "
+                    "are {} Q-functions, not {} lives",
+                    100 * f.betweenQFunctions->share, f.qFunctions, f.lives));
+}
+
+std::optional<FixedChange> changeAtFixedMoment(const Evidence& reference, const Evidence& other, bool same) {
+  for (const char* measure : {"falls_6_min", "falls_3_min", "falls_1_min", "falls_330"}) {
+    const MeanEstimate before = estimateOf(reference, measure), after = estimateOf(other, measure);
+    if (!std::isfinite(before.value) || !std::isfinite(after.value)) continue;
+    const auto test = testOfUnits(reference, other, measure);
+    return FixedChange{measure, changeOf(before, after, same), test ? test->p : kNoTest};
+  }
+  return std::nullopt;
+}
+
+std::optional<std::int64_t> neededFor(const Evidence& reference, const Evidence& other, const Comparison& c) {
+  if (!c.ofUnits || unitsOf(reference.record).count != reference.lives.size() ||
+      unitsOf(other.record).count != other.lives.size())
+    return std::nullopt;
+  const auto a = unitMeans(reference, "falls"), b = unitMeans(other, "falls");
+  if (!c.paired) {
+    const double sd = std::sqrt((varianceOf(a) + varianceOf(b)) / 2);
+    return sd > 0 ? std::optional(livesNeeded(sd, c.difference.value)) : std::nullopt;
+  }
+  std::vector<double> differences;
+  for (std::size_t i = 0; i < a.size(); ++i) differences.push_back(b[i] - a[i]);
+  const double sd = std::sqrt(varianceOf(differences));
+  return sd > 0 ? std::optional(pairsNeeded(sd, c.difference.value)) : std::nullopt;
 }
 
 Comparison compare(const Evidence& reference, const Evidence& other, std::vector<std::string>& warnings) {
@@ -106,14 +147,15 @@ Comparison compare(const Evidence& reference, const Evidence& other, std::vector
     c.changeAtItsEnd = changeOf(until(reference), until(other), same);
   }
   const auto a = valuesOf(reference, "falls"), b = valuesOf(other, "falls");
+  c.fixed = changeAtFixedMoment(reference, other, same);
+  c.ofUnits = testOfUnits(reference, other, "falls");
   c.anova = anovaOfTwo(a, b);
   c.welch = welchTest(a, b);
-  if (same) c.paired = testOfUnits(reference, other, "falls");
+  if (same) c.paired = c.ofUnits;
   c.effect = effectSize(a, b);
   if (reference.record.condition.stepTime > 0)
     c.minutes = differenceOf(estimateOf(reference, "minutes"), estimateOf(other, "minutes"), same);
-  const double sd = std::sqrt((varianceOf(a) + varianceOf(b)) / 2);
-  if (c.anova && sd > 0) c.livesNeeded = livesNeeded(sd, c.difference.value);
+  c.livesNeeded = neededFor(reference, other, c);
   constexpr std::size_t kFew = 5;  // with fewer values the distances from the median depend too much on each other
   const auto equal = std::min(a.size(), b.size()) < kFew ? std::nullopt : brownForsytheTest({a, b});
   if (equal && equal->p < 0.01)
@@ -156,7 +198,7 @@ Findings findingsOf(StoredPlan plan, const std::vector<Evidence>& measured) {
     families[r].push_back(i);
   }
   for (auto& [r, family] : families) {
-    std::erase_if(family, [&](std::size_t i) { return !findings.conditions[i].comparison->anova; });
+    std::erase_if(family, [&](std::size_t i) { return !findings.conditions[i].comparison->ofUnits; });
     std::vector<double> p;
     for (const std::size_t i : family) p.push_back(findings.conditions[i].comparison->p());
     const auto adjusted = holm(p);

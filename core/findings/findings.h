@@ -14,20 +14,31 @@ namespace surefoot {
 
 inline constexpr double kNoTest = std::numeric_limits<double>::quiet_NaN();  ///< p where one life is compared
 
+/// A condition against the reference at a moment that does not depend on when learning ended.
+struct FixedChange {
+  std::string measure;  ///< the last of falls_1_min, falls_3_min, falls_6_min that both have, or falls_330
+  Interval change;      ///< in per cent
+  double p = kNoTest;   ///< of the units
+};
+
 /// A condition against the reference, in falls during learning.
 struct Comparison {
+  std::optional<FixedChange> fixed;
+  std::optional<TestResult> ofUnits;       ///< testOfUnits: the p of tables and verdicts
   Interval change;                         ///< in per cent; −45: 45 % fewer. NaN where the reference has no falls
   Interval difference;                     ///< in falls; −90: 90 fewer
   std::optional<TestResult> anova, welch;  ///< the thesis's test; the same without equal variances
   std::optional<TestResult> paired;        ///< where life i shares its seeds or its Q-function with life i of the other
-  double holm = kNoTest;                   ///< p of the analysis of variance, adjusted for the conditions compared
+  double holm = kNoTest;                   ///< p of the units, adjusted for the conditions compared
   std::optional<double> effect;            ///< Hedges' g
-  std::optional<std::int64_t> livesNeeded;  ///< per condition, to show this difference with a power of 80 %
-  std::optional<Interval> minutes;          ///< learning time: difference from the reference
+  /// Lives a condition (pairs of lives, where there are pairs) that show this difference at p < .01 with a power of
+  /// 80 %. None where lives share Q-functions: of these it would take more, not of lives.
+  std::optional<std::int64_t> livesNeeded;
+  std::optional<Interval> minutes;  ///< learning time: difference from the reference
   /// Change of falls up to the reference's end of learning, in per cent; the interval treats this end as certain.
   std::optional<Interval> changeAtItsEnd;
 
-  double p() const { return anova ? anova->p : kNoTest; }
+  double p() const { return ofUnits ? ofUnits->p : kNoTest; }
   bool significant() const { return p() < 0.01; }  ///< the thesis's X
 };
 
@@ -42,6 +53,7 @@ struct Finding {
   std::string name, reference;
   int lives = 0, diverged = 0;
   std::optional<std::size_t> end;  ///< the episode in which learning ended
+  Interval endRange;               ///< it and 95 % of the ends of resampled lives; infinite: it never ended
   double largestChangeAfter = 0.0;
   Interval falls, minutes, allFalls, endPerformance, averageReward;
   std::array<Interval, 3> fallsByMinute;  ///< at kFixedMinutes

@@ -45,15 +45,25 @@ std::string latexOfP(double p) {
 std::string findingsAsCsv(const Findings& findings) {
   std::string csv =
       "condition,reference,lives,end,falls,falls_low,falls_high,minutes,minutes_low,minutes_high,change,change_low,"
-      "change_high,p,p_holm,significant,difference,difference_low,difference_high\n";
+      "change_high,p,p_holm,significant,difference,difference_low,difference_high,end_low,end_high,falls_1_min,"
+      "falls_3_min,falls_6_min,falls_330,exploring,final_falls,final_reward,fixed_measure,fixed_change,"
+      "fixed_change_low,fixed_change_high,fixed_p\n";
   for (const Finding& f : findings.conditions) {
     csv += fmt::format("{},{},{},{},{},{}", csvCell(f.name), csvCell(f.reference), f.lives,
                        f.end ? std::to_string(*f.end) : "", numbers(f.falls), numbers(f.minutes));
     if (const auto& c = f.comparison)
-      csv += fmt::format(",{},{},{},{},{}\n", numbers(c->change), number(c->p()), number(c->holm),
-                         c->anova ? (c->significant() ? "1" : "0") : "", numbers(c->difference));
+      csv += fmt::format(",{},{},{},{},{}", numbers(c->change), number(c->p()), number(c->holm),
+                         c->ofUnits ? (c->significant() ? "1" : "0") : "", numbers(c->difference));
     else
-      csv += ",,,,,,,,,\n";
+      csv += ",,,,,,,,,";
+    for (const double v :
+         {f.endRange.low, f.endRange.high, f.fallsByMinute[0].value, f.fallsByMinute[1].value, f.fallsByMinute[2].value,
+          f.fallsByEpisode.value, f.exploring.value, f.finalFalls.value, f.finalReward.value})
+      csv += "," + number(v);
+    if (const auto& fixed = f.comparison ? f.comparison->fixed : std::optional<FixedChange>())
+      csv += fmt::format(",{},{},{}\n", fixed->measure, numbers(fixed->change), number(fixed->p));
+    else
+      csv += ",,,,,\n";
   }
   return csv;
 }

@@ -33,10 +33,16 @@ OrderedJson asJson(const std::optional<T>& value) {
 }
 
 OrderedJson asJson(const Comparison& c) {
-  return {{"change_per_cent", asJson(c.change)},
+  OrderedJson fixed = nullptr;
+  if (c.fixed)
+    fixed = {
+        {"measure", c.fixed->measure}, {"change_per_cent", asJson(c.fixed->change)}, {"p", numberAsJson(c.fixed->p)}};
+  return {{"at_a_fixed_moment", fixed},
+          {"change_per_cent", asJson(c.change)},
           {"difference", asJson(c.difference)},
+          {"p", numberAsJson(c.p())},
           {"anova", asJson(c.anova)},
-          {"significant", c.anova ? OrderedJson(c.significant()) : OrderedJson(nullptr)},
+          {"significant", c.ofUnits ? OrderedJson(c.significant()) : OrderedJson(nullptr)},
           {"welch", asJson(c.welch)},
           {"paired", asJson(c.paired)},
           {"holm_p", numberAsJson(c.holm)},
@@ -72,18 +78,46 @@ std::string withEnds(const Interval& i, int decimals) {
   return text;
 }
 
-/// Beside the mean: how much was explored, falls at fixed moments, how the lives spread, and the greedy policy at last.
-std::string spreadTable(const Findings& findings, std::size_t width) {
-  std::string out = fmt::format("\n{} {} {} {} {} {} {} {} {}\n", padded("", width), padded("explored %", 10),
-                                padded("by min 1", 8), padded("3", 7), padded("6", 7), padded("IQM (95 %)", 22),
-                                padded("90 %", 7), padded("P(fewer) (95 %)", 22), "greedy falls, end");
+std::string plain(const Interval& i, int decimals) {
+  return withEnds({i.value, NAN, NAN}, decimals);
+}
+
+/// "616 (564 … 697)"; "never": learning did not end.
+std::string endText(const Finding& f) {
+  const auto text = [](double v) { return std::isfinite(v) ? fmt::format("{:.0f}", v) : std::string("never"); };
+  const Interval& i = f.endRange;
+  if (i.low == i.high) return text(i.value);
+  return fmt::format("{} ({} … {})", text(i.value), text(i.low), text(i.high));
+}
+
+/// The falls up to moments that do not depend on when learning ended.
+std::string fixedTable(const Findings& findings, std::size_t width) {
+  std::string out = fmt::format("{} {} {} {} {} {} {} {} {}\n", padded("", width), padded("lives", 6),
+                                padded("explored %", 10), padded("by min 1", 8), padded("3", 6), padded("6", 13),
+                                padded("episode 330", 12), padded("change, % (95 %)", 24), "p");
   for (const Finding& f : findings.conditions) {
-    const Interval percent = {100 * f.exploring.value, f.exploring.low, f.exploring.high};
-    const auto plain = [](const Interval& i, int decimals) { return withEnds({i.value, NAN, NAN}, decimals); };
-    out += fmt::format("{} {} {} {} {} {} {} {} {}\n", padded(f.name, width), padded(plain(percent, 2), 10),
-                       padded(plain(f.fallsByMinute[0], 1), 8), padded(plain(f.fallsByMinute[1], 1), 7),
-                       padded(plain(f.fallsByMinute[2], 1), 7), padded(withEnds(f.spread.iqm, 1), 22),
+    const auto& fixed = f.comparison ? f.comparison->fixed : std::optional<FixedChange>();
+    std::string change = fixed && std::isfinite(fixed->change.value) ? signedText(fixed->change.value, 1) : "";
+    if (fixed && fixed->change.known())
+      change += fmt::format(" ({} … {})", signedText(fixed->change.low, 1), signedText(fixed->change.high, 1));
+    const auto falls = [](const Interval& i) { return std::isfinite(i.value) ? plusMinusText(i, 1) : "–"; };
+    out +=
+        fmt::format("{} {} {} {} {} {} {} {} {}\n", padded(f.name, width), padded(std::to_string(f.lives), 6),
+                    padded(plain({100 * f.exploring.value, NAN, NAN}, 2), 10), padded(plain(f.fallsByMinute[0], 1), 8),
+                    padded(plain(f.fallsByMinute[1], 1), 6), padded(falls(f.fallsByMinute[2]), 13),
+                    padded(falls(f.fallsByEpisode), 12), padded(change, 24), fixed ? pText(fixed->p) : "");
+  }
+  return out;
+}
+
+/// How the lives spread, and the greedy policy at last.
+std::string spreadTable(const Findings& findings, std::size_t width) {
+  std::string out = fmt::format("\n{} {} {} {} {} {}\n", padded("", width), padded("IQM (95 %)", 22), padded("90 %", 7),
+                                padded("P(fewer) (95 %)", 22), padded("no fall", 8), "greedy falls, end");
+  for (const Finding& f : findings.conditions) {
+    out += fmt::format("{} {} {} {} {} {}\n", padded(f.name, width), padded(withEnds(f.spread.iqm, 1), 22),
                        padded(plain(f.spread.most, 1), 7), padded(f.improvement ? withEnds(*f.improvement, 2) : "", 22),
+                       padded(f.lives > 0 ? fmt::format("{:.0f} %", 100 * f.spread.withoutFall) : "–", 8),
                        withEnds(f.finalFalls, 4));
   }
   return out;
@@ -114,6 +148,8 @@ nlohmann::ordered_json findingsAsJson(const Findings& findings) {
         {"lives", f.lives},
         {"diverged", f.diverged},
         {"end_of_learning", f.end ? OrderedJson(*f.end) : OrderedJson(nullptr)},
+        {"end_of_learning_low", numberAsJson(f.endRange.low)},
+        {"end_of_learning_high", numberAsJson(f.endRange.high)},
         {"largest_change_after", f.largestChangeAfter},
         {"falls", asJson(f.falls)},
         {"minutes", asJson(f.minutes)},
@@ -163,15 +199,15 @@ std::string findingsAsTable(const Findings& findings) {
     ofChanges = std::max(ofChanges, shownLength(changes.back()));
   }
   std::string out = findings.plan.title.empty() ? "" : findings.plan.title + "\n";
-  out += fmt::format("{} {} {} {} {} {} {}\n", padded("", width), padded("lives", 6), padded("end", 6),
-                     padded("falls", 16), padded("minutes", 13), padded("change, % (95 %)", ofChanges), "p (ANOVA)");
+  out += fixedTable(findings, width);
+  out += fmt::format("\nup to the end of learning\n{} {} {} {} {} {}\n", padded("", width), padded("end, episode", 20),
+                     padded("falls", 16), padded("minutes", 13), padded("change, % (95 %)", ofChanges), "p");
   for (std::size_t i = 0; i < changes.size(); ++i) {
     const Finding& f = findings.conditions[i];
     const auto& c = f.comparison;
-    out += fmt::format("{} {} {} {} {} {} {}{}\n", padded(f.name, width), padded(std::to_string(f.lives), 6),
-                       padded(f.end ? std::to_string(*f.end) : "–", 6), padded(plusMinusText(f.falls, 1), 16),
-                       padded(plusMinusText(f.minutes, 2), 13), padded(changes[i], ofChanges), c ? pText(c->p()) : "",
-                       c && c->significant() ? " X" : "");
+    out += fmt::format("{} {} {} {} {} {}{}\n", padded(f.name, width), padded(endText(f), 20),
+                       padded(plusMinusText(f.falls, 1), 16), padded(plusMinusText(f.minutes, 2), 13),
+                       padded(changes[i], ofChanges), c ? pText(c->p()) : "", c && c->significant() ? " X" : "");
   }
   out += spreadTable(findings, width);
   for (const Finding& f : findings.conditions)

@@ -14,9 +14,9 @@ namespace surefoot {
 
 namespace {
 
-constexpr std::size_t kFirst = 330, kSpan = 250;  // for the end of learning
-constexpr double kMostChange = 3.0;
-constexpr std::size_t kLast = 500;  // episodes for the end performance
+constexpr std::size_t kFirst = 330, kSpan = 250;      // for the end of learning
+constexpr double kMostChange = 3.0, kOfGoal = 200.0;  // the thesis's, and the goal reward that they belong to
+constexpr std::size_t kLast = 500;                    // episodes for the end performance
 
 double ratio(double sum, double count) {
   return count > 0 ? sum / count : std::numeric_limits<double>::quiet_NaN();
@@ -42,6 +42,12 @@ double fallsOf(std::span<const StoredEpisode> episodes) {
   double falls = 0;
   for (const StoredEpisode& e : episodes) falls += e.falls;
   return falls;
+}
+
+double rewardOf(std::span<const StoredEpisode> episodes) {
+  double reward = 0;
+  for (const StoredEpisode& e : episodes) reward += e.reward;
+  return ratio(reward, static_cast<double>(episodes.size()));
 }
 
 /// Falls of the episodes that were over by then; NaN if the life, of `steps` transitions, did not come to it.
@@ -187,8 +193,9 @@ std::vector<double> meanAverageRewards(const ConditionRecord& record) {
 }
 
 std::optional<std::size_t> endOfLearning(const std::vector<double>& a, double goalReward) {
+  const double most = goalReward > 0 ? kMostChange * goalReward / kOfGoal : kMostChange;
   for (std::size_t k = kFirst; k <= a.size(); ++k)
-    if (std::abs(a[k - 1] - a[k - 1 - kSpan]) < kMostChange && a[k - 1] > 0.75 * goalReward) return k;
+    if (std::abs(a[k - 1] - a[k - 1 - kSpan]) < most && a[k - 1] > 0.75 * goalReward) return k;
   return std::nullopt;
 }
 
@@ -212,6 +219,7 @@ std::vector<LifeMeasures> measure(const ConditionRecord& record, std::optional<s
          .allFalls = fallsOf(whole),
          .endPerformance = ratio(fallsOf(last), static_cast<double>(last.size())),
          .averageReward = episodes.empty() ? std::nan("") : averageRewards(episodes).back(),
+         .lifeReward = rewardOf(whole),
          .firstTransitions = transitionsOf(whole.first(std::min<std::size_t>(EpisodeLog::kAverageOver, whole.size()))),
          .during = lengthsOf(during),
          .after = lengthsOf(after)});

@@ -34,8 +34,9 @@ std::vector<double> averageRewards(const std::vector<StoredEpisode>& episodes);
 /// A(k): their mean over lives, up to the end of the shortest; [k − 1].
 std::vector<double> meanAverageRewards(const ConditionRecord& record);
 
-/// End of learning (thesis, section 4.2.1): the first episode k ≥ 330 with |A(k) − A(k − 250)| < 3 and (ours, because
-/// the flat start would count) A(k) > 0.75·goal. Empty: it never ended.
+/// End of learning (thesis, section 4.2.1): the first episode k ≥ 330 with |A(k) − A(k − 250)| < 3 (of a goal reward of
+/// 200: 1.5 % of it, so that another goal has the same end; 3 where there is no goal) and (ours, because the flat start
+/// would count) A(k) > 0.75·goal. Empty: it never ended.
 std::optional<std::size_t> endOfLearning(const std::vector<double>& a, double goalReward);
 /// The largest |A(k) − A(k − 250)| behind episode `end`; 0 if there is nothing behind it.
 double largestChangeAfter(const std::vector<double>& a, std::size_t end);
@@ -55,6 +56,7 @@ struct LifeMeasures {
   double allFalls = 0.0;          ///< falls of the whole life
   double endPerformance = 0.0;    ///< falls per episode over the last 500
   double averageReward = 0.0;     ///< at the end of the life
+  double lifeReward = 0.0;        ///< reward of an episode, over all of the life
   double firstTransitions = 0.0;  ///< transitions per episode, over the first 80
   /// Falls up to a fixed moment, whenever learning ended: by kFixedMinutes, by episode kFixedEpisodes. NaN: the life is
   /// shorter.

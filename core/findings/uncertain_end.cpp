@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace surefoot {
 
@@ -96,6 +97,7 @@ std::map<std::string, std::vector<double>, std::less<>> resampledUntilEnd(const 
     for (std::size_t l = 0; l < lives.size(); ++l) times[l] = ofUnits[units.of[l]];
     const auto thisEnd = endOfLearning(meanAverages(lives, times), record.condition.goalReward);
     elsewhere = elsewhere || thisEnd != end;
+    means["end"].push_back(thisEnd ? static_cast<double>(*thisEnd) : std::numeric_limits<double>::infinity());
     for (const OfLife& m : kOfLives)
       if (const double mean = meanUntil(m, lives, times, thisEnd, record.condition.stepTime); std::isfinite(mean))
         means[m.name].push_back(mean);

@@ -11,8 +11,9 @@
 
 namespace surefoot {
 
-/// The means in the resamples of falls, minutes, success_during, success_after, failure_during and failure_after. Two
-/// conditions with equally many units are resampled alike. Empty if all resamples have the same end, or for one unit.
+/// The means in the resamples of falls, minutes, success_during, success_after, failure_during and failure_after, and
+/// under `end` the episode in which learning ended (infinite: it never did). Two conditions with equally many units are
+/// resampled alike. Empty if all resamples have the same end, or for one unit.
 std::map<std::string, std::vector<double>, std::less<>> resampledUntilEnd(const ConditionRecord& record,
                                                                           std::optional<std::size_t> end);
 

@@ -32,11 +32,13 @@ Status readHead(const PlanFile& file, const std::string& path, Plan& plan, PlanH
       status = readCount(s.key, value, kMostLives, head.lives);
     else if (s.key == "seed")
       status = readSeed(value, head.seed);
+    else if (s.key == "series")
+      head.series = value;
     else if (s.key == "paired")
       status = readFlag(s.key, value, head.paired);
     else
-      status =
-          unknownKey(s.key, {"title", "reference", "lives", "seed", "paired", "base", "pre-learning", "condition"});
+      status = unknownKey(
+          s.key, {"title", "reference", "lives", "seed", "series", "paired", "base", "pre-learning", "condition"});
     if (!status) return planError(path, s.line, status.error().message);
   }
   return Done{};

@@ -4,7 +4,7 @@
 // A condition is a configuration, how many lives are lived under it, and what these have learned before. Its text names
 // everything in which it differs from the defaults; its lives' seeds are derived from the plan's master seed and this
 // text (without the length of a life), so that conditions are independent of each other and of their order, and the
-// same condition in two plans has the same lives.
+// same condition in two plans has the same lives, unless the plans say that they are of two series.
 #pragma once
 
 #include <atomic>
@@ -48,8 +48,8 @@ struct Plan {
 struct PlanChanges {
   std::optional<int> lives;
   std::optional<std::uint64_t> seed;
-  std::vector<Assignment> assignments;             ///< for every condition
-  std::optional<std::string> preset{};             ///< for every condition and its pre-learning
+  std::vector<Assignment> assignments;  ///< for every condition
+  std::optional<std::string> preset{};  ///< for every condition and its pre-learning, if its environment has it
   const std::atomic<bool>* interrupted = nullptr;  ///< set by anyone: reading ends with an error
 };
 

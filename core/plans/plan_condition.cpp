@@ -15,10 +15,12 @@ namespace {
 constexpr int kMostPool = 1'000'000;
 constexpr std::int64_t kMostEpisodes = 1'000'000'000;
 
-std::uint64_t hashText(std::string_view text, std::uint64_t seed) {
+/// The seed of what `text` describes, in this plan.
+std::uint64_t seedFor(std::string_view text, const PlanHead& head) {
   Hash64 hash;
-  hash.add(seed);
+  hash.add(head.seed);
   hash.add(text);
+  if (!head.series.empty()) hash.add(head.series);
   return hash.value();
 }
 
@@ -73,7 +75,7 @@ class ConditionMaker {
     if (const Status s = addPreLearning(c, draft, condition, line); !s) return s.error();
     if (!draft.file.empty())
       if (const Status s = readStart(draft.file, condition); !s) return refuse(s.error().message);
-    now.seed = head_.paired ? head_.seed : hashText(condition.text, head_.seed);
+    now.seed = !head_.paired ? seedFor(condition.text, head_) : head_.series.empty() ? head_.seed : seedFor("", head_);
     if (now.minutes) condition.text += fmt::format(" minutes={}", *now.minutes);
     if (now.episodes) condition.text += fmt::format(" episodes={}", *now.episodes);
     condition.name = nameOf(c, draft.name, true);
@@ -128,8 +130,15 @@ class ConditionMaker {
       if (!status) return planError(path_, c.where.at(key)->line, status.error().message);
     }
     draft.assignments.insert(draft.assignments.end(), head_.assignments.begin(), head_.assignments.end());
-    if (head_.preset) draft.names.preset = *head_.preset;
+    if (hasPreset(draft.names.environment)) draft.names.preset = *head_.preset;
     return Done{};
+  }
+
+  /// Whether the preset that all conditions shall have is one of this environment.
+  bool hasPreset(const std::string& environment) const {
+    return head_.preset && std::any_of(registry_.presets.begin(), registry_.presets.end(), [&](const auto& preset) {
+             return preset.name == *head_.preset && preset.environment == environment;
+           });
   }
 
   /// The settings under pre-learning; false: there are none.
@@ -164,7 +173,7 @@ class ConditionMaker {
         status = unknownKey(key, {"scenario", "preset", "policy", "set", "until", "minutes", "cap", "pool", "file"});
       if (!status) return planError(path_, c.where.at(fullKey)->line, "pre-learning: " + status.error().message);
     }
-    if (head_.preset) draft.names.preset = *head_.preset;
+    if (hasPreset(draft.names.environment)) draft.names.preset = *head_.preset;
     return wanted;
   }
 
@@ -199,7 +208,7 @@ class ConditionMaker {
       pre.configuration.episodes = cap;
       pre.text += fmt::format(" cap={}", cap);
     }
-    pre.configuration.seed = hashText(pre.text, head_.seed);
+    pre.configuration.seed = seedFor(pre.text, head_);
     condition.text += fmt::format(" pre-learning=({}) pool={}", pre.text,
                                   pre.pool == 0 ? std::string("each") : std::to_string(pre.pool));
     condition.preLearning = std::move(pre);

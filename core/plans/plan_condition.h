@@ -33,6 +33,7 @@ struct PlanHead {
   std::string reference;  ///< for conditions that name no reference
   std::uint64_t seed = 1;
   int lives = 40;
+  std::string series;  ///< see Plan
   bool paired = false;
   std::vector<Assignment> assignments;  ///< from the command line; they override the plan
   std::optional<std::string> preset;    ///< likewise

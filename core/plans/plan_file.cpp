@@ -41,7 +41,7 @@ std::optional<std::string> valueAsText(const toml::node& node) {
 /// Whether a key belongs to the recipe and not to its plan.
 bool isOfRecipes(const std::string& key) {
   for (const char* other :
-       {"figure", "claim", "shows", "table", "answers", "minutes_on_two_cores", "minutes_for_lives"})
+       {"figure", "claim", "shows", "table", "answers", "apart", "minutes_on_two_cores", "minutes_for_lives"})
     if (key == other) return true;
   return false;
 }
@@ -228,6 +228,7 @@ Result<nlohmann::json> parseRecipeBlocks(const std::string& text, const std::str
                        fmt::format("{}: {} is expected.", key, list ? "a list" : "[[" + key + "]]"));
     value = asJson(*node);
   }
+  blocks["apart"] = (*root)["apart"].value_or(false);
   return blocks;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <map>
+#include <set>
 
 namespace surefoot {
 
@@ -35,13 +36,26 @@ double stepTimeOf(const Registry& registry, const std::string& environment) {
   return entry ? (*entry)->make()->task().stepTime.value_or(0.0) : 0.0;
 }
 
-/// CPU seconds of one block: `lives` lives for every combination of its lists, and the pre-learning.
-double secondsOf(const Registry& registry, const PlanBlock& block, double lives) {
-  double conditions = 1, minutes = 0, episodes = 0, until = 0, before = 0, pool = 5;
+/// What pre-learning does not depend on: conditions that differ in nothing else share their Q-functions.
+bool isOfLivesOnly(const std::string& key) {
+  return key == "name" || key == "reference" || key == "policy" || key == "minutes" || key == "scenario" ||
+         key.starts_with("set.policy.");
+}
+
+/// CPU seconds of one block: `lives` lives for every combination of its lists, and the pre-learning, unless it is among
+/// the `lessons` of an earlier block.
+double secondsOf(const Registry& registry, const PlanBlock& block, double lives, std::set<std::string>& lessons) {
+  std::string lessonIs;
+  double lessonsHere = 1, conditions = 1, minutes = 0, episodes = 0, until = 0, before = 0, pool = 5;
   std::string environment = "pendulum";
   bool preLearned = false;
   for (const PlanSetting& s : block.settings) {
     conditions *= static_cast<double>(s.values.size());
+    if (!isOfLivesOnly(s.key)) {
+      lessonsHere *= static_cast<double>(s.values.size());
+      lessonIs += s.key + "=";
+      for (const std::string& v : s.values) lessonIs += v + ",";
+    }
     const std::string& value = s.values.back();
     if (s.key == "environment") environment = value;
     if (s.key == "minutes") minutes = numberOf(value, 0);
@@ -56,18 +70,20 @@ double secondsOf(const Registry& registry, const PlanBlock& block, double lives)
   const double life = minutes > 0 ? steps(minutes) : episodes * speed.episode;
   constexpr double kUntilReached = 9;  // simulated minutes until a reward is reached, about
   const double lesson = !preLearned ? 0 : steps(before > 0 ? before : until != 0 ? kUntilReached : 0);
-  return conditions * (lives * life + pool * lesson) / speed.steps;
+  if (!lessons.insert(lessonIs).second) lessonsHere = 0;
+  return (conditions * lives * life + lessonsHere * pool * lesson) / speed.steps;
 }
 
 }  // namespace
 
-double minutesFor(const Registry& registry, const PlanFile& plan, int threads) {
-  double lives = 40;
+double minutesFor(const Registry& registry, const PlanFile& plan, int threads, std::optional<int> otherLives) {
+  double lives = otherLives.value_or(40);
   for (const PlanSetting& s : plan.head)
-    if (s.key == "lives") lives = std::max(1.0, numberOf(s.values.front(), lives));
+    if (s.key == "lives" && !otherLives) lives = std::max(1.0, numberOf(s.values.front(), lives));
   const auto estimated = [&](double livesEach) {
     double seconds = 0;
-    for (const PlanBlock& block : plan.blocks) seconds += secondsOf(registry, block, livesEach);
+    std::set<std::string> lessons;
+    for (const PlanBlock& block : plan.blocks) seconds += secondsOf(registry, block, livesEach, lessons);
     return seconds;
   };
   if (plan.minutesOnTwoCores <= 0) return estimated(lives) / 60 / std::max(1, threads);

@@ -43,7 +43,8 @@ const std::map<std::string, Verdict (Judge::*)()>& Judge::kinds() {
                                                                      {"compromise", &Judge::compromise},
                                                                      {"effect-order", &Judge::effectOrder},
                                                                      {"bands-overlap", &Judge::bandsOverlap},
-                                                                     {"dips", &Judge::dips}};
+                                                                     {"dips", &Judge::dips},
+                                                                     {"equal-exploring", &Judge::equalExploring}};
   return kKinds;
 }
 
@@ -119,13 +120,24 @@ std::vector<double> Judge::values(const Evidence& e) const {
   return v;
 }
 
+MeanEstimate Judge::estimate(const Evidence& e) {
+  static const std::set<std::string> kUpToTheEnd = {"falls",         "minutes",        "success_during",
+                                                    "success_after", "failure_during", "failure_after"};
+  MeanEstimate mean = estimateOf(e, measure_);
+  if (e.end || !(e.record.condition.goalReward > 0) || !kUpToTheEnd.contains(measure_)) return mean;
+  neverEnded_ = e.name();
+  mean.deviations.clear(), mean.degrees = 0;
+  return mean;
+}
+
 double Judge::p(const Evidence& a, const Evidence& b) {
+  if (!estimate(a).known() || !estimate(b).known()) return std::nan("");
   const auto test = testOfUnits(a, b, measure_);
   return test ? test->p : std::nan("");
 }
 
 Interval Judge::change(const Evidence& reference, const Evidence& e) {
-  const MeanEstimate before = estimateOf(reference, measure_), after = estimateOf(e, measure_);
+  const MeanEstimate before = estimate(reference), after = estimate(e);
   const Interval change = changeOf(before, after, sameUnits(reference, e));
   ofNothing_ = before.value == 0;
   toNothing_ = !ofNothing_ && after.value == 0 && before.known() && after.known() && !change.known();
@@ -134,15 +146,14 @@ Interval Judge::change(const Evidence& reference, const Evidence& e) {
 
 Interval Judge::judged(const Interval& change, const Evidence& reference, const Evidence& e) {
   if (!toNothing_) return change;
-  const MeanEstimate before = estimateOf(reference, measure_);
-  const Interval d = differenceOf(before, estimateOf(e, measure_), sameUnits(reference, e));
+  const MeanEstimate before = estimate(reference);
+  const Interval d = differenceOf(before, estimate(e), sameUnits(reference, e));
   return {change.value, 100 * d.low / std::abs(before.value), 100 * d.high / std::abs(before.value)};
 }
 
 bool Judge::leavesZeroIn(const Evidence& reference, const Evidence& e) {
   const Interval i = change(reference, e);
-  const Interval d =
-      i.known() ? i : differenceOf(estimateOf(reference, measure_), estimateOf(e, measure_), sameUnits(reference, e));
+  const Interval d = i.known() ? i : differenceOf(estimate(reference), estimate(e), sameUnits(reference, e));
   if (d.low > 0 || d.high < 0) return false;
   if (d.known())
     note(fmt::format("{}: the interval leaves 0 in", e.name()));
@@ -161,7 +172,7 @@ std::vector<double> Judge::drawn(const Group& group, const std::function<double(
     const auto [number, isNew] = numbers.try_emplace(e, means.size());
     places.push_back(number->second);
     if (!isNew) continue;
-    means.push_back(estimateOf(*e, measure_));
+    means.push_back(estimate(*e));
     together.push_back(firsts.add(*e));
   }
   if (means.size() == group.size()) return drawMeans(means, together, f, random_);
@@ -186,9 +197,12 @@ void Judge::report(const Interval& i) {
 }
 
 Verdict Judge::tooFew(const std::string& condition) {
-  const char* why = ofNothing_   ? "the reference is 0, of which there are no per cent"
-                    : toNothing_ ? "it is 0 in every life; how rare more is cannot be told in per cent"
-                                 : "too few lives to tell";
+  const std::string never =
+      fmt::format("learning never ended in {}, and lives that were cut off are not compared", neverEnded_);
+  const char* why = !neverEnded_.empty() ? never.c_str()
+                    : ofNothing_         ? "the reference is 0, of which there are no per cent"
+                    : toNothing_         ? "it is 0 in every life; how rare more is cannot be told in per cent"
+                                         : "too few lives to tell";
   note(condition.empty() ? why : fmt::format("{}: {}", condition, why));
   return Verdict::Undecided;
 }
@@ -217,7 +231,7 @@ nlohmann::ordered_json judgementAsJson(const Judgement& j) {
   const auto orNull = [](const std::optional<double>& v) { return numberAsJson(v.value_or(std::nan(""))); };
   return {{"id", j.id},           {"says", j.says},         {"thesis", j.thesis}, {"ours", orNull(j.ours)},
           {"low", orNull(j.low)}, {"high", orNull(j.high)}, {"p", orNull(j.p)},   {"verdict", nameOf(j.verdict)},
-          {"note", j.note}};
+          {"counts", j.counts},   {"note", j.note}};
 }
 
 // A part between two * is searched from the left: its first place leaves the most room for later parts.

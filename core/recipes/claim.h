@@ -69,6 +69,9 @@ struct Claim {
   std::string id, kind, says;
   nlohmann::json arguments;  ///< thesis, conditions, measure, …
   bool calibrated = false;   ///< the default preset was fitted to it: judged on the lab preset, too
+  /// What an agreement is worth: "test" (it could have failed), "fitted", "arithmetic" (exact kinds), "implied" (the
+  /// thesis does not print the number, it follows from others that it prints) or "question" (the thesis asks).
+  std::string counts = "test";
 };
 
 enum class Verdict { Agrees, Differs, Undecided };
@@ -76,6 +79,7 @@ const char* nameOf(Verdict verdict);
 
 struct Judgement {
   std::string id, says, note;
+  std::string counts = "test";               ///< see Claim
   nlohmann::json thesis;                     ///< a number, a text or null
   std::optional<double> ours, low, high, p;  ///< p: the worst of several
   Verdict verdict = Verdict::Undecided;

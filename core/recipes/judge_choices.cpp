@@ -55,7 +55,8 @@ Verdict Judge::best() {
         everything.push_back(e), own.push_back(parameterOf(*e, along));
     if (own.size() < 2) complain("groups", fmt::format("{} names fewer than two conditions", jsonText(list)));
   }
-  if (values.size() < 2) complain("groups", "two or more are expected");
+  const bool alone = values.size() == 1 && arguments_.contains("thesis");
+  if (values.size() < 2 && !alone) complain("groups", "two or more are expected, or one and the thesis's value");
   if (relation != "same" && relation != "lower" && relation != "not-lower")
     complain("relation", "it takes same, lower or not-lower");
   if (!problem_.empty()) return Verdict::Undecided;
@@ -77,6 +78,12 @@ Verdict Judge::best() {
     note(fmt::format("best {:g} ({:g} … {:g})", intervals[g].value, intervals[g].low, intervals[g].high));
   }
   report(intervals[0]);
+  if (alone) {
+    const double thesis = number("thesis");
+    const auto [least, most] = std::minmax_element(values[0].begin(), values[0].end());
+    if (!overlaps(intervals[0], thesis, thesis)) return Verdict::Differs;
+    return intervals[0].high - intervals[0].low > (*most - *least) / 2 ? tooFew() : Verdict::Agrees;
+  }
   if (relation == "same") {
     const bool same = std::all_of(intervals.begin(), intervals.end(),
                                   [&](const Interval& i) { return overlaps(i, intervals[0].low, intervals[0].high); });
@@ -89,6 +96,51 @@ Verdict Judge::best() {
     }
     return true;
   }));
+}
+
+// Falls of `others` at the share that a condition explores, on the line between the two next to it.
+Verdict Judge::equalExploring() {
+  const auto exploring = [](const Evidence& e) { return meanOf(e, "exploring").value; };
+  Group others = find("others");
+  std::sort(others.begin(), others.end(),
+            [&](const Evidence* a, const Evidence* b) { return exploring(*a) < exploring(*b); });
+  if (others.size() < 2) complain("others", "two or more conditions are expected");
+  if (!problem_.empty()) return Verdict::Undecided;
+  const double sign = number("sign", -1);
+  std::vector<Verdict> verdicts;
+  for (const Evidence* e : conditions_) {
+    const double share = exploring(*e);
+    const auto above =
+        std::find_if(others.begin() + 1, others.end() - 1, [&](const Evidence* o) { return exploring(*o) >= share; });
+    const Evidence &low = **(above - 1), &high = **above;
+    const double at = (share - exploring(low)) / (exploring(high) - exploring(low));
+    if (!(at >= 0 && at <= 1)) {
+      note(fmt::format("{} explores in {:.1f} % of its steps, which none of the others come near", e->name(),
+                       100 * share));
+      verdicts.push_back(Verdict::Undecided);
+      continue;
+    }
+    const auto changeIn = [&](const std::vector<double>& m) {
+      const double there = (1 - at) * m[1] + at * m[2];
+      return 100 * (m[0] - there) / std::abs(there);
+    };
+    auto changes = drawn({e, &low, &high}, changeIn);
+    if (changes.empty()) {
+      verdicts.push_back(tooFew(e->name()));
+      continue;
+    }
+    std::sort(changes.begin(), changes.end());
+    const auto quantile = [&](double q) { return quantileOfSorted(changes, q); };
+    const Interval i{changeIn({mean(*e), mean(low), mean(high)}), quantile(0.025), quantile(0.975)};
+    const double nearer = quantile(sign < 0 ? 1 - kSignificant / 2 : kSignificant / 2);
+    const double farther = quantile(sign < 0 ? kSignificant / 2 : 1 - kSignificant / 2);
+    note(fmt::format("{}, {:.1f} %: {} % ({} … {})", e->name(), 100 * share, signedText(i.value, 0),
+                     signedText(i.low, 0), signedText(i.high, 0)));
+    if (!j_.ours || (i.value - *j_.ours) * sign < 0) report(i);
+    const bool none = farther * sign <= 0 || !mayExceed(i, sign<0, sign> 0);
+    verdicts.push_back(nearer * sign > 0 ? Verdict::Agrees : none ? Verdict::Differs : Verdict::Undecided);
+  }
+  return all(verdicts);
 }
 
 Verdict Judge::compromise() {
@@ -121,8 +173,9 @@ Verdict Judge::compromise() {
   return open && !beaten ? tooFew() : agreesIf(!beaten);
 }
 
-// Cohen's d of each against its reference, with the spread of the lives that are there.
+// Cohen's d of each against its reference, with the spread of the lives that are there; or, `relative`, the change.
 Verdict Judge::effectOrder() {
+  const bool relative = arguments_.value("relative", false);
   if (conditions_.size() % 2 != 0) complain("conditions", "pairs are expected");
   std::vector<Verdict> verdicts;
   for (std::size_t i = 0; problem_.empty() && i + 1 < conditions_.size(); i += 2) {
@@ -137,7 +190,9 @@ Verdict Judge::effectOrder() {
       verdicts.push_back(tooFew(smaller.name()));
       continue;
     }
-    const auto gain = [&](const std::vector<double>& m, std::size_t at, double s) { return (m[at + 1] - m[at]) / s; };
+    const auto gain = [&](const std::vector<double>& m, std::size_t at, double s) {
+      return (m[at + 1] - m[at]) / (relative ? std::abs(m[at + 1]) : s);
+    };
     const double held = share(four, [&](const auto& m) { return gain(m, 0, s1) < gain(m, 2, s2); });
     std::vector<double> means;
     for (const Evidence* e : four) means.push_back(mean(*e));
@@ -170,7 +225,8 @@ Verdict Judge::bandsOverlap() {
   return all(verdicts);
 }
 
-// The lowest point of the mean average reward, life by life against the average of the first episodes.
+// The lowest point of the mean average reward, life by life against the average of the first episodes: found by one
+// half of the lives and measured with the other.
 Verdict Judge::dips() {
   const auto first = static_cast<std::size_t>(std::max(1.0, number("first", 10)));
   std::vector<Verdict> verdicts;
@@ -179,14 +235,17 @@ Verdict Judge::dips() {
       complain("first", fmt::format("{} has {} episodes only", e->name(), e->averages.size()));
       return Verdict::Undecided;
     }
-    const auto begin = e->averages.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto lowest = static_cast<std::size_t>(std::min_element(begin, e->averages.end()) - e->averages.begin());
+    const Evidence finding = halfOf(*e, 0), measuring = halfOf(*e, 1);
+    const std::vector<double> found = meanAverageRewards(finding.record);
+    const auto begin = found.begin() + static_cast<std::ptrdiff_t>(std::min(first, found.size() - 1));
+    const auto lowest = static_cast<std::size_t>(
+        std::min_element(begin, found.begin() + static_cast<std::ptrdiff_t>(e->averages.size())) - found.begin());
     std::vector<double> changes;
-    for (const auto& episodes : e->record.episodes) {
+    for (const auto& episodes : measuring.record.episodes) {
       const auto averages = averageRewards(episodes);
       changes.push_back(averages[lowest] - averages[first - 1]);
     }
-    const Interval i = intervalOf(estimateOf(changes, unitsOf(e->record)));
+    const Interval i = intervalOf(estimateOf(changes, unitsOf(measuring.record)));
     if (!i.known()) {
       report(i);
       verdicts.push_back(tooFew(e->name()));

@@ -196,6 +196,7 @@ Verdict Judge::trend() {
   for (const Evidence* e : conditions_) {
     const double varied = parameterOf(*e, along);
     if (!std::isfinite(varied)) return Verdict::Undecided;
+    if (!estimate(*e).known()) return tooFew(e->name());
     for (const double v : values(*e)) x.push_back(varied), y.push_back(v);
   }
   const auto r = rankCorrelation(x, y);

@@ -92,7 +92,7 @@ std::vector<std::string> patternsOf(const Claim& claim) {
     if (value.is_array())
       for (const Json& element : value) self(self, element);
   };
-  for (const char* key : {"conditions", "others", "pairs", "groups", "reference"})
+  for (const char* key : {"conditions", "lab_conditions", "others", "pairs", "groups", "reference"})
     if (claim.arguments.contains(key)) add(add, claim.arguments[key]);
   for (const Json& row : partOf(claim.arguments, "rows"))
     for (const char* key : {"condition", "of"})
@@ -153,6 +153,15 @@ Status readFigures(const Json& blocks, const std::vector<std::string>& measures,
   return Done{};
 }
 
+Status readCounts(Json& block, Claim& claim) {
+  static const std::set<std::string> kExact = {"rule", "parameters", "drawn", "same-values"};
+  claim.counts = claim.calibrated ? "fitted" : kExact.contains(claim.kind) ? "arithmetic" : "test";
+  if (const std::string said = take(block, "counts"); !said.empty()) claim.counts = said;
+  static const std::vector<std::string> kAll = {"test", "fitted", "arithmetic", "implied", "question"};
+  if (std::find(kAll.begin(), kAll.end(), claim.counts) != kAll.end()) return Done{};
+  return Error{fmt::format("counts: it takes {}.", joinWords(kAll, "or"))};
+}
+
 Status readClaims(const Json& blocks, const std::vector<std::string>& measures, Recipe& recipe) {
   static const Keys kKeys = {{"id", Takes::Text},
                              {"kind", Takes::Text},
@@ -166,6 +175,9 @@ Status readClaims(const Json& blocks, const std::vector<std::string>& measures, 
                              {"other", Takes::Text},
                              {"along", Takes::Text},
                              {"relation", Takes::Text},
+                             {"relative", Takes::Flag},
+                             {"counts", Takes::Text},
+                             {"lab_conditions", Takes::Texts},
                              {"draws", Takes::Text},
                              {"within", Takes::Number},
                              {"tolerance", Takes::Number},
@@ -191,6 +203,7 @@ Status readClaims(const Json& blocks, const std::vector<std::string>& measures, 
     Claim claim{.id = take(block, "id"), .kind = take(block, "kind"), .says = take(block, "says"), .arguments = {}};
     claim.calibrated = block.contains("calibrated") && block["calibrated"] == true;
     block.erase("calibrated");
+    if (const Status s = readCounts(block, claim); !s) return wrong("claim", id, s.error().message);
     claim.arguments = std::move(block);
     if (const Status s = checkKind(claim); !s) return s;
     for (const Status& s : {checkMeasures(claim.arguments, measures), checkNamed(recipe, patternsOf(claim))})
@@ -234,15 +247,16 @@ bool Recipe::calibrated() const {
   return std::any_of(claims.begin(), claims.end(), [](const Claim& c) { return c.calibrated; });
 }
 
-Result<std::vector<std::string>> recipeShows(const std::string& path) {
+Result<RecipeHead> recipeHead(const std::string& path) {
   const auto text = readText(path);
   if (!text) return text.error();
   const auto blocks = parseRecipeBlocks(*text, path);
   if (!blocks) return blocks.error();
-  std::vector<std::string> shows;
+  RecipeHead head;
+  head.apart = (*blocks)["apart"] == true;
   for (const Json& shown : (*blocks)["shows"])
-    if (shown.is_string()) shows.push_back(shown);
-  return shows;
+    if (shown.is_string()) head.shows.push_back(shown);
+  return head;
 }
 
 Result<Recipe> readRecipe(const Registry& registry, const std::string& path, const PlanChanges& changes) {
@@ -258,6 +272,11 @@ Result<Recipe> onLabPreset(const Registry& registry, const std::string& path, co
   if (!recipe) return recipe;
   recipe->figures.clear();
   std::erase_if(recipe->claims, [](const Claim& c) { return !c.calibrated; });
+  for (Claim& claim : recipe->claims) {
+    if (claim.counts == "fitted") claim.counts = "test";  // nothing was fitted to this preset
+    const auto own = claim.arguments.find("lab_conditions");
+    if (own != claim.arguments.end()) claim.arguments["conditions"] = *own;
+  }
   std::set<std::string> needed;
   auto& conditions = recipe->plan.conditions;
   for (const Claim& claim : recipe->claims)

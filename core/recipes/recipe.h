@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A recipe: a plan, the figures to draw from its results, and the claims of the thesis to test with them. It is one
 // TOML file: a plan with [[figure]] and [[claim]] blocks. At the top are the lists `shows`, the thesis's figures and
-// tables, and `table`, the measures that the table of its conditions has besides the falls. For the list in the window
+// tables, `table`, the measures that the table of its conditions has besides the falls, and `apart = true` for what
+// takes so long that "all" leaves it out. For the list in the window
 // there are `answers`, its question in a sentence, and `minutes_on_two_cores`, how long it took with
 // `minutes_for_lives` lives per condition.
 #pragma once
@@ -23,8 +24,12 @@ struct Recipe {
   bool calibrated() const;  ///< some claim is judged on the lab preset, too
 };
 
-/// The figures and tables of the thesis that a recipe shows, by their names in the thesis.
-Result<std::vector<std::string>> recipeShows(const std::string& path);
+/// What a recipe says of itself at its top.
+struct RecipeHead {
+  std::vector<std::string> shows;  ///< the figures and tables of the thesis, by their names there
+  bool apart = false;              ///< it takes long, and is run by its own name only
+};
+Result<RecipeHead> recipeHead(const std::string& path);
 
 /// Reads a recipe from text; messages name `path`. A plan without figures and claims is a recipe, too.
 Result<Recipe> parseRecipe(const Registry& registry, const std::string& text, const std::string& path,

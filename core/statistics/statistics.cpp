@@ -227,14 +227,25 @@ std::optional<double> rankCorrelation(Sample a, Sample b) {
   return products / std::sqrt(squaresA * squaresB);
 }
 
-// n = 2 (z_0.975 + z_power)² σ²/Δ² + z_0.975²/4
-std::int64_t livesNeeded(double standardDeviation, double difference, double power) {
+namespace {
+
+/// times·(z_level + z_power)² σ²/Δ² + correction·z_level²
+std::int64_t needed(double times, double correction, double sd, double difference, double power, double level) {
   constexpr double kMost = 1e6;
   if (difference == 0.0) return static_cast<std::int64_t>(kMost);
   const dist::normal normal;
-  const double z = dist::quantile(normal, 0.975), zPower = dist::quantile(normal, power);
-  const double ratio = (z + zPower) * standardDeviation / difference;
-  return static_cast<std::int64_t>(std::clamp(std::ceil(2 * ratio * ratio + z * z / 4), 2.0, kMost));
+  const double z = dist::quantile(normal, 1 - level / 2), ratio = (z + dist::quantile(normal, power)) * sd / difference;
+  return static_cast<std::int64_t>(std::clamp(std::ceil(times * ratio * ratio + correction * z * z), 2.0, kMost));
+}
+
+}  // namespace
+
+std::int64_t livesNeeded(double standardDeviation, double difference, double power, double level) {
+  return needed(2, 0.25, standardDeviation, difference, power, level);
+}
+
+std::int64_t pairsNeeded(double standardDeviation, double difference, double power, double level) {
+  return needed(1, 0.5, standardDeviation, difference, power, level);
 }
 
 // share = σ²_between/(σ²_between + σ²_within), σ²_between = (MS_between − MS_within)/n, n the size of a group (for

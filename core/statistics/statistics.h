@@ -67,9 +67,11 @@ std::optional<double> effectSize(Sample a, Sample b);
 /// Spearman's rank correlation, ties shared; empty if one of the samples is constant.
 std::optional<double> rankCorrelation(Sample a, Sample b);
 
-/// How many lives per condition show a difference of two means with the given power, two-sided at 5 %, for values with
-/// this standard deviation; at most 10⁶. (Normal approximation, with Guenther's (1981) correction of z²/4.)
-std::int64_t livesNeeded(double standardDeviation, double difference, double power = 0.8);
+/// How many lives per condition show a difference of two means with the given power, two-sided at `level`, for values
+/// with this standard deviation; at most 10⁶. (Normal approximation, with Guenther's (1981) correction of z²/4.)
+std::int64_t livesNeeded(double standardDeviation, double difference, double power = 0.8, double level = 0.01);
+/// The same for pairs, whose differences have this standard deviation (correction z²/2).
+std::int64_t pairsNeeded(double standardDeviation, double difference, double power = 0.8, double level = 0.01);
 
 /// How much of the variance lies between groups of equal size: the random-effects model of one-way analysis of
 /// variance.

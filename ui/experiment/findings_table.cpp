@@ -50,14 +50,15 @@ QString valueText(double value, int decimals) {
 FindingsTable::FindingsTable(Experiment& experiment, QWidget* parent) : QTableWidget(parent), experiment_(experiment) {
   setAccessibleName(tr("Results"));
   setUpTable(*this, {tr("Condition"), tr("Lives"), tr("Falls"), tr("± (95 %)"), tr("Change %"), tr("% (95 % interval)"),
-                     tr("p ANOVA"), tr("p Holm"), tr("X"), tr("Time min"), tr("Thesis"), tr("Verdict")});
+                     tr("p"), tr("p Holm"), tr("X"), tr("Time min"), tr("Thesis"), tr("Verdict")});
   horizontalHeaderItem(VerdictIs)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   const std::pair<Column, QString> tips[] = {
       {Name, tr("pre(3): its lives began with what was learned on scenario 3")},
       {PlusMinus, tr("Half of the 95 % interval of the mean, in falls")},
       {ChangeIs, tr("Of the falls, against the reference")},
       {Range, tr("The 95 % interval of the change, in per cent")},
-      {P, tr("One-way analysis of variance, this condition against its reference")},
+      {P, tr("This condition against its reference: by pairs of lives or Q-functions where both have the same, by the "
+             "Q-functions where lives share them, else the one-way analysis of variance of the lives")},
       {Holm, tr("The same, corrected for all comparisons with this reference (Holm 1979)")},
       {Mark, tr("X: differs from the reference with p < .01")},
       {Time, tr("Simulated minutes until the end of learning; – for a task without a clock")}};

@@ -108,8 +108,8 @@ TEST(Claim, NotLongerIsUndecidedWhereAQuarterMoreIsPossible) {
 TEST(Claim, OtherKinds) {
   EXPECT_EQ(verdict("ratio", {{"low", 1.8}, {"high", 2.2}, {"conditions", {"reference", "half"}}}), Verdict::Agrees);
   EXPECT_EQ(verdict("ratio", {{"low", 2.5}, {"high", 3}, {"conditions", {"reference", "half"}}}), Verdict::Differs);
-  EXPECT_EQ(verdict("extreme", {{"low", -45}, {"high", -35}, {"conditions", {"TRL *"}}}), Verdict::Agrees);
-  EXPECT_EQ(verdict("extreme", {{"low", -35}, {"high", -15}, {"conditions", {"TRL *"}}}), Verdict::Differs);
+  EXPECT_EQ(verdict("extreme", {{"low", -52}, {"high", -28}, {"conditions", {"TRL *"}}}), Verdict::Agrees);
+  EXPECT_EQ(verdict("extreme", {{"low", -20}, {"high", -5}, {"conditions", {"TRL *"}}}), Verdict::Differs);
   EXPECT_EQ(verdict("not-worse", {{"conditions", {"half", "TRL *"}}}), Verdict::Agrees);
   EXPECT_EQ(verdict("not-worse", {{"conditions", {"TRL 0", "TRL 50"}}}), Verdict::Differs);
   EXPECT_EQ(verdict("not-worse", {{"conditions", {"same", "reference"}}}), Verdict::Agrees);
@@ -233,7 +233,8 @@ TEST(Claim, AWrongClaimIsNamed) {
   refused("drawn", {{"draws", "bars"}, {"rows", Json::array({{{"condition", "half"}}})}}, "bars");
   refused("dips", {{"conditions", kHalf}}, "first");
   refused("same-values", {{"conditions", kHalf}}, "two");
-  refused("ratio", {{"low", 1}, {"high", 2}, {"conditions", kHalf}}, "two");
+  refused("ratio", {{"low", 1}, {"high", 2}, {"conditions", kHalf}}, "pairs");
+  refused("equal-exploring", {{"conditions", kHalf}, {"others", kHalf}}, "others");
 }
 
 TEST(Claim, PatternsHaveStars) {

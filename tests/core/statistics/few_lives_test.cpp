@@ -157,9 +157,10 @@ TEST(FewLives, LivesThatNeverFallAreJudgedByTheDifference) {
 }
 
 TEST(FewLives, AConditionIsDrawnOnceHoweverOftenItIsNamed) {
-  const std::vector<Evidence> one = {condition("a", 20), condition("b", 30, "a")};
-  const Claim claim{.id = "X1", .kind = "order", .says = "", .arguments = {{"conditions", {"a", "a"}}}};
-  EXPECT_EQ(judge(kRegistry, claim, one, 1)->verdict, Verdict::Agrees) << "it is never above itself";
+  const std::vector<Evidence> two = {condition("a", 20), condition("b", 20.01, "a")};
+  const Claim claim{
+      .id = "X1", .kind = "spread", .says = "", .arguments = {{"conditions", {"a", "a"}}, {"others", {"a", "b"}}}};
+  EXPECT_EQ(judge(kRegistry, claim, two, 1)->verdict, Verdict::Agrees) << "it has no distance from itself";
 }
 
 TEST(FewLives, TheFirstWithTheSameUnitsIsFoundWithoutComparingAll) {

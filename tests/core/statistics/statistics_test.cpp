@@ -107,10 +107,15 @@ TEST(Statistics, RankCorrelationSharesTies) {
 
 TEST(Statistics, LivesNeededAsPowerTTest) {
   // R: power.t.test(delta = 1, sd = 1, power = .8): n 16.71; delta = 0.5: n 63.77; power = .9: 22.02
-  EXPECT_EQ(livesNeeded(1, 1), 17);
-  EXPECT_EQ(livesNeeded(1, -0.5), 64);
-  EXPECT_EQ(livesNeeded(1, 1, 0.9), 22);  // 22.02 rounded up would be 23; the approximation gives 21.97
+  EXPECT_EQ(livesNeeded(1, 1, 0.8, 0.05), 17);
+  EXPECT_EQ(livesNeeded(1, -0.5, 0.8, 0.05), 64);
+  EXPECT_EQ(livesNeeded(1, 1, 0.9, 0.05), 22);  // 22.02 rounded up would be 23; the approximation gives 21.97
   EXPECT_EQ(livesNeeded(1, 0), 1'000'000);
+  // Noncentral t (sig.level = .01, power .8): 24.9 lives a side and 95.1; of pairs 15.1 and 50.3. The level of the X.
+  EXPECT_NEAR(static_cast<double>(livesNeeded(1, 1)), 25, 1);
+  EXPECT_NEAR(static_cast<double>(livesNeeded(1, 0.5)), 96, 1);
+  EXPECT_NEAR(static_cast<double>(pairsNeeded(1, 1)), 15, 1);
+  EXPECT_NEAR(static_cast<double>(pairsNeeded(1, -0.5)), 51, 1);
 }
 
 TEST(Statistics, VarianceComponentOfDyestuff) {
