@@ -37,8 +37,8 @@ Status readHead(const PlanFile& file, const std::string& path, Plan& plan, PlanH
     else if (s.key == "paired")
       status = readFlag(s.key, value, head.paired);
     else
-      status = unknownKey(
-          s.key, {"title", "reference", "lives", "seed", "series", "paired", "base", "pre-learning", "condition"});
+      status = unknownKey(s.key, {"title", "reference", "lives", "seed", "series", "paired", "base", "pre-learning",
+                                  "systems", "condition"});
     if (!status) return planError(path, s.line, status.error().message);
   }
   return Done{};
@@ -92,22 +92,33 @@ Result<Plan> parsePlan(const Registry& registry, const std::string& text, const 
   plan.paired = head.paired;
   head.assignments = changes.assignments;
   head.preset = changes.preset;
+  const auto systems = drawSystems(file->systems, path);
+  if (!systems) return systems.error();
+  plan.systems = static_cast<int>(systems->size());
   std::vector<std::vector<Combination>> grids;  // counted before the first is made
   std::size_t count = 0;
   for (const PlanBlock& block : file->blocks) {
-    count += grids.emplace_back(combine(block)).size();
+    count += grids.emplace_back(combine(block)).size() * std::max<std::size_t>(1, systems->size());
     if (count > kMostConditions)
       return planError(path, block.line, fmt::format("there are more than {} conditions.", kMostConditions));
   }
-  for (std::size_t i = 0; i < grids.size(); ++i)
-    for (const Combination& combination : grids[i]) {
-      const PlanBlock& block = file->blocks[i];
-      if (changes.interrupted && *changes.interrupted)
-        return Error{path + ": interrupted before its conditions were read.", ErrorKind::Interrupted};
-      auto condition = makeCondition(registry, path, head, combination, block.line);
-      if (!condition) return condition.error();
-      plan.conditions.push_back(std::move(*condition));
-    }
+  const auto addAll = [&]() -> Status {
+    for (std::size_t i = 0; i < grids.size(); ++i)
+      for (const Combination& combination : grids[i]) {
+        if (changes.interrupted && *changes.interrupted)
+          return Error{path + ": interrupted before its conditions were read.", ErrorKind::Interrupted};
+        auto condition = makeCondition(registry, path, head, combination, file->blocks[i].line);
+        if (!condition) return condition.error();
+        plan.conditions.push_back(std::move(*condition));
+      }
+    return Done{};
+  };
+  if (systems->empty())
+    if (const Status s = addAll(); !s) return s.error();
+  for (const DrawnSystem& system : *systems) {
+    head.system = system;
+    if (const Status s = addAll(); !s) return s.error();
+  }
   if (const Status s = checkConditions(plan.conditions); !s) return planError(path, 0, s.error().message);
   return plan;
 }

@@ -41,6 +41,7 @@ struct Plan {
   std::uint64_t seed = 1;
   int lives = 40;       ///< per condition
   bool paired = false;  ///< life i has the same seeds in every condition
+  int systems = 0;      ///< every condition on each of so many drawn systems, "system 7: …"; 0: the plan draws none
   std::vector<Condition> conditions;
 };
 

@@ -80,10 +80,12 @@ class ConditionMaker {
     if (now.episodes) condition.text += fmt::format(" episodes={}", *now.episodes);
     condition.name = nameOf(c, draft.name, true);
     if (condition.name.empty()) condition.name = draft.names.policy;
+    condition.name = head_.system.prefix + condition.name;
     if (const std::string unknown = placeholderIn(condition.name); !unknown.empty())
       return planError(path_, c.where.at("name")->line,
                        fmt::format("name: {} is none of the condition's own settings.", unknown));
     condition.reference = nameOf(c, draft.reference, false);
+    if (!condition.reference.empty()) condition.reference = head_.system.prefix + condition.reference;
     if (const Status s = tryOut(condition); !s) return refuse(s.error().message);
     return condition;
   }
@@ -101,6 +103,7 @@ class ConditionMaker {
 
   Status read(const Combination& c, Draft& draft) const {
     draft.reference = head_.reference;
+    draft.assignments = head_.system.assignments;
     for (const auto& [key, value] : c.all) {
       Status status = Done{};
       if (key == "name")

@@ -8,6 +8,7 @@
 
 #include "core/plans/plan.h"
 #include "core/plans/plan_file.h"
+#include "core/plans/plan_systems.h"
 
 namespace surefoot {
 
@@ -33,7 +34,8 @@ struct PlanHead {
   std::string reference;  ///< for conditions that name no reference
   std::uint64_t seed = 1;
   int lives = 40;
-  std::string series;  ///< see Plan
+  std::string series;  ///< mixed into every seed: plans of different series have no life in common
+  DrawnSystem system;  ///< the one whose conditions are made
   bool paired = false;
   std::vector<Assignment> assignments;  ///< from the command line; they override the plan
   std::optional<std::string> preset;    ///< likewise

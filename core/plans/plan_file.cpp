@@ -56,13 +56,14 @@ class Reader {
     for (const auto& [key, node] : root) {
       const std::string name(key.str());
       if (name == "condition" || isOfRecipes(name)) continue;
-      const std::string prefix = name == "base" ? "" : name + ".";
-      auto& into = name == "base" || name == "pre-learning" ? shared : file.head;
+      const std::string prefix = name == "base" || name == "systems" ? "" : name + ".";
+      auto& into = name == "base" || name == "pre-learning" ? shared : name == "systems" ? file.systems : file.head;
       const Status s = node.is_table() ? flatten(*node.as_table(), prefix, into, 0) : add(name, node, into);
       if (!s) return s.error();
     }
     inOrder(file.head);
     inOrder(shared);
+    inOrder(file.systems);
 
     const toml::node* conditions = root.get("condition");
     if (!conditions) return planError(path_, 0, "there is no [[condition]]; a plan needs at least one.");

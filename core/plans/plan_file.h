@@ -28,6 +28,7 @@ struct PlanBlock {
 struct PlanFile {
   std::vector<PlanSetting> head;  ///< title, seed, …
   std::vector<PlanBlock> blocks;
+  std::vector<PlanSetting> systems;  ///< of [systems]
   // Only in recipes.
   std::vector<std::string> shows;  ///< figures and tables of the thesis
   std::string answers;             ///< the question, in a sentence

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/plans/plan_time.h"
 
+#include "core/plans/plan_systems.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -84,7 +86,7 @@ double minutesFor(const Registry& registry, const PlanFile& plan, int threads, s
     double seconds = 0;
     std::set<std::string> lessons;
     for (const PlanBlock& block : plan.blocks) seconds += secondsOf(registry, block, livesEach, lessons);
-    return seconds;
+    return seconds * systemsIn(plan.systems);
   };
   if (plan.minutesOnTwoCores <= 0) return estimated(lives) / 60 / std::max(1, threads);
   const double measured = plan.minutesOnTwoCores * 2 / std::max(1, threads);

@@ -11,6 +11,7 @@
 #include "core/basics/typed_json.h"
 #include "core/parameters.h"
 #include "core/recipes/judge.h"
+#include "core/recipes/judge_systems.h"
 #include "core/statistics/statistics_text.h"
 #include "core/text/text.h"
 #include "core/text/words.h"
@@ -224,7 +225,9 @@ const char* nameOf(Verdict verdict) {
 
 Result<Judgement> judge(const Registry& registry, const Claim& claim, const std::vector<Evidence>& evidence,
                         std::uint64_t seed) {
-  return Judge(registry, claim, evidence, seed).judge();
+  const auto systems = bySystem(evidence);
+  return systems.empty() ? Judge(registry, claim, evidence, seed).judge()
+                         : judgeOnSystems(registry, claim, systems, seed);
 }
 
 nlohmann::ordered_json judgementAsJson(const Judgement& j) {

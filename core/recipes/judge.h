@@ -58,6 +58,10 @@ class Judge {
   void complain(const std::string& key, const std::string& what);
   std::string text(const char* key, const char* otherwise);
   double number(const char* key, std::optional<double> otherwise = {});
+  bool flag(const char* key) const {
+    const auto found = arguments_.find(key);
+    return found != arguments_.end() && *found == true;
+  }
   Group fitting(const std::string& pattern) const;
   /// All conditions that fit the patterns of a list, in the order of the patterns.
   Group find(const char* key);
@@ -103,7 +107,7 @@ class Judge {
   /// beyond `widest`, or our change has this sign and the interval reaches `size` per cent.
   bool leavesOpen(const Interval& change, double sign, double size);
   /// The verdict on a number that shall lie between the arguments `low` and `high`.
-  Verdict ofRange(const Interval& i);
+  Verdict ofRange(const Interval& i, const std::string& condition = "");
 
   // The kinds.
 

@@ -175,7 +175,7 @@ Verdict Judge::compromise() {
 
 // Cohen's d of each against its reference, with the spread of the lives that are there; or, `relative`, the change.
 Verdict Judge::effectOrder() {
-  const bool relative = arguments_.value("relative", false);
+  const bool relative = flag("relative");
   if (conditions_.size() % 2 != 0) complain("conditions", "pairs are expected");
   std::vector<Verdict> verdicts;
   for (std::size_t i = 0; problem_.empty() && i + 1 < conditions_.size(); i += 2) {

@@ -125,7 +125,7 @@ Verdict Judge::ratio() {
   for (std::size_t i = 0; i < conditions_.size(); i += 2) {
     const Evidence &first = *conditions_[i], &second = *conditions_[i + 1];
     const Interval ratio = ratioOf(estimate(second), estimate(first), sameUnits(first, second));
-    verdicts.push_back(ofRange(ratio));
+    verdicts.push_back(ofRange(ratio, conditions_.size() > 2 ? first.name() : ""));
     if (i == 0) report(ratio);
     if (conditions_.size() > 2)
       note(fmt::format("{} {:.2f} ({:.2f} … {:.2f})", first.name(), ratio.value, ratio.low, ratio.high));
@@ -134,12 +134,12 @@ Verdict Judge::ratio() {
 }
 
 // Undecided where the interval is wider than the range, or the number lies beside it and the interval reaches it.
-Verdict Judge::ofRange(const Interval& i) {
+Verdict Judge::ofRange(const Interval& i, const std::string& condition) {
   const double low = number("low"), high = number("high");
-  if (!i.known()) return tooFew();
+  if (!i.known()) return tooFew(condition);
   if (!overlaps(i, low, high)) return Verdict::Differs;
   const bool inside = i.value >= low && i.value <= high;
-  return inside && i.high - i.low <= high - low ? Verdict::Agrees : tooFew();
+  return inside && i.high - i.low <= high - low ? Verdict::Agrees : tooFew(condition);
 }
 
 // The condition is chosen by one half of the lives and reported from the other: the best of many is best by luck, too.
@@ -168,7 +168,7 @@ Verdict Judge::spread() {
   if (!problem_.empty()) return Verdict::Undecided;
   Group both = conditions_;
   both.insert(both.end(), others.begin(), others.end());
-  const bool relative = arguments_.value("relative", false);
+  const bool relative = flag("relative");
   const auto range = [relative](auto begin, auto end) {
     const double least = *std::min_element(begin, end), most = *std::max_element(begin, end);
     return relative ? most / least : most - least;

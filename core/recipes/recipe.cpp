@@ -11,6 +11,7 @@
 #include "core/basics/typed_json.h"
 #include "core/files/read_file.h"
 #include "core/plans/plan_file.h"
+#include "core/plans/plan_systems.h"
 #include "core/text/text.h"
 #include "core/text/words.h"
 
@@ -103,8 +104,9 @@ std::vector<std::string> patternsOf(const Claim& claim) {
 /// The conditions that a figure or a claim names must exist: checked before any life is lived for it.
 Status checkNamed(const Recipe& recipe, const std::vector<std::string>& patterns) {
   for (const std::string& pattern : patterns)
-    if (std::none_of(recipe.plan.conditions.begin(), recipe.plan.conditions.end(),
-                     [&](const Condition& c) { return fits(c.name, pattern); }))
+    if (std::none_of(recipe.plan.conditions.begin(), recipe.plan.conditions.end(), [&](const Condition& c) {
+          return fits(c.name, pattern) || fits(systemOf(c.name).second, pattern);
+        }))
       return Error{fmt::format("conditions: none is called \"{}\".", shortened(pattern))};
   return Done{};
 }

@@ -146,9 +146,35 @@ TEST_F(LaboratoryCommands, EveryRecipeIsASoundPlan) {
   for (const auto& entry : std::filesystem::directory_iterator(std::string(SUREFOOT_SOURCE) + "/resources/recipes")) {
     const Finished plan = surefoot("experiment " + entry.path().string() + " --dry-run");
     EXPECT_EQ(plan.code, 0) << plan.err;
+    const std::string name = entry.path().stem().string();
+    EXPECT_NE(contentOf(entry.path().string()).find("\nseries = \"" + name + "\"\n"), std::string::npos)
+        << name << ": recipes share no life and no Q-function by accident";
     ++recipes;
   }
   EXPECT_GT(recipes, 15);
+}
+
+TEST_F(LaboratoryCommands, ReproduceTellsBeforehandWhatItWouldDo) {
+  const Finished all = surefoot("reproduce all --dry-run --seed 1 2 --out " + file("nowhere"));
+  ASSERT_EQ(all.code, 0) << all.err;
+  EXPECT_NE(all.out.find("4.10: TRL without pre-learning; 10 conditions, 40 lives each, about "), std::string::npos);
+  EXPECT_NE(all.out.find(" for 2 master seeds"), std::string::npos) << all.out;
+  for (const char* apart : {"walker-scratch", "pendulums"})
+    EXPECT_EQ(all.out.find(apart), std::string::npos) << apart << " takes long and is run by its name only";
+  EXPECT_NE(surefoot("reproduce pendulums --dry-run").out.find("360 conditions"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(file("nowhere")));
+  const Finished wrong = surefoot("reproduce all --dry-run --preset lba");
+  EXPECT_EQ(wrong.code, 2);
+  EXPECT_NE(wrong.err.find("lab"), std::string::npos) << wrong.err;
+}
+
+TEST_F(LaboratoryCommands, ReproduceOnAnotherPresetLeavesOutWhatHasNone) {
+  const Finished lab = surefoot("reproduce 2.1 4.3 --preset lab --lives 2 --out " + file("lab"));
+  ASSERT_EQ(lab.code, 0) << lab.err;
+  EXPECT_EQ(lab.out.find("2.1:"), std::string::npos) << "the cliff has no presets";
+  const auto claims = nlohmann::json::parse(contentOf(file("lab") + "/claims.json"));
+  ASSERT_FALSE(claims.empty());
+  for (const auto& claim : claims) EXPECT_EQ(claim["preset"], "lab");
 }
 
 // All of it under each of several master seeds, and which verdicts are the same.

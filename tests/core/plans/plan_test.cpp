@@ -52,6 +52,21 @@ TEST(Plan, AConditionsSeedDependsOnWhatItIsAndNotOnItsPlaceOrLength) {
   EXPECT_EQ(paired->conditions[0].configuration.seed, paired->conditions[1].configuration.seed);
 }
 
+TEST(Plan, PlansOfDifferentSeriesShareNoLifeAndNoQFunction) {
+  const auto of = [](const std::string& head) {
+    const auto plan = parse(head + kPre + "[[condition]]\nminutes = 1\npolicy = \"softmax\"\n");
+    EXPECT_TRUE(plan);
+    return std::pair(plan->conditions[0].configuration.seed, plan->conditions[0].preLearning->configuration.seed);
+  };
+  for (const std::string paired : {"", "paired = true\n"}) {
+    const auto none = of(paired), a = of(paired + "series = \"4.10\"\n"), b = of(paired + "series = \"4.11\"\n");
+    EXPECT_NE(a.first, b.first);
+    EXPECT_NE(a.second, b.second);
+    EXPECT_NE(a.first, none.first);
+    EXPECT_EQ(a, of(paired + "series = \"4.10\"\n"));
+  }
+}
+
 TEST(Plan, PreLearningTakesEverythingButPolicyAndStepSize) {
   const auto plan = parse(kPre +
                           "[[condition]]\nminutes = 1\npolicy = \"trl\"\nset.policy.threshold = 75\n"

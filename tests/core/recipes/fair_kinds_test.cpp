@@ -116,4 +116,25 @@ TEST(FairKinds, RatiosAndPairsOfTwoMeasures) {
   EXPECT_EQ(judged(all, "spread", spread).verdict, Verdict::Agrees);
 }
 
+TEST(FairKinds, OnManySystemsTheShareIsToldInWhichAClaimHolds) {
+  const auto verdictWith = [](int holdsIn, int fails) {
+    std::vector<Evidence> all;
+    for (int s = 1; s <= 8; ++s) {
+      const std::string system = "system " + std::to_string(s) + ": ";
+      all.push_back(condition(system + "a", 20));
+      all.push_back(condition(system + "b",
+                              s <= holdsIn           ? 10
+                              : s <= holdsIn + fails ? 40
+                                                     : 20,
+                              system + "a", s <= holdsIn + fails ? 0.1 : 0.9));
+    }
+    return judged(all, "significant", {{"conditions", {"b"}}});
+  };
+  EXPECT_EQ(verdictWith(6, 0).verdict, Verdict::Agrees);
+  EXPECT_EQ(*verdictWith(6, 0).ours, 0.75);
+  EXPECT_EQ(verdictWith(5, 1).verdict, Verdict::Undecided);
+  EXPECT_EQ(verdictWith(5, 2).verdict, Verdict::Differs);
+  EXPECT_NE(verdictWith(5, 2).note.find("not in 2 (6, 7)"), std::string::npos) << verdictWith(5, 2).note;
+}
+
 }  // namespace surefoot

@@ -73,9 +73,11 @@ TEST(Recipe, OddClaimsAndConfigurationsEndNothing) {
        {{"agent.discount", "x"}, {"environment.goal_reward", true}, {"environment.time_reward", Json::array()}}}};
   evidence[1].configuration = Json::array({1, 2});
   std::vector<Claim> claims;
-  for (const char* kind : {"value", "reduction", "significant", "no-difference", "trend", "best", "rule", "pairs"})
+  for (const char* kind : {"value", "reduction", "significant", "no-difference", "trend", "best", "rule", "pairs",
+                           "spread", "effect-order", "equal-exploring", "extreme", "lowest", "ratio"})
     for (const Json& odd : {Json(3), Json("a"), Json(true), Json::array({1}), Json::object(), Json(nullptr)})
-      for (const char* key : {"measure", "conditions", "reference", "thesis", "groups", "rows", "along", "pairs"}) {
+      for (const char* key : {"measure", "conditions", "reference", "thesis", "groups", "rows", "along", "pairs",
+                              "others", "other", "relative", "sign"}) {
         Json arguments = {{"conditions", Json::array({"b"})}, {"thesis", -45}};
         arguments[key] = odd;
         claims.push_back({.id = "X", .kind = kind, .says = "", .arguments = arguments});
