@@ -19,6 +19,16 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
+/// " at first, and up to 200, until every comparison is decided"; empty: the number is fixed.
+std::string growthText(const PlanGrowth& growth) {
+  if (const auto& d = growth.decided)
+    return fmt::format(" at first, and up to {}, until every comparison is decided", d->atMost);
+  if (const auto& s = growth.search)
+    return fmt::format(" at first, {} in all for the search, and {} more of the best and its reference", s->budget,
+                       s->fresh);
+  return "";
+}
+
 /// Prints the work that would be done, one line per condition.
 int tellPlan(const ExperimentRequest& request) {
   const Plan& plan = request.plan;
@@ -33,8 +43,8 @@ int tellPlan(const ExperimentRequest& request) {
                              {"conditions", list}};
     return print(jsonText(all, 2) + "\n");
   }
-  std::string text = fmt::format("{}\n{} conditions, {} lives each, seed {}\n", plan.title, plan.conditions.size(),
-                                 plan.lives, plan.seed);
+  std::string text = fmt::format("{}\n{} conditions, {} lives each{}, seed {}\n", plan.title, plan.conditions.size(),
+                                 plan.lives, growthText(plan.growth), plan.seed);
   for (const Condition& c : plan.conditions) text += fmt::format("  {}\n      {}\n", c.name, c.text);
   return print(text);
 }
@@ -55,6 +65,7 @@ Result<Store> openStore(const Registry& registry, const ExperimentRequest& reque
   if (!lives) return lives.error();
   if (const Status s = checkLivesVersion(*lives, request.out); !s && !request.otherVersion)
     return orOtherVersion(s.error());
+  if (request.plan.growth) return store;  // it wants as many lives as its results ask for
   const int planned = there->conditions.front().lives;
   if (request.plan.lives < planned)
     return Error{fmt::format("--lives: {} holds {} lives a condition; going on, there can only be more, not {}.",
@@ -116,12 +127,15 @@ int experimentCommand(const Registry& registry, const ExperimentRequest& request
                             {"complete", result->complete()},
                             {"pre_learnings_at_cap", result->preLearningsAtCap},
                             {"kept_in_hand", result->livesKept},
+                            {"found", result->found},
                             {"content_hash", fmt::format("{:016x}", *hash)}};
   if (request.json)
     code = print(jsonText(done) + "\n");
   else
     code = print(fmt::format("{}: {} of {} lives, content {:016x}\n", request.out, result->livesThere,
                              result->livesPlanned, *hash));
+  for (const std::string& sentence : result->found)
+    if (code == kDone && !request.json) code = print(sentence + ".\n");
   if (code != kDone) return code;
   if (result->preLearningsAtCap > 0)
     std::fprintf(stderr,

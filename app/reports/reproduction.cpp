@@ -26,7 +26,7 @@ Result<std::vector<Evidence>> runAndRead(const Registry& registry, const Plan& p
   const auto there = store->plan();
   if (!there) return there.error();
   if (const Status s = checkSamePlan(*there, stored, path); !s) return s.error();
-  if (there->conditions[0].lives != plan.lives)
+  if (!plan.growth && there->conditions[0].lives != plan.lives)
     return Error{fmt::format("{}: it holds {} lives a condition and {} are asked for; name another folder.", path,
                              there->conditions[0].lives, plan.lives),
                  ErrorKind::File};

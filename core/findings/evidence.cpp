@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <set>
@@ -195,9 +196,12 @@ std::size_t FirstWithSameUnits::add(const Evidence& evidence) {
   return first;
 }
 
-Evidence halfOf(const Evidence& whole, std::size_t which) {
+namespace {
+
+/// Some of the lives, without what must be measured anew.
+Evidence someOf(const Evidence& whole, const std::function<bool(std::size_t)>& isIn) {
   const ConditionRecord& all = whole.record;
-  Evidence half{.record = {.condition = all.condition,
+  Evidence some{.record = {.condition = all.condition,
                            .lives = {},
                            .episodes = {},
                            .measures = {},
@@ -210,16 +214,36 @@ Evidence halfOf(const Evidence& whole, std::size_t which) {
                 .pool = whole.pool,
                 .configuration = whole.configuration,
                 .taskMeasures = whole.taskMeasures};
-  const Units units = unitsOf(all);
-  for (std::size_t i = 0; i < units.of.size(); ++i) {
-    if (units.of[i] % 2 != which) continue;
-    half.record.lives.push_back(all.lives[i]);
-    half.lives.push_back(whole.lives[i]);
-    if (i < all.episodes.size()) half.record.episodes.push_back(all.episodes[i]);
-    if (i < all.measures.size()) half.record.measures.push_back(all.measures[i]);
+  for (std::size_t i = 0; i < all.lives.size(); ++i) {
+    if (!isIn(i)) continue;
+    some.record.lives.push_back(all.lives[i]);
+    some.lives.push_back(whole.lives[i]);
+    if (i < all.episodes.size()) some.record.episodes.push_back(all.episodes[i]);
+    if (i < all.measures.size()) some.record.measures.push_back(all.measures[i]);
   }
+  return some;
+}
+
+}  // namespace
+
+Evidence halfOf(const Evidence& whole, std::size_t which) {
+  const Units units = unitsOf(whole.record);
+  Evidence half = someOf(whole, [&](std::size_t i) { return units.of[i] % 2 == which; });
   half.untilOtherEnds = resampledUntilEnd(half.record, half.end);
   return half;
+}
+
+Evidence livesOf(const Evidence& whole, int first, int last) {
+  Evidence some = someOf(whole, [&](std::size_t i) {
+    const int life = whole.record.lives[i].life;
+    return life >= first && life < last;
+  });
+  if (some.record.episodes.size() != some.lives.size()) return some;  // made without episodes: measured as it is
+  some.averages = meanAverageRewards(some.record);
+  some.end = endOfLearning(some.averages, some.record.condition.goalReward);
+  some.lives = measure(some.record, some.end);
+  some.untilOtherEnds = resampledUntilEnd(some.record, some.end);
+  return some;
 }
 
 MeanEstimate estimateOf(const Evidence& evidence, std::string_view measure) {

@@ -68,6 +68,9 @@ class FirstWithSameUnits {
 /// reported from the other. It keeps the whole condition's end of learning.
 Evidence halfOf(const Evidence& evidence, std::size_t which);
 
+/// The lives numbered from `first` up to before `last`, as a study of its own: with their own end of learning.
+Evidence livesOf(const Evidence& evidence, int first, int last);
+
 /// Mean of one value per life, with its error.
 MeanEstimate estimateOf(const Evidence& evidence, std::string_view measure);
 /// The same with its 95 % interval.

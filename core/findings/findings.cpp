@@ -8,6 +8,8 @@
 #include <map>
 
 #include "core/basics/typed_json.h"
+#include "core/files/limited_json.h"
+#include "core/findings/growth.h"
 #include "core/life/rule_of_thumb.h"
 #include "core/statistics/distribution.h"
 
@@ -170,7 +172,10 @@ Result<Findings> findingsOf(const Registry& registry, const Store& store) {
   if (!plan) return plan.error();
   const auto evidence = readEvidence(registry, store);
   if (!evidence) return evidence.error();
-  return findingsOf(std::move(*plan), *evidence);
+  const auto growth = plan->growth.empty() ? std::nullopt : growthFromJson(parseJson(plan->growth));
+  Findings findings = findingsOf(std::move(*plan), *evidence);
+  if (growth) findings.found = growthOf(*growth, *evidence).sentences;
+  return findings;
 }
 
 Findings findingsOf(StoredPlan plan, const std::vector<Evidence>& measured) {

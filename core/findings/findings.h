@@ -73,6 +73,7 @@ struct Findings {
   StoredPlan plan;
   bool complete = true;  ///< all lives that were planned are there
   std::vector<Finding> conditions;
+  std::vector<std::string> found{};  ///< of a plan whose lives grew: what was decided or chosen (growth.h)
 };
 
 /// The same store always gives the same findings.

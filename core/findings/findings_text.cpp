@@ -184,8 +184,13 @@ nlohmann::ordered_json findingsAsJson(const Findings& findings) {
     condition["warnings"] = f.warnings;
     list.push_back(std::move(condition));
   }
-  return {{"title", findings.plan.title},   {"version", findings.plan.version}, {"seed", findings.plan.seed},
-          {"paired", findings.plan.paired}, {"complete", findings.complete},    {"conditions", list}};
+  return {{"title", findings.plan.title},
+          {"version", findings.plan.version},
+          {"seed", findings.plan.seed},
+          {"paired", findings.plan.paired},
+          {"complete", findings.complete},
+          {"found", findings.found},
+          {"conditions", list}};
 }
 
 std::string findingsAsTable(const Findings& findings) {
@@ -212,6 +217,11 @@ std::string findingsAsTable(const Findings& findings) {
   out += spreadTable(findings, width);
   for (const Finding& f : findings.conditions)
     for (const std::string& warning : f.warnings) out += fmt::format("{}: {}.\n", f.name, warning);
+  for (const std::string& sentence : findings.found) out += sentence + ".\n";
+  if (!findings.plan.growth.empty())
+    out +=
+        "How many lives there are was decided by what they showed; the sentences above count that, the tables do "
+        "not.\n";
   if (!findings.complete) out += "Not all planned lives are there.\n";
   return out;
 }

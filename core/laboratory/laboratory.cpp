@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/files/read_file.h"
+#include "core/laboratory/growing_plan.h"
 #include "core/laboratory/kept_lives.h"
 #include "core/laboratory/shared_q_function.h"
 #include "core/laboratory/whole_life.h"
@@ -69,8 +70,11 @@ class Laboratory {
     std::set<std::pair<int, int>> done;
     for (const StoredLife& l : *there) done.emplace(l.condition, l.life), fallsThere_ += l.falls;
     std::vector<Task> lives;
-    for (int life = 0; life < plan_.lives; ++life)
+    int most = plan_.lives;
+    for (const int each : plan_.livesEach) most = std::max(most, each);
+    for (int life = 0; life < most; ++life)
       for (int c = 0; c < static_cast<int>(plan_.conditions.size()); ++c) {
+        if (life >= plan_.livesOf(static_cast<std::size_t>(c))) continue;
         if ((std::int64_t{c} * plan_.lives + life) % options_.shards != options_.shard - 1) continue;
         ++result_.livesPlanned;
         const Condition& condition = plan_.conditions[static_cast<std::size_t>(c)];
@@ -275,7 +279,10 @@ class Laboratory {
 }  // namespace
 
 Result<LabResult> runPlan(const Registry& registry, const Plan& plan, Store& store, const LabOptions& options) {
-  return Laboratory(registry, plan, store, options).run();
+  if (plan.growth && options.shards > 1)
+    return Error{"--shard: lives whose number follows from the results cannot be shared out beforehand."};
+  const auto live = [&](const Plan& fixed) { return Laboratory(registry, fixed, store, options).run(); };
+  return plan.growth ? runGrowing(registry, plan, store, live) : live(plan);
 }
 
 }  // namespace surefoot

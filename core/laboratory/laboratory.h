@@ -33,6 +33,7 @@ struct LabResult {
   int preLearningsAtCap = 0;             ///< Q-functions of this run that did not reach their reward
   int livesKept = 0;                     ///< unfinished lives and pre-learnings, kept beside the store
   Status keeping = Done{};               ///< why an unfinished life could not be kept
+  std::vector<std::string> found{};      ///< what a plan whose lives grow found, in sentences (growth.h)
   bool complete() const { return livesThere == livesPlanned; }
 };
 

@@ -28,6 +28,8 @@ Status readHead(const PlanFile& file, const std::string& path, Plan& plan, PlanH
       plan.title = value;
     else if (s.key == "reference")
       head.reference = value;
+    else if (s.key == "lives" && value == "decided")
+      plan.growth.decided.emplace();
     else if (s.key == "lives")
       status = readCount(s.key, value, kMostLives, head.lives);
     else if (s.key == "seed")
@@ -38,10 +40,59 @@ Status readHead(const PlanFile& file, const std::string& path, Plan& plan, PlanH
       status = readFlag(s.key, value, head.paired);
     else
       status = unknownKey(s.key, {"title", "reference", "lives", "seed", "series", "paired", "base", "pre-learning",
-                                  "systems", "condition"});
+                                  "systems", "decided", "search", "condition"});
     if (!status) return planError(path, s.line, status.error().message);
   }
   return Done{};
+}
+
+/// Whether and how the lives grow. A number of lives on the command line replaces "decided".
+Status readGrowth(const PlanFile& file, const std::string& path, const PlanChanges& changes, Plan& plan,
+                  PlanHead& head) {
+  if (changes.lives) plan.growth.decided.reset();
+  if (plan.growth.decided) {
+    auto decided = readDecided(file.decided, path);
+    if (!decided) return decided.error();
+    plan.growth.decided = std::move(*decided);
+  } else if (!file.decided.empty() && !changes.lives) {
+    return planError(path, file.decided.front().line, "decided: it goes with lives = \"decided\".");
+  }
+  if (file.search.empty()) return Done{};
+  if (plan.growth.decided)
+    return planError(path, file.search.front().line, "search: it has a budget of lives; lives = \"decided\" has none.");
+  auto search = readSearch(file.search, path);
+  if (!search) return search.error();
+  plan.growth.search = std::move(*search);
+  if (changes.lives) plan.growth.search->fresh = *changes.lives;
+  plan.paired = head.paired = true;  // candidates are compared in lives with the same seeds
+  return Done{};
+}
+
+/// The condition whose parameter is sought, once with every value.
+Status addCandidates(const std::optional<PlanSearch>& search, const std::string& path, std::vector<PlanBlock>& blocks) {
+  if (!search) return Done{};
+  for (PlanBlock& block : blocks) {
+    const auto has = [&](const std::string& key) {
+      return std::find_if(block.settings.begin(), block.settings.end(), [&](const auto& s) { return s.key == key; });
+    };
+    const auto name = has("name");
+    if (name == block.settings.end() || name->values != std::vector<std::string>{search->condition}) continue;
+    const std::string key = "set." + search->key;
+    if (const auto own = has(key); own != block.settings.end())
+      return planError(path, own->line, key + ": it is sought ([search]), and has no value here.");
+    block.settings.push_back({key, search->valuesToTry(), block.line});
+    return Done{};
+  }
+  return planError(path, 0, fmt::format("search: no condition is called \"{}\".", shortened(search->condition)));
+}
+
+void nameCandidates(Plan& plan) {
+  if (!plan.growth.search) return;
+  PlanSearch& search = *plan.growth.search;
+  for (const Condition& c : plan.conditions)
+    if (std::any_of(c.varied.begin(), c.varied.end(), [&](const auto& v) { return v.key == "set." + search.key; }) &&
+        c.name.starts_with(search.condition))
+      search.candidates.push_back(c.name);
 }
 
 /// Checks that no two conditions are the same, and that every reference is one of them.
@@ -87,17 +138,20 @@ Result<Plan> parsePlan(const Registry& registry, const std::string& text, const 
   Plan plan;
   PlanHead head;
   if (const Status s = readHead(*file, path, plan, head); !s) return s.error();
+  if (const Status s = readGrowth(*file, path, changes, plan, head); !s) return s.error();
   plan.lives = head.lives = changes.lives.value_or(head.lives);
   plan.seed = head.seed = changes.seed.value_or(head.seed);
-  plan.paired = head.paired;
+  plan.paired = head.paired = head.paired || plan.paired;
   head.assignments = changes.assignments;
   head.preset = changes.preset;
   const auto systems = drawSystems(file->systems, path);
   if (!systems) return systems.error();
   plan.systems = static_cast<int>(systems->size());
+  std::vector<PlanBlock> blocks = file->blocks;
+  if (const Status s = addCandidates(plan.growth.search, path, blocks); !s) return s.error();
   std::vector<std::vector<Combination>> grids;  // counted before the first is made
   std::size_t count = 0;
-  for (const PlanBlock& block : file->blocks) {
+  for (const PlanBlock& block : blocks) {
     count += grids.emplace_back(combine(block)).size() * std::max<std::size_t>(1, systems->size());
     if (count > kMostConditions)
       return planError(path, block.line, fmt::format("there are more than {} conditions.", kMostConditions));
@@ -107,7 +161,7 @@ Result<Plan> parsePlan(const Registry& registry, const std::string& text, const 
       for (const Combination& combination : grids[i]) {
         if (changes.interrupted && *changes.interrupted)
           return Error{path + ": interrupted before its conditions were read.", ErrorKind::Interrupted};
-        auto condition = makeCondition(registry, path, head, combination, file->blocks[i].line);
+        auto condition = makeCondition(registry, path, head, combination, blocks[i].line);
         if (!condition) return condition.error();
         plan.conditions.push_back(std::move(*condition));
       }
@@ -120,6 +174,8 @@ Result<Plan> parsePlan(const Registry& registry, const std::string& text, const 
     if (const Status s = addAll(); !s) return s.error();
   }
   if (const Status s = checkConditions(plan.conditions); !s) return planError(path, 0, s.error().message);
+  nameCandidates(plan);
+  if (plan.growth) plan.lives = plan.growth.first();
   return plan;
 }
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/experiment/configuration.h"
+#include "core/plans/plan_growth.h"
 
 namespace surefoot {
 
@@ -39,10 +40,14 @@ struct Condition {
 struct Plan {
   std::string title;
   std::uint64_t seed = 1;
-  int lives = 40;       ///< per condition
-  bool paired = false;  ///< life i has the same seeds in every condition
-  int systems = 0;      ///< every condition on each of so many drawn systems, "system 7: …"; 0: the plan draws none
+  int lives = 40;                ///< per condition
+  bool paired = false;           ///< life i has the same seeds in every condition
+  PlanGrowth growth{};           ///< lives = "decided", or [search]: `lives` and `livesEach` are what is wanted so far
+  std::vector<int> livesEach{};  ///< a condition's lives; empty: all have `lives`
+  int systems = 0;  ///< every condition on each of so many drawn systems, "system 7: …"; 0: the plan draws none
   std::vector<Condition> conditions;
+
+  int livesOf(std::size_t condition) const { return livesEach.empty() ? lives : livesEach[condition]; }
 };
 
 /// Settings of the command line, which replace those of the plan.

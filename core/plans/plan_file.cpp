@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <optional>
 
 #include "core/files/toml_parser.h"
@@ -56,14 +57,21 @@ class Reader {
     for (const auto& [key, node] : root) {
       const std::string name(key.str());
       if (name == "condition" || isOfRecipes(name)) continue;
-      const std::string prefix = name == "base" || name == "systems" ? "" : name + ".";
-      auto& into = name == "base" || name == "pre-learning" ? shared : name == "systems" ? file.systems : file.head;
+      const std::map<std::string, std::vector<PlanSetting>*> tables = {{"base", &shared},
+                                                                       {"pre-learning", &shared},
+                                                                       {"systems", &file.systems},
+                                                                       {"decided", &file.decided},
+                                                                       {"search", &file.search}};
+      const auto table = tables.find(name);
+      const bool named = table == tables.end() || name == "pre-learning";  // its keys begin with its name
+      const std::string prefix = named ? name + "." : "";
+      auto& into = table == tables.end() ? file.head : *table->second;
       const Status s = node.is_table() ? flatten(*node.as_table(), prefix, into, 0) : add(name, node, into);
       if (!s) return s.error();
     }
     inOrder(file.head);
     inOrder(shared);
-    inOrder(file.systems);
+    for (auto* table : {&file.systems, &file.decided, &file.search}) inOrder(*table);
 
     const toml::node* conditions = root.get("condition");
     if (!conditions) return planError(path_, 0, "there is no [[condition]]; a plan needs at least one.");

@@ -28,7 +28,7 @@ struct PlanBlock {
 struct PlanFile {
   std::vector<PlanSetting> head;  ///< title, seed, …
   std::vector<PlanBlock> blocks;
-  std::vector<PlanSetting> systems;  ///< of [systems]
+  std::vector<PlanSetting> systems, decided, search;  ///< of [systems], [decided] and [search]
   // Only in recipes.
   std::vector<std::string> shows;  ///< figures and tables of the thesis
   std::string answers;             ///< the question, in a sentence

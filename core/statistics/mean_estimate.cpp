@@ -30,17 +30,19 @@ bool differencesScatter(double squares, double ofA, double ofB, double degrees) 
   return degrees + 1 >= kEnoughAlike || squares > kRounding * (ofA + ofB);
 }
 
-/// Half the width of the interval: the standard error of weightB·b − weightA·a times t(.975).
-double halfWidth(const MeanEstimate& a, double weightA, const MeanEstimate& b, double weightB, bool sameUnits) {
+/// Half the width of the interval: the standard error of weightB·b − weightA·a times the quantile of t.
+double halfWidth(const MeanEstimate& a, double weightA, const MeanEstimate& b, double weightB, bool sameUnits,
+                 double confidence) {
   if (!a.known() || !b.known()) return kNothing;
   const double ofA = weightA * weightA * a.squaredError(), ofB = weightB * weightB * b.squaredError();
   if (sameUnits && arePairs(a, b)) {
     const double squares = squaredErrorOfPairs(a, weightA, b, weightB), degrees = std::min(a.degrees, b.degrees);
-    return differencesScatter(squares, ofA, ofB, degrees) ? tQuantile(degrees) * std::sqrt(squares) : kNothing;
+    return differencesScatter(squares, ofA, ofB, degrees) ? tQuantile(degrees, confidence) * std::sqrt(squares)
+                                                          : kNothing;
   }
   if (ofA + ofB == 0) return 0;
   const double degrees = (ofA + ofB) * (ofA + ofB) / (ofA * ofA / a.degrees + ofB * ofB / b.degrees);
-  return tQuantile(degrees) * std::sqrt(ofA + ofB);
+  return tQuantile(degrees, confidence) * std::sqrt(ofA + ofB);
 }
 
 }  // namespace
@@ -106,23 +108,23 @@ Interval intervalOf(const MeanEstimate& mean) {
   return around(mean.value, tQuantile(mean.degrees) * std::sqrt(mean.squaredError()));
 }
 
-Interval differenceOf(const MeanEstimate& before, const MeanEstimate& after, bool sameUnits) {
-  return around(after.value - before.value, halfWidth(before, 1, after, 1, sameUnits));
+Interval differenceOf(const MeanEstimate& before, const MeanEstimate& after, bool sameUnits, double confidence) {
+  return around(after.value - before.value, halfWidth(before, 1, after, 1, sameUnits, confidence));
 }
 
-Interval ratioOf(const MeanEstimate& before, const MeanEstimate& after, bool sameUnits) {
+Interval ratioOf(const MeanEstimate& before, const MeanEstimate& after, bool sameUnits, double confidence) {
   if (!std::isfinite(before.value) || !std::isfinite(after.value) || before.value == 0)
     return {kNothing, kNothing, kNothing};
   const double ratio = after.value / before.value;
   if (!before.neverNegative || !after.neverNegative)
-    return around(ratio, std::abs(halfWidth(before, ratio, after, 1, sameUnits) / before.value));
+    return around(ratio, std::abs(halfWidth(before, ratio, after, 1, sameUnits, confidence) / before.value));
   if (after.value == 0) return {ratio, kNothing, kNothing};  // without any fall their rate is unknown
-  const double half = halfWidth(before, 1 / before.value, after, 1 / after.value, sameUnits);
+  const double half = halfWidth(before, 1 / before.value, after, 1 / after.value, sameUnits, confidence);
   return {ratio, ratio * std::exp(-half), ratio * std::exp(half)};
 }
 
-Interval changeOf(const MeanEstimate& before, const MeanEstimate& after, bool sameUnits) {
-  const Interval ratio = ratioOf(before, after, sameUnits);
+Interval changeOf(const MeanEstimate& before, const MeanEstimate& after, bool sameUnits, double confidence) {
+  const Interval ratio = ratioOf(before, after, sameUnits, confidence);
   if (before.value > 0) return {100 * (ratio.value - 1), 100 * (ratio.low - 1), 100 * (ratio.high - 1)};
   return {100 * (1 - ratio.value), 100 * (1 - ratio.high), 100 * (1 - ratio.low)};
 }

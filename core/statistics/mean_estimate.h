@@ -49,13 +49,14 @@ bool arePairs(const MeanEstimate& a, const MeanEstimate& b);
 bool tellsDifference(const MeanEstimate& a, const MeanEstimate& b);
 
 Interval intervalOf(const MeanEstimate& mean);
-/// after − before. `sameUnits`: both have the same units.
-Interval differenceOf(const MeanEstimate& before, const MeanEstimate& after, bool sameUnits);
+/// after − before. `sameUnits`: both have the same units. This and the next two at another confidence than 95 % if
+/// asked for.
+Interval differenceOf(const MeanEstimate& before, const MeanEstimate& after, bool sameUnits, double confidence = 0.95);
 /// after/before. For values that are never negative the interval is computed for the logarithm, so that it lies above
 /// 0. NaN where `before` is 0; no interval where `after` is 0.
-Interval ratioOf(const MeanEstimate& before, const MeanEstimate& after, bool sameUnits);
+Interval ratioOf(const MeanEstimate& before, const MeanEstimate& after, bool sameUnits, double confidence = 0.95);
 /// 100·(after − before)/|before|, with the interval of the ratio; NaN where `before` is 0.
-Interval changeOf(const MeanEstimate& before, const MeanEstimate& after, bool sameUnits);
+Interval changeOf(const MeanEstimate& before, const MeanEstimate& after, bool sameUnits, double confidence = 0.95);
 
 /// Draws all means `count` times, each around our value with its error (Student's t), and returns `f` of every draw:
 /// to count how often something is true. Conditions with the same number in `together` have the same units and are

@@ -87,8 +87,8 @@ double varianceOf(Sample x) {
   return squares / (count(x) - 1);
 }
 
-double tQuantile(double degrees) {
-  return dist::quantile(dist::students_t(degrees), 0.975);
+double tQuantile(double degrees, double confidence) {
+  return dist::quantile(dist::students_t(degrees), (1 + confidence) / 2);
 }
 
 std::optional<Interval> meanInterval(Sample x) {

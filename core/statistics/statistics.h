@@ -33,7 +33,7 @@ double varianceOf(Sample x);
 /// Mean with its 95 % interval by Student's t. Empty for fewer than two, and for two or three that are equal.
 std::optional<Interval> meanInterval(Sample x);
 /// t(0.975) with so many degrees of freedom: what a standard error is multiplied by.
-double tQuantile(double degrees);
+double tQuantile(double degrees, double confidence = 0.95);
 
 struct TestResult {
   double statistic = 0.0;

@@ -108,11 +108,18 @@ std::string Store::note() const {
 }
 
 Status Store::setLives(int lives) {
+  const auto now = plan();
+  return now ? setLives(std::vector<int>(now->conditions.size(), lives)) : now.error();
+}
+
+Status Store::setLives(const std::vector<int>& lives) {
   return guarded<Done>(path_, [&]() -> Status {
     SQLite::Transaction whole(database_->db);
     StoredPlan now = database_->readPlan();
-    for (StoredCondition& c : now.conditions) c.lives = lives;
-    database_->db.exec(fmt::format("UPDATE conditions SET lives = {}", lives));
+    for (std::size_t i = 0; i < now.conditions.size(); ++i) {
+      now.conditions[i].lives = lives[i];
+      database_->db.exec(fmt::format("UPDATE conditions SET lives = {} WHERE condition = {}", lives[i], i));
+    }
     database_->setValue(kPlanSum, hexText(checksumOf(now)));
     whole.commit();
     return Done{};

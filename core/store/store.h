@@ -58,6 +58,7 @@ struct StoredPlan {
   bool paired = false;
   int shard = 1, shards = 1;  ///< this store holds part `shard` of `shards`
   std::vector<StoredCondition> conditions;
+  std::string growth{};  ///< JSON (growthAsJson); empty: all conditions have a fixed number of lives
   /// Q-functions that lives begin with, by their content (q_file.h). Used to make a store; Store::plan() omits them.
   std::map<std::string, std::shared_ptr<const TensorFile>> qFunctions{};
 };
@@ -121,6 +122,7 @@ class Store {
   Status add(const Store& part);
   /// More lives than were planned at first.
   Status setLives(int lives);
+  Status setLives(const std::vector<int>& lives);  ///< of every condition
   /// Moves the lives saved since the last call from the log into the file itself, which is then complete without it.
   Status settle();
 

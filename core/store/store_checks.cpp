@@ -112,6 +112,7 @@ std::uint64_t checksumOf(const StoredPlan& plan) {
   Hash64 hash;
   addText(hash, plan.title), addText(hash, plan.version);
   addAll(hash, plan.seed, plan.paired, plan.shard, plan.shards);
+  if (!plan.growth.empty()) addText(hash, plan.growth);
   for (const StoredCondition& c : plan.conditions) {
     for (const std::string* text : {&c.name, &c.reference, &c.text, &c.configuration}) addText(hash, *text);
     addAll(hash, c.lives);

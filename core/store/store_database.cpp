@@ -163,7 +163,9 @@ void fillStore(SQLite::Database& db, const StoredPlan& plan) {
                                    {"paired", plan.paired ? "1" : "0"},
                                    {"shard", std::to_string(plan.shard)},
                                    {"shards", std::to_string(plan.shards)},
-                                   {kLivesSum, hexText(0)}}) {
+                                   {kLivesSum, hexText(0)},
+                                   {kGrowth, plan.growth}}) {
+    if (key == kGrowth && value.empty()) continue;  // a fixed number of lives
     SQLite::bind(pair, key, value);
     pair.exec();
     pair.reset();

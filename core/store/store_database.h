@@ -91,6 +91,6 @@ struct Store::Database {
 void fillStore(SQLite::Database& db, const StoredPlan& plan);
 
 /// Which keys of the table `experiment` hold checksums.
-inline constexpr const char *kPlanSum = "plan_checksum", *kLivesSum = "lives_checksum";
+inline constexpr const char *kPlanSum = "plan_checksum", *kLivesSum = "lives_checksum", *kGrowth = "growth";
 
 }  // namespace surefoot

@@ -78,6 +78,7 @@ StoredPlan Store::Database::readPlan() {
   plan.paired = numberOf(valueOf("paired"), 0, 1, "paired") == 1;
   plan.shards = static_cast<int>(numberOf(valueOf("shards"), 1, kMostNumber, "shards"));
   plan.shard = static_cast<int>(numberOf(valueOf("shard"), 1, static_cast<std::uint64_t>(plan.shards), "shard"));
+  plan.growth = valueOf(kGrowth);
   SQLite::Statement statement(db,
                               "SELECT name, reference, text, configuration, lives, goal_reward, step_time, "
                               "condition FROM conditions ORDER BY condition");
@@ -234,6 +235,7 @@ Result<std::uint64_t> Store::contentHash() const {
   const auto stored = plan();
   if (!stored) return stored.error();
   addText(stored->title), addAll(stored->seed, stored->paired);
+  if (!stored->growth.empty()) addText(stored->growth);
   for (const StoredCondition& c : stored->conditions) {
     addText(c.name), addText(c.reference), addText(c.text), addText(c.configuration), addAll(c.lives);
     hash.add(c.goalReward), hash.add(c.stepTime);

@@ -16,7 +16,9 @@ namespace surefoot {
 Result<StoredPlan> planToStore(const Registry& registry, const Plan& plan) {
   StoredPlan stored{
       .title = plan.title, .version = kVersion, .seed = plan.seed, .paired = plan.paired, .conditions = {}};
-  for (const Condition& c : plan.conditions) {
+  if (plan.growth) stored.growth = jsonText(growthAsJson(plan.growth));
+  for (std::size_t i = 0; i < plan.conditions.size(); ++i) {
+    const Condition& c = plan.conditions[i];
     const auto environment = makeEnvironment(registry, c.configuration);
     if (!environment) return environment.error();
     const Task& task = (*environment)->task();
@@ -34,8 +36,8 @@ Result<StoredPlan> planToStore(const Registry& registry, const Plan& plan) {
       pre.erase("lives");
       json["pre_learning"] = {{"pool", c.preLearning->pool}, {"configuration", std::move(pre)}};
     }
-    stored.conditions.push_back(
-        {c.name, c.reference, c.text, jsonText(json), plan.lives, task.highestReturn, task.stepTime.value_or(0.0)});
+    stored.conditions.push_back({c.name, c.reference, c.text, jsonText(json), plan.livesOf(i), task.highestReturn,
+                                 task.stepTime.value_or(0.0)});
   }
   return stored;
 }
@@ -108,6 +110,14 @@ Result<Plan> planFromStore(const Registry& registry, const Store& store) {
     auto condition = storedCondition(registry, c, store);
     if (!condition) return condition.error();
     plan.conditions.push_back(std::move(*condition));
+    plan.livesEach.push_back(c.lives);
+  }
+  if (!stored->growth.empty()) {
+    auto growth = growthFromJson(parseJson(stored->growth));
+    if (!growth) return fileError(store.path(), "how its lives grow cannot be read; the file is damaged.");
+    plan.growth = std::move(*growth);
+  } else {
+    plan.livesEach.clear();
   }
   // The plan must be written again in the same way: a parameter with another value would make other lives.
   const auto again = planToStore(registry, plan);
@@ -154,6 +164,9 @@ Status checkSamePlan(const StoredPlan& stored, const StoredPlan& plan, const std
   };
   if (stored.seed != plan.seed) return differs("seed", stored.seed, plan.seed);
   if (stored.paired != plan.paired) return differs("paired", stored.paired, plan.paired);
+  if (stored.growth != plan.growth)
+    return differs("how its lives grow", stored.growth.empty() ? "a fixed number" : stored.growth,
+                   plan.growth.empty() ? "a fixed number" : plan.growth);
   if (stored.title != plan.title) return differs("title", stored.title, plan.title);
   if (stored.conditions.size() != plan.conditions.size())
     return differs("the number of conditions", stored.conditions.size(), plan.conditions.size());
