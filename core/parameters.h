@@ -27,6 +27,9 @@ enum class Group { Policy, Learning, Rewards, Representation, Model };
 
 enum class Kind { Real, Integer, Choice };
 
+/// A slider for the reward of a fall goes from nothing to where a robot becomes too cautious to learn, and bends.
+inline constexpr double kHardestFall = -25'600, kBendOfFalls = 25;
+
 /// The declaration of one parameter: everything but the member it is bound to.
 struct Parameter {
   std::string key{};     ///< within its component; with the prefix it is the full key, e.g. "policy.temperature"
@@ -36,6 +39,7 @@ struct Parameter {
   std::string unit{};    ///< "N m"; empty for a pure number
   double low = 0.0, high = 1.0;              ///< allowed, both ends included
   double sliderLow = 0.0, sliderHigh = 0.0;  ///< the usual range; equal: low … high
+  double sliderBend = 0.0;  ///< the slider is linear for values up to about this and logarithmic beyond; 0: see the form
   When when = When::Now;
   Group group = Group::Learning;
   std::string help{};    ///< one sentence

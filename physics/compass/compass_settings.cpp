@@ -33,7 +33,7 @@ Parameter signedModel(Parameter p, double low, double high, double sliderLow, do
 void CompassSettings::declare(Fields& f) {
   f.real(footstepReward, rewardParameter("footstep_reward", "Footstep", 0, 500,
                                          "Reward of a footstep, a metre of its length.", "ours", "1/m"));
-  f.real(fallReward, rewardParameter("fall_reward", "Fall", -400, 0, "Reward for falling.", "ours"));
+  f.real(fallReward, fallParameter("Reward for falling.", "ours"));
   f.real(timeReward, rewardParameter("time_reward", "Time", -5, 0, "Reward of every step; 0 or below.", "ours"));
   f.real(slope, signedModel(model("slope", "Slope", "rad", 0, "Of the floor: below 0 it goes uphill.", 1), -0.3, 0.3,
                             -0.05, 0.05));

@@ -31,7 +31,7 @@ void LeoSettings::declare(Fields& f) {
                                          "Reward of a metre by which the ankles part.", kLeosim, "1/m"));
   f.real(energyReward, rewardParameter("energy_reward", "Energy", -10, 0, "Reward of a joule that hips and knees take.",
                                        kLeosim, "1/J"));
-  f.real(fallReward, rewardParameter("fall_reward", "Fall", -400, 0, "Reward for being doomed to fall.", kLeosim));
+  f.real(fallReward, fallParameter("Reward for being doomed to fall.", kLeosim));
   f.real(timeReward, rewardParameter("time_reward", "Time", -5, 0, "Reward of every step.", kLeosim));
   f.real(resistance, model("resistance", "Resistance", "R", "Ω", 1, 100, "Of a motor's windings.", kLeosim, 1));
   f.real(dryFriction, model("dry_friction", "Dry friction", "F", "N m", 0, 2, "Of every joint.", kLeosim, 1));

@@ -59,5 +59,10 @@ inline Parameter rewardParameter(const char* key, const char* title, double low,
           .help = help,
           .origin = origin};
 }
+inline Parameter fallParameter(const char* help, const char* origin) {
+  Parameter p = rewardParameter("fall_reward", "Fall", kHardestFall, 0, help, origin);
+  p.sliderBend = kBendOfFalls;
+  return p;
+}
 
 }  // namespace surefoot

@@ -79,6 +79,31 @@ TEST(ParameterForm, TheSliderReachesBothEndsExactly) {
   EXPECT_EQ(w.session->life().configuration().parameters.get("agent.step_size"), 0.0);
 }
 
+// From nothing to where a robot becomes too cautious to learn, in steps that are fine where falls are cheap.
+TEST(ParameterForm, ThePriceOfAFallIsSetOnASensibleScale) {
+  Window w;
+  auto* slider = w.named<Slider>("Fall");
+  const auto price = [&] { return w.session->life().configuration().parameters.get("environment.fall_reward"); };
+  EXPECT_EQ(price(), -100);
+  slider->setValue(slider->minimum());
+  EXPECT_EQ(price(), -25'600);
+  slider->setValue(slider->maximum());
+  EXPECT_EQ(price(), 0);
+  for (const double wanted : {-25.0, -100.0, -400.0, -1600.0, -6400.0}) {  // each about as far from the next
+    ASSERT_TRUE(w.session->editing().setParameter("environment.fall_reward", wanted));
+    QApplication::processEvents();
+    const int at = slider->value();
+    slider->setValue(at + 10), slider->setValue(at);
+    EXPECT_NEAR(price() / wanted, 1, 0.05) << wanted << " can be set on the slider";
+  }
+  const auto placeOf = [&](double value) {
+    EXPECT_TRUE(w.session->editing().setParameter("environment.fall_reward", value));
+    QApplication::processEvents();
+    return slider->value();
+  };
+  EXPECT_NEAR(placeOf(-400) - placeOf(-1600), placeOf(-1600) - placeOf(-6400), 0.02 * slider->maximum());
+}
+
 TEST(ParameterForm, ANumberCanBeTyped) {
   Window w;
   auto* number = w.named<QLineEdit>("Threshold, number");

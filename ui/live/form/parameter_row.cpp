@@ -17,7 +17,17 @@
 
 namespace surefoot {
 
-namespace {}  // namespace
+namespace {
+
+/// Linear near 0, logarithmic far from it, on both sides: ±ln(1 + |v|/bend).
+double bent(double value, double bend) {
+  return std::copysign(std::log1p(std::abs(value) / bend), value);
+}
+double unbent(double place, double bend) {
+  return std::copysign(bend * std::expm1(std::abs(place)), place);
+}
+
+}  // namespace
 
 ParameterRow::ParameterRow(const Parameter& parameter, const std::string& policy, QWidget* parent)
     : Painted(parent),
@@ -67,11 +77,15 @@ double ParameterRow::valueAt(int position) const {
   const double low = parameter_.sliderLow, high = parameter_.sliderHigh;
   if (position == 0) return low;
   if (position == Slider::kSteps) return high;
-  double value = logarithmic() ? low * std::pow(high / low, share) : low + share * (high - low);
+  const double bend = parameter_.sliderBend;
+  double value = bend > 0        ? unbent(bent(low, bend) + share * (bent(high, bend) - bent(low, bend)), bend)
+                 : logarithmic() ? low * std::pow(high / low, share)
+                                 : low + share * (high - low);
   // Round numbers: three digits of the range, whole numbers where the parameter has no others.
   const double unit = parameter_.kind == Kind::Integer ? 1.0
-                      : logarithmic()                  ? std::pow(10.0, std::floor(std::log10(value)) - 1)
-                                                       : std::pow(10.0, std::floor(std::log10(high - low)) - 2);
+                      : logarithmic() || bend > 0
+                          ? std::pow(10.0, std::floor(std::log10(std::max(std::abs(value), 1e-9))) - 1)
+                          : std::pow(10.0, std::floor(std::log10(high - low)) - 2);
   value = std::round(value / unit) * unit;
   return std::clamp(value, low, high);
 }
@@ -79,7 +93,10 @@ double ParameterRow::valueAt(int position) const {
 int ParameterRow::sliderAt(double value) const {
   const double low = parameter_.sliderLow, high = parameter_.sliderHigh;
   const double v = std::clamp(value, low, high);
-  const double share = logarithmic() ? std::log(v / low) / std::log(high / low) : (v - low) / (high - low);
+  const double bend = parameter_.sliderBend;
+  const double share = bend > 0        ? (bent(v, bend) - bent(low, bend)) / (bent(high, bend) - bent(low, bend))
+                       : logarithmic() ? std::log(v / low) / std::log(high / low)
+                                       : (v - low) / (high - low);
   return static_cast<int>(std::lround(share * Slider::kSteps));
 }
 
