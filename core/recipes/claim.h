@@ -10,17 +10,24 @@
 //                 interval that overlaps the number ± 10 points (or ours is at least `at_least`)
 //   significant   the sign and p < .01, for every condition
 //   no-difference equivalence: the interval lies within ± `widest` (15 % of the reference), for every condition;
-//   differs
-//                 with p < .01 and an interval without 0; else undecided
-//   order         the means rise in the order of `conditions` in at least 95 % of the means drawn; differs below 5 %
-//   lowest        the first of `conditions` has the lowest mean of all, likewise
-//   spread        the means of `conditions` lie closer together than those of `others`, likewise
-//   pairs         the mean of every first is below that of its second: `pairs` = [[first, second], …]
+//                 differs with p < .01 and an interval without 0; else undecided
+//   order         the means rise in the order of `conditions` in at least 95 % of the means drawn; differs if one pair of
+//                 neighbours is the other way round, in 1 − 5 %/(number of pairs) of them
+//   lowest        the first of `conditions` has the lowest mean of all, likewise against each other one
+//   spread        the means of `conditions` lie closer together than those of `others` (`relative`: by their ratio), in
+//                 at least 95 % of the means drawn; differs below 5 %
+//   pairs         the mean of every first is below that of its second (by the measure `other`, if there is one), as in an
+//                 order: `pairs` = [[first, second], …]
 //   within-lives  of two measures of one life, `measure` is on the mean below `other`, for every condition
 //   not-longer    the interval of the difference from the reference is not wholly above 0; undecided if it reaches 15 %
 //   not-worse     no condition is significantly below the first (p < .01); undecided if one may be by `widest`
-//   ratio         mean(first)/mean(second) lies in low … high, its interval is no wider; differs if that lies outside
-//   extreme       the largest reduction of all conditions in per cent, likewise
+//   ratio         mean(first)/mean(second) lies in low … high, its interval is no wider; differs if that lies outside;
+//                 `conditions` in pairs
+//   extreme       the largest reduction of all conditions in per cent, likewise: chosen by one half of the units and
+//                 measured with the other
+//   equal-exploring  `conditions` fall less (`sign` 1: more) than `others` at the same share of exploring, on the line
+//                 between the two of them next to it: agrees if the 99 % interval says so; differs if it says the
+//                 reverse, or the 95 % interval lies within `widest`; undecided beyond what `others` explore
 //   below         the interval of the mean lies below `high`, for every condition
 //   trend         values of lives against what `along` varied: the rank correlation has the sign of `sign`, p < .01
 //   settled       the largest 250-episode change behind the end of learning lies between low and high
@@ -28,16 +35,21 @@
 //                 of the variance may yet lie between Q-functions
 //   compromise    no condition is significantly below the first in both `measure` and `other`; undecided if one may be
 //   effect-order  `conditions` in pairs: the first of a pair gains less on its reference than the second on its own, in
-//                 standard deviations
+//                 standard deviations (`relative`: in per cent)
 //   best          of each of `groups` (lists of conditions) the one with the lowest mean: its value of the parameter
 //                 `along` is the same in all (the intervals overlap, none of them takes in all values), or that of the
-//                 first is `relation` = lower or not-lower than those of the others
+//                 first is `relation` = lower or not-lower than those of the others; of one group: its interval holds
+//                 the thesis's value and is no wider than half of the values
 //   bands-overlap the 95 % bands of the learning curve and of the reference's overlap at 95 % of all moments; undecided
 //                 where they are wider than half of what the curve reaches
-//   dips          the average reward falls below that of the `first` episodes (10)
+//   dips          the average reward falls below that of the `first` episodes (10), where is found by one half of the
+//                 units and measured with the other
 //
 // p is that of the units (testOfUnits): pairs of lives or of Q-functions where both conditions have the same, means of
 // Q-functions where lives share them, and only else the thesis's analysis of variance of the lives.
+//
+// A condition whose learning never ended was cut off: what is measured up to the end has no interval there, and its
+// claims are undecided. On many systems ([systems] of a plan) a claim is judged on each (judge_systems.h).
 //
 // A claim is undecided where the lives cannot decide it: one life never can. A reduction or significance with p ≥ .01
 // is undecided if its interval leaves it open (beyond `widest`, or on the thesis's side up to its number or `at_least`,
