@@ -185,6 +185,11 @@ std::optional<TestResult> testOfUnits(const Evidence& a, const Evidence& b, std:
   return shared ? welchTest(first, second) : anovaOfTwo(first, second);
 }
 
+std::optional<CountRatio> countsOf(const Evidence& before, const Evidence& after, std::string_view measure) {
+  return countRatio(valuesOf(before, measure), unitsOf(before.record), valuesOf(after, measure), unitsOf(after.record),
+                    sameUnits(before, after));
+}
+
 std::size_t FirstWithSameUnits::add(const Evidence& evidence) {
   std::size_t first = count_++;
   const UnitKeys keys = keysOf(evidence);

@@ -8,6 +8,7 @@
 
 #include "core/findings/uncertain_end.h"
 #include "core/registry.h"
+#include "core/statistics/count_model.h"
 
 namespace surefoot {
 
@@ -52,6 +53,9 @@ std::vector<double> unitMeans(const Evidence& evidence, std::string_view measure
 /// Whether two conditions differ in a measure, by their units: pairs of units where both have the same; means of
 /// Q-functions against each other (Welch) where lives share several; else the analysis of variance of the lives.
 std::optional<TestResult> testOfUnits(const Evidence& a, const Evidence& b, std::string_view measure);
+
+/// Their counts in a measure as counts (count_model.h); empty: not all values are counts.
+std::optional<CountRatio> countsOf(const Evidence& before, const Evidence& after, std::string_view measure);
 
 /// Finds, for each of a row of conditions, the first condition with the same units (sameUnits).
 class FirstWithSameUnits {

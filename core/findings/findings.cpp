@@ -150,6 +150,10 @@ Comparison compare(const Evidence& reference, const Evidence& other, std::vector
   }
   const auto a = valuesOf(reference, "falls"), b = valuesOf(other, "falls");
   c.fixed = changeAtFixedMoment(reference, other, same);
+  constexpr double kFewFalls = 5;
+  if (c.fixed &&
+      std::min(estimateOf(reference, c.fixed->measure).value, estimateOf(other, c.fixed->measure).value) < kFewFalls)
+    c.counts = countsOf(reference, other, c.fixed->measure);
   c.ofUnits = testOfUnits(reference, other, "falls");
   c.anova = anovaOfTwo(a, b);
   c.welch = welchTest(a, b);

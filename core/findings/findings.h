@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/findings/evidence.h"
+#include "core/statistics/count_model.h"
 
 namespace surefoot {
 
@@ -24,6 +25,8 @@ struct FixedChange {
 /// A condition against the reference, in falls during learning.
 struct Comparison {
   std::optional<FixedChange> fixed;
+  /// The same as counts, where one of the two falls less than five times: a t interval cannot tell there.
+  std::optional<CountRatio> counts;
   std::optional<TestResult> ofUnits;       ///< testOfUnits: the p of tables and verdicts
   Interval change;                         ///< in per cent; −45: 45 % fewer. NaN where the reference has no falls
   Interval difference;                     ///< in falls; −90: 90 fewer

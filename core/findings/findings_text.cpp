@@ -37,7 +37,14 @@ OrderedJson asJson(const Comparison& c) {
   if (c.fixed)
     fixed = {
         {"measure", c.fixed->measure}, {"change_per_cent", asJson(c.fixed->change)}, {"p", numberAsJson(c.fixed->p)}};
+  OrderedJson counts = nullptr;
+  if (c.counts)
+    counts = {{"ratio", asJson(c.counts->ratio)},
+              {"p", numberAsJson(c.counts->p)},
+              {"deviation_between_q_functions", numberAsJson(c.counts->deviation)},
+              {"dispersion", numberAsJson(c.counts->dispersion)}};
   return {{"at_a_fixed_moment", fixed},
+          {"as_counts", counts},
           {"change_per_cent", asJson(c.change)},
           {"difference", asJson(c.difference)},
           {"p", numberAsJson(c.p())},
@@ -215,6 +222,13 @@ std::string findingsAsTable(const Findings& findings) {
                        padded(changes[i], ofChanges), c ? pText(c->p()) : "", c && c->significant() ? " X" : "");
   }
   out += spreadTable(findings, width);
+  for (const Finding& f : findings.conditions)
+    if (f.comparison && f.comparison->counts) {
+      const CountRatio& r = *f.comparison->counts;
+      out +=
+          fmt::format("{}: as counts at the fixed moment {:.2f} times the reference's falls ({:.2f} … {:.2f}), p {}.\n",
+                      f.name, r.ratio.value, r.ratio.low, r.ratio.high, pText(r.p));
+    }
   for (const Finding& f : findings.conditions)
     for (const std::string& warning : f.warnings) out += fmt::format("{}: {}.\n", f.name, warning);
   for (const std::string& sentence : findings.found) out += sentence + ".\n";

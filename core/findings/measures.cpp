@@ -187,13 +187,15 @@ std::vector<double> meanAverageRewards(const ConditionRecord& record) {
   std::vector<double> a(record.shortest());
   for (const auto& episodes : record.episodes) {
     const auto averages = averageRewards(episodes);
-    for (std::size_t k = 0; k < a.size(); ++k) a[k] += averages[k] / static_cast<double>(record.episodes.size());
+    for (std::size_t k = 0; k < a.size(); ++k) a[k] += averages[k];
   }
+  for (double& mean : a) mean /= static_cast<double>(record.episodes.size());
   return a;
 }
 
 std::optional<std::size_t> endOfLearning(const std::vector<double>& a, double goalReward) {
-  const double most = goalReward > 0 ? kMostChange * goalReward / kOfGoal : kMostChange;
+  constexpr double kRounding = 1e-9;  // changes lie on a grid of rewards over lives: one of exactly 3 is not below 3
+  const double most = (goalReward > 0 ? kMostChange * goalReward / kOfGoal : kMostChange) - kRounding;
   for (std::size_t k = kFirst; k <= a.size(); ++k)
     if (std::abs(a[k - 1] - a[k - 1 - kSpan]) < most && a[k - 1] > 0.75 * goalReward) return k;
   return std::nullopt;

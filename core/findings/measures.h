@@ -58,8 +58,8 @@ struct LifeMeasures {
   double averageReward = 0.0;     ///< at the end of the life
   double lifeReward = 0.0;        ///< reward of an episode, over all of the life
   double firstTransitions = 0.0;  ///< transitions per episode, over the first 80
-  /// Falls up to a fixed moment, whenever learning ended: by kFixedMinutes, by episode kFixedEpisodes. NaN: the life is
-  /// shorter.
+  /// Falls of the episodes that were over by a fixed moment, whenever learning ended: kFixedMinutes, or episode
+  /// kFixedEpisodes. NaN: the life is shorter, by its steps, to which an unfinished last episode belongs.
   std::array<double, 3> fallsByMinute{};
   double fallsByEpisode = 0.0;
   std::vector<StoredMeasure> own{};  ///< measures of its task (measuresOf)

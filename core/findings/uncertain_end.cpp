@@ -46,7 +46,8 @@ std::vector<double> meanAverages(const std::vector<Course>& lives, const std::ve
   }
   std::vector<double> a(shortest);
   for (std::size_t l = 0; l < lives.size(); ++l)
-    for (std::size_t k = 0; times[l] > 0 && k < shortest; ++k) a[k] += times[l] / all * lives[l].averages[k];
+    for (std::size_t k = 0; times[l] > 0 && k < shortest; ++k) a[k] += times[l] * lives[l].averages[k];
+  for (double& mean : a) mean /= all;
   return a;
 }
 

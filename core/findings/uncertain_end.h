@@ -11,6 +11,9 @@
 
 namespace surefoot {
 
+/// A(k) of a resample reaches to the end of the shortest of the lives that were drawn. The error is the root mean
+/// square of the resamples' distances from our value, not from their own mean (mean_estimate.cpp).
+///
 /// The means in the resamples of falls, minutes, success_during, success_after, failure_during and failure_after, and
 /// under `end` the episode in which learning ended (infinite: it never did). Two conditions with equally many units are
 /// resampled alike. Empty if all resamples have the same end, or for one unit.

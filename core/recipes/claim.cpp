@@ -147,6 +147,8 @@ Interval Judge::change(const Evidence& reference, const Evidence& e) {
 
 Interval Judge::judged(const Interval& change, const Evidence& reference, const Evidence& e) {
   if (!toNothing_) return change;
+  if (const auto counts = countsOf(reference, e, measure_); counts && std::isfinite(counts->ratio.high))
+    return {change.value, -100, 100 * (counts->ratio.high - 1)};
   const MeanEstimate before = estimate(reference);
   const Interval d = differenceOf(before, estimate(e), sameUnits(reference, e));
   return {change.value, 100 * d.low / std::abs(before.value), 100 * d.high / std::abs(before.value)};

@@ -62,7 +62,7 @@ std::optional<TestResult> normalityTest(Sample x);
 /// Holm (1979): the p values adjusted for being so many; in the order given.
 std::vector<double> holm(std::span<const double> p);
 
-/// Hedges' g: (mean(b) − mean(a))/s with s pooled, corrected for small samples (Hedges 1981).
+/// Hedges' g: (mean(b) − mean(a))/s with s pooled, times 1 − 3/(4·df − 1) for small samples (Hedges 1981).
 std::optional<double> effectSize(Sample a, Sample b);
 /// Spearman's rank correlation, ties shared; empty if one of the samples is constant.
 std::optional<double> rankCorrelation(Sample a, Sample b);

@@ -55,6 +55,26 @@ TEST(Measures, LearningEndsAtTheFirstQuietEpisodeFrom330) {
   EXPECT_EQ(endOfLearning({}, 200), std::nullopt);
 }
 
+// The mean of 100 lives lies on a grid of 1.25/100, so that changes of exactly 3 are frequent; they are no end.
+TEST(Measures, AChangeOfExactlyThreeIsNotBelowThree) {
+  for (int i = 0; i < 2000; ++i) {
+    std::vector<double> a(400, (14'000 + i) * 1.25 / 100);
+    for (std::size_t k = 330; k <= 400; ++k) a[k - 1] = (14'240 + i) * 1.25 / 100;
+    EXPECT_EQ(endOfLearning(a, 200), std::nullopt) << i;
+    for (std::size_t k = 330; k <= 400; ++k) a[k - 1] = (14'239 + i) * 1.25 / 100;
+    EXPECT_EQ(endOfLearning(a, 200), 330u) << i;
+  }
+}
+
+TEST(Measures, WithAnotherGoalLearningEndsAtTheSameEpisode) {
+  std::vector<double> a(700, 100);
+  for (std::size_t k = 300; k <= 700; ++k) a[k - 1] = 190 - 40.0 * std::exp(-static_cast<double>(k) / 150);
+  std::vector<double> twice = a;
+  for (double& v : twice) v *= 2;
+  ASSERT_TRUE(endOfLearning(a, 200));
+  EXPECT_EQ(endOfLearning(a, 200), endOfLearning(twice, 400));
+}
+
 // Whenever learning ended: falls of the episodes that were over by then.
 TEST(Measures, FallsAtFixedMoments) {
   std::vector<StoredEpisode> episodes(340, success(2));
