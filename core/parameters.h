@@ -39,7 +39,8 @@ struct Parameter {
   std::string unit{};    ///< "N m"; empty for a pure number
   double low = 0.0, high = 1.0;              ///< allowed, both ends included
   double sliderLow = 0.0, sliderHigh = 0.0;  ///< the usual range; equal: low … high
-  double sliderBend = 0.0;  ///< the slider is linear for values up to about this and logarithmic beyond; 0: see the form
+  double sliderBend =
+      0.0;  ///< the slider is linear for values up to about this and logarithmic beyond; 0: see the form
   When when = When::Now;
   Group group = Group::Learning;
   std::string help{};    ///< one sentence

@@ -28,19 +28,67 @@ std::string pText(const Comparison& c) {
   return shortPText(c.p()) + (c.significant() ? " X" : "");
 }
 
+/// "3.7": a share in per cent.
+std::string percentText(double share) {
+  return std::isfinite(share) ? fmt::format("{:.{}f}", 100 * share, share < 0.0995 ? 1 : 0) : "–";
+}
+
+/// The last fixed moment that all conditions came to; empty: none.
+std::string fixedMoment(const std::vector<Evidence>& evidence) {
+  for (const char* measure : {"falls_6_min", "falls_3_min", "falls_1_min", "falls_330"})
+    if (std::all_of(evidence.begin(), evidence.end(),
+                    [&](const Evidence& e) { return std::isfinite(estimateOf(e, measure).value); }))
+      return measure;
+  return "";
+}
+
+std::string fixedChangeText(const Comparison& c) {
+  if (!c.fixed || !std::isfinite(c.fixed->change.value)) return "";
+  const Interval& i = c.fixed->change;
+  std::string text = signedText(i.value, 0);
+  if (i.known()) text += fmt::format(" ({} … {})", signedText(i.low, 0), signedText(i.high, 0));
+  return text;
+}
+
 }  // namespace
 
+// What does not depend on when learning ended stands first.
 ConditionsTable conditionsTable(const Findings& findings, const std::vector<Evidence>& evidence,
                                 const std::vector<std::string>& measures) {
-  ConditionsTable table{.heads = {"condition", "lives", measureTitle("falls", evidence), "change, % (95 %)", "p"},
-                        .rows = {}};
-  for (const std::string& measure : measures) table.heads.push_back(measureTitle(measure, evidence));
+  const auto any = [&](const char* measure) {
+    return std::any_of(evidence.begin(), evidence.end(),
+                       [&](const Evidence& e) { return std::isfinite(estimateOf(e, measure).value); });
+  };
+  const bool exploring = any("exploring"), greedy = any("final_falls");
+  const std::string fixed = fixedMoment(evidence);
+  std::vector<std::string> more;
+  for (const std::string& measure : measures)
+    if (measure != fixed && measure != "exploring" && measure != "final_falls") more.push_back(measure);
+
+  ConditionsTable table{.heads = {"condition", "lives"}, .rows = {}};
+  const auto head = [&](bool shown, const std::string& text) {
+    if (shown) table.heads.push_back(text);
+  };
+  head(exploring, "explored, %");
+  head(!fixed.empty(), measureTitle(fixed, evidence));
+  head(!fixed.empty(), "change, % (95 %)");
+  for (const char* text : {"falls during learning", "change, % (95 %)", "p"}) head(true, text);
+  head(greedy, "greedy episodes that fall at the end, %");
+  for (const std::string& measure : more) head(true, measureTitle(measure, evidence));
   for (std::size_t i = 0; i < findings.conditions.size(); ++i) {
     const Finding& f = findings.conditions[i];
     const auto& c = f.comparison;
-    table.rows.push_back({f.name, std::to_string(f.lives), cellOf(evidence[i], "falls"), c ? changeText(*c, 0) : "",
-                          c ? pText(*c) : ""});
-    for (const std::string& measure : measures) table.rows.back().push_back(cellOf(evidence[i], measure));
+    auto& row = table.rows.emplace_back(std::vector{f.name, std::to_string(f.lives)});
+    if (exploring) row.push_back(percentText(f.exploring.value));
+    if (!fixed.empty()) {
+      row.push_back(cellOf(evidence[i], fixed));
+      row.push_back(c && c->fixed && c->fixed->measure == fixed ? fixedChangeText(*c) : "");
+    }
+    row.push_back(cellOf(evidence[i], "falls") + (f.end ? "" : ", cut off"));
+    row.push_back(c ? changeText(*c, 0) : "");
+    row.push_back(c ? pText(*c) : "");
+    if (greedy) row.push_back(percentText(f.finalFalls.value));
+    for (const std::string& measure : more) row.push_back(cellOf(evidence[i], measure));
   }
   return table;
 }

@@ -94,8 +94,7 @@ std::string number(double value) {
 bool differs(const Evidence& e, const std::vector<Evidence>& all, const std::string& measure) {
   for (const Evidence& reference : all) {
     if (reference.name() != e.record.condition.reference || &reference == &e) continue;
-    const auto a = valuesOf(reference, measure), b = valuesOf(e, measure);
-    const auto test = anovaOfTwo(a, b);
+    const auto test = testOfUnits(reference, e, measure);
     return test && test->p < 0.01;
   }
   return false;

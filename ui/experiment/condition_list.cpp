@@ -40,6 +40,18 @@ QSize ConditionList::sizeHint() const {
   return scaled({264, kRow * rows + kGroup * groups + kHead + kLine * static_cast<int>(design().size()) + 16});
 }
 
+/// What p is of: what is independent in this plan.
+QString ConditionList::testWords() const {
+  const auto& plan = experiment_.plan();
+  const PreLearning* before = plan && !plan->conditions.empty() && plan->conditions.back().preLearning
+                                  ? &*plan->conditions.back().preLearning
+                                  : nullptr;
+  return before && before->pool == 0       ? tr("pairs of Q-functions, p < .01")
+         : before                          ? tr("%1 Q-functions, p < .01").arg(before->pool)
+         : experiment_.storedPlan().paired ? tr("pairs of lives, p < .01")
+                                           : tr("one-way ANOVA, p < .01");
+}
+
 std::vector<std::pair<QString, QString>> ConditionList::design() const {
   std::vector<std::pair<QString, QString>> list;
   const StoredPlan& stored = experiment_.storedPlan();
@@ -63,7 +75,8 @@ std::vector<std::pair<QString, QString>> ConditionList::design() const {
   list.push_back({tr("Lives"), tr("%1 a condition").arg(stored.conditions.front().lives)});
   list.push_back({tr("Seeds"), stored.paired ? tr("paired, from %1").arg(stored.seed)
                                              : tr("independent, from %1").arg(stored.seed)});
-  list.push_back({tr("Test"), tr("one-way ANOVA, p < .01")});
+  list.push_back({tr("Test"), testWords()});
+  if (!stored.growth.empty()) list.push_back({tr("Lives grow"), tr("until it is decided")});
   if (experiment_.minutes() > 0)
     list.push_back({tr("Takes"), tr("about %1").arg(toText(roundedTime(experiment_.minutes())))});
   return list;

@@ -22,6 +22,7 @@ class ConditionList final : public Painted<> {
  private:
   /// The settings that all conditions share: name and value.
   std::vector<std::pair<QString, QString>> design() const;
+  QString testWords() const;
   void drawGroup(QPainter& p, const QString& title, double y) const;
 
   Experiment& experiment_;

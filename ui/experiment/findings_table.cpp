@@ -49,8 +49,9 @@ QString valueText(double value, int decimals) {
 
 FindingsTable::FindingsTable(Experiment& experiment, QWidget* parent) : QTableWidget(parent), experiment_(experiment) {
   setAccessibleName(tr("Results"));
-  setUpTable(*this, {tr("Condition"), tr("Lives"), tr("Falls"), tr("± (95 %)"), tr("Change %"), tr("% (95 % interval)"),
-                     tr("p"), tr("p Holm"), tr("X"), tr("Time min"), tr("Thesis"), tr("Verdict")});
+  setUpTable(*this,
+             {tr("Condition"), tr("Lives"), tr("Falls"), tr("± (95 %)"), tr("Change %"), tr("% (95 % interval)"),
+              tr("p"), tr("p Holm"), tr("X"), tr("Time min"), tr("Expl. %"), tr("End %"), tr("Thesis"), tr("Verdict")});
   horizontalHeaderItem(VerdictIs)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   const std::pair<Column, QString> tips[] = {
       {Name, tr("pre(3): its lives began with what was learned on scenario 3")},
@@ -61,7 +62,11 @@ FindingsTable::FindingsTable(Experiment& experiment, QWidget* parent) : QTableWi
              "Q-functions where lives share them, else the one-way analysis of variance of the lives")},
       {Holm, tr("The same, corrected for all comparisons with this reference (Holm 1979)")},
       {Mark, tr("X: differs from the reference with p < .01")},
-      {Time, tr("Simulated minutes until the end of learning; – for a task without a clock")}};
+      {Time, tr("Simulated minutes until the end of learning; – for a task without a clock")},
+      {Explored, tr("Share of actions that were not the best by the values at that moment: who explores less falls "
+                    "less")},
+      {GreedyEnd, tr("Of 100 episodes of the greedy policy at the end of a life, when nothing is learned any more, how "
+                     "many fall")}};
   for (const auto& [column, tip] : tips) horizontalHeaderItem(column)->setToolTip(tipText(tip));
   connect(&experiment_, &Experiment::resultsChanged, this, &FindingsTable::refresh);
   connect(&experiment_, &Experiment::planChanged, this, &QTableWidget::clearSelection);
@@ -124,6 +129,9 @@ void FindingsTable::refresh() {
       item(i, Name)->setText(tr("%1 (reference)").arg(shownName(name)));
   bool thesis = false;
   for (int i = 0; i < rowCount(); ++i) thesis = thesis || !item(i, Thesis)->text().isEmpty();
+  for (const auto& [column, measure] : {std::pair(Explored, &Finding::exploring), {GreedyEnd, &Finding::finalFalls}})
+    setColumnHidden(column, std::none_of(all.begin(), all.end(),
+                                         [&](const Finding& f) { return std::isfinite((f.*measure).value); }));
   setColumnHidden(Thesis, !thesis);
   setColumnHidden(VerdictIs, !thesis);
   spreadColumns(*this);
@@ -160,6 +168,8 @@ void FindingsTable::fillRow(int row, const Finding& f) {
       f.lives > 0 && std::isfinite(f.minutes.value) ? valueText(f.minutes.value, 2)
       : f.lives > 0                                 ? QStringLiteral("–")
                                                     : QString());
+  put(*this, row, Explored, valueText(100 * f.exploring.value, 1));
+  put(*this, row, GreedyEnd, valueText(100 * f.finalFalls.value, 1));
   const ThesisVerdict* thesis = experiment_.thesisOn(f.name);
   put(*this, row, Thesis, thesis ? toText(thesis->says) : QString());
   auto* verdict = put(*this, row, VerdictIs, QString(), false, true);

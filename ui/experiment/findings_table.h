@@ -22,7 +22,22 @@ class FindingsTable final : public QTableWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
-  enum Column { Name, Lives, Falls, PlusMinus, ChangeIs, Range, P, Holm, Mark, Time, Thesis, VerdictIs };
+  enum Column {
+    Name,
+    Lives,
+    Falls,
+    PlusMinus,
+    ChangeIs,
+    Range,
+    P,
+    Holm,
+    Mark,
+    Time,
+    Explored,
+    GreedyEnd,
+    Thesis,
+    VerdictIs
+  };
 
   void refresh();
   void fillRow(int row, const Finding& finding);

@@ -16,6 +16,7 @@ Evidence evidenceOf(const std::string& name, const std::vector<double>& falls, b
   for (const double f : falls) {
     LifeMeasures life;
     life.falls = f;
+    life.fallsByMinute = {10, 20, falls[0] == 90 ? 40.0 : 30.0};
     const double last = e.lives.size() + 1 == falls.size() ? 0.6 : 0.5;
     if (robot) life.own = {{0, "greedy_distance", 2.1}, {0, "greedy_falls", last}, {0, "distance", 700}};
     e.lives.push_back(life);
@@ -39,6 +40,8 @@ TEST(ConditionsTable, HasFallsTheirChangeAndWhatIsAskedFor) {
       conditionsTable(findingsOf(plan, evidence), evidence, {"distance", "greedy_distance", "walks"});
   const std::vector<std::string> heads = {"condition",
                                           "lives",
+                                          "falls by minute 6",
+                                          "change, % (95 %)",
                                           "falls during learning",
                                           "change, % (95 %)",
                                           "p",
@@ -47,13 +50,15 @@ TEST(ConditionsTable, HasFallsTheirChangeAndWhatIsAskedFor) {
                                           "lives that walk"};
   EXPECT_EQ(t.heads, heads);
   ASSERT_EQ(t.rows.size(), 2u);
-  EXPECT_EQ(t.rows[0], (std::vector<std::string>{"a", "4", "100 ± 13", "", "", "–", "–", "–"}));
+  EXPECT_EQ(t.rows[0],
+            (std::vector<std::string>{"a", "4", "40.0 ± 0.0", "", "100 ± 13, cut off", "", "", "–", "–", "–"}));
   ASSERT_EQ(t.rows[1].size(), heads.size());
-  EXPECT_EQ(t.rows[1][2], "50.0 ± 13.0");
-  EXPECT_EQ(t.rows[1][3].substr(0, 5), "-50 (");
-  EXPECT_EQ(t.rows[1][4].back(), 'X') << "F = 75 with 1 and 6 degrees of freedom";
-  EXPECT_EQ(t.rows[1][5], "700 ± 0");
-  EXPECT_EQ(t.rows[1][7], "3 of 4");
+  EXPECT_EQ(t.rows[1][2], "30.0 ± 0.0");
+  EXPECT_EQ(t.rows[1][4], "50.0 ± 13.0, cut off");
+  EXPECT_EQ(t.rows[1][5].substr(0, 5), "-50 (");
+  EXPECT_EQ(t.rows[1][6].back(), 'X') << "F = 75 with 1 and 6 degrees of freedom";
+  EXPECT_EQ(t.rows[1][7], "700 ± 0");
+  EXPECT_EQ(t.rows[1][9], "3 of 4");
 }
 
 }  // namespace surefoot
