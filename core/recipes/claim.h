@@ -12,14 +12,12 @@
 //   no-difference equivalence: the interval lies within ± `widest` (15 % of the reference), for every condition;
 //                 differs with p < .01 and an interval without 0; else undecided
 //   order         the means rise in the order of `conditions` in at least 95 % of the means drawn; differs if one pair
-//   of
-//                 neighbours is the other way round, in 1 − 5 %/(number of pairs) of them
+//                 of neighbours is the other way round, in 1 − 5 %/(number of pairs) of them
 //   lowest        the first of `conditions` has the lowest mean of all, likewise against each other one
 //   spread        the means of `conditions` lie closer together than those of `others` (`relative`: by their ratio), in
 //                 at least 95 % of the means drawn; differs below 5 %
 //   pairs         the mean of every first is below that of its second (by the measure `other`, if there is one), as in
-//   an
-//                 order: `pairs` = [[first, second], …]
+//                 an order: `pairs` = [[first, second], …]
 //   within-lives  of two measures of one life, `measure` is on the mean below `other`, for every condition
 //   not-longer    the interval of the difference from the reference is not wholly above 0; undecided if it reaches 15 %
 //   not-worse     no condition is significantly below the first (p < .01); undecided if one may be by `widest`
