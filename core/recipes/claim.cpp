@@ -45,7 +45,8 @@ const std::map<std::string, Verdict (Judge::*)()>& Judge::kinds() {
                                                                      {"effect-order", &Judge::effectOrder},
                                                                      {"bands-overlap", &Judge::bandsOverlap},
                                                                      {"dips", &Judge::dips},
-                                                                     {"equal-exploring", &Judge::equalExploring}};
+                                                                     {"equal-exploring", &Judge::equalExploring},
+                                                                     {"adds-up", &Judge::addsUp}};
   return kKinds;
 }
 

@@ -10,7 +10,7 @@
 //                 interval that overlaps the number ± 10 points (or ours is at least `at_least`)
 //   significant   the sign and p < .01, for every condition
 //   no-difference equivalence: the interval lies within ± `widest` (15 % of the reference), for every condition;
-//                 differs with p < .01 and an interval without 0; else undecided
+//                 differs with p < .01/(number of conditions) and an interval without 0; else undecided
 //   order         the means rise in the order of `conditions` in at least 95 % of the means drawn; differs if one pair
 //                 of neighbours is the other way round, in 1 − 5 %/(number of pairs) of them
 //   lowest        the first of `conditions` has the lowest mean of all, likewise against each other one
@@ -18,10 +18,15 @@
 //                 at least 95 % of the means drawn; differs below 5 %
 //   pairs         the mean of every first is below that of its second (by the measure `other`, if there is one), as in
 //                 an order: `pairs` = [[first, second], …]
+//   adds-up       the best values of the parameters `alongs`, each found while the others stay as in the first
+//   condition,
+//                 do worse together than the best of all conditions (p < .01), which are their grid: chosen by one half
+//                 of the units, measured with the other; differs if they are the best, or no worse by `widest`
 //   within-lives  of two measures of one life, `measure` is on the mean below `other`, for every condition
 //   not-longer    the interval of the difference from the reference is not wholly above 0; undecided if it reaches 15 %
-//   not-worse     no condition is significantly below the first (p < .01); undecided if one may be by `widest`
-//   ratio         mean(first)/mean(second) lies in low … high, its interval is no wider; differs if that lies outside;
+//   not-worse     no condition is significantly below the first (p < .01/(number of others)); undecided if one may be
+//   by `widest` ratio         mean(first)/mean(second) lies in low … high, its interval is no wider; differs if that
+//   lies outside;
 //                 `conditions` in pairs
 //   extreme       the largest reduction of all conditions in per cent, likewise: chosen by one half of the units and
 //                 measured with the other

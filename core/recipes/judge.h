@@ -135,6 +135,7 @@ class Judge {
   Verdict sameValues();
   Verdict best();
   Verdict equalExploring();
+  Verdict addsUp();
   Verdict belowByOther(const Evidence& a, const std::string& measure, const Evidence& b, const std::string& other,
                        std::size_t claims);
   Verdict compromise();

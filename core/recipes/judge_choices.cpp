@@ -147,11 +147,12 @@ Verdict Judge::compromise() {
   const std::string other = text("other", ""), measure = measure_;
   const Evidence& first = *conditions_[0];
   if (valuesOf(first, other).empty()) complain("other", "a second measure is expected");
+  const double level = kSignificant / static_cast<double>(std::max<std::size_t>(1, conditions_.size() - 1));
   enum class Is { Better, Open, NotBetter };
   const auto against = [&](const Evidence& e, const std::string& by) {
     measure_ = by;
     const double pValue = p(first, e);
-    if (pValue < kSignificant) {
+    if (pValue < level) {
       if (mean(e) >= mean(first)) return Is::NotBetter;
       return leavesZeroIn(first, e) ? Is::Open : Is::Better;
     }
@@ -171,6 +172,53 @@ Verdict Judge::compromise() {
   measure_ = measure;
   report(interval(first));
   return open && !beaten ? tooFew() : agreesIf(!beaten);
+}
+
+// Chosen by one half of the units: of each parameter the value that is best while the others stay as in the first
+// condition, and the best of all conditions. Measured with the other half: do the best values together do as well?
+Verdict Judge::addsUp() {
+  std::vector<std::string> keys;
+  for (const Json& key : partOf(arguments_, "alongs"))
+    if (key.is_string()) keys.push_back(key);
+  if (keys.size() < 2 || conditions_.size() < 2) complain("alongs", "two parameters or more, and conditions of them");
+  if (!problem_.empty()) return Verdict::Undecided;
+  const auto values = [&](const Evidence& e) {
+    std::vector<double> all;
+    for (const std::string& key : keys) all.push_back(parameterOf(e, key));
+    return all;
+  };
+  const auto chosenBy = [&](const Evidence& e) { return estimateOf(halfOf(e, 0), measure_).value; };
+  const std::vector<double> first = values(*conditions_[0]);
+  std::vector<double> together = first, least(keys.size(), chosenBy(*conditions_[0]));
+  const Evidence* best = conditions_[0];
+  double bestValue = least[0];
+  for (const Evidence* e : conditions_) {
+    const std::vector<double> here = values(*e);
+    const double value = chosenBy(*e);
+    if (value < bestValue) bestValue = value, best = e;
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+      std::vector<double> others = here;
+      others[k] = first[k];
+      if (others == first && value < least[k]) least[k] = value, together[k] = here[k];
+    }
+  }
+  const auto found =
+      std::find_if(conditions_.begin(), conditions_.end(), [&](const Evidence* e) { return values(*e) == together; });
+  if (!problem_.empty()) return Verdict::Undecided;
+  if (found == conditions_.end()) {
+    complain("conditions", "the best values together are none of them");
+    return Verdict::Undecided;
+  }
+  note(fmt::format("the best values together: {}; the best of all: {}", (*found)->name(), best->name()));
+  if (*found == best) return Verdict::Differs;
+  const Evidence combined = halfOf(**found, 1), optimum = halfOf(*best, 1);
+  const Interval i = change(optimum, combined);
+  report(i);
+  const double pValue = p(optimum, combined);
+  if (std::isnan(pValue)) return tooFew();
+  j_.p = pValue;
+  if (pValue < kSignificant && i.low > 0) return Verdict::Agrees;
+  return mayExceed(i, false, true) ? tooFew() : Verdict::Differs;
 }
 
 // Cohen's d of each against its reference, with the spread of the lives that are there; or, `relative`, the change.

@@ -113,6 +113,7 @@ Verdict Judge::significant() {
 }
 
 Verdict Judge::noDifference() {
+  const double level = kSignificant / static_cast<double>(std::max<std::size_t>(1, conditions_.size()));
   std::vector<Verdict> verdicts;
   for (const Evidence* e : conditions_) {
     const Evidence& reference = *referenceOf(*e);
@@ -123,9 +124,9 @@ Verdict Judge::noDifference() {
     const auto reach = [](const Interval& change) { return std::max(std::abs(change.low), std::abs(change.high)); };
     if (!j_.low || (i.known() && reach(i) > reach({0, *j_.low, *j_.high}))) report(i);
     if (pValue <= j_.p.value_or(1)) j_.p = pValue;
-    if (pValue < kSignificant && leavesZeroIn(reference, *e)) {
+    if (pValue < level && leavesZeroIn(reference, *e)) {
       verdicts.push_back(Verdict::Undecided);
-    } else if (pValue < kSignificant) {
+    } else if (pValue < level) {
       note(fmt::format("{} differs{} (p {:.2g})", e->name(),
                        std::isfinite(i.value) ? fmt::format(" by {} %", signedText(i.value, 0)) : "", pValue));
       verdicts.push_back(Verdict::Differs);

@@ -97,13 +97,14 @@ Verdict Judge::belowByOther(const Evidence& a, const std::string& measure, const
 
 Verdict Judge::notWorse() {
   const Evidence& first = *conditions_[0];
+  const double level = kSignificant / static_cast<double>(std::max<std::size_t>(1, conditions_.size() - 1));
   bool better = false, open = false;
   for (const Evidence* e : conditions_) {
     if (e == &first) continue;
     const double pValue = p(first, *e);
-    open = open || std::isnan(pValue) ||
-           (pValue >= kSignificant && mayExceed(judged(change(first, *e), first, *e), true, false));
-    if (!(pValue < kSignificant) || mean(*e) >= mean(first)) continue;
+    open =
+        open || std::isnan(pValue) || (pValue >= level && mayExceed(judged(change(first, *e), first, *e), true, false));
+    if (!(pValue < level) || mean(*e) >= mean(first)) continue;
     if (leavesZeroIn(first, *e)) {
       open = true;
       continue;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Kinds of claims that make a comparison fair: at an equal share of exploring, with the choice accounted for, and not
 // of lives that were cut off.
+#include <fmt/format.h>
+
 #include "tests/core/recipes/claim_evidence.h"
 
 namespace surefoot {
@@ -135,6 +137,24 @@ TEST(FairKinds, OnManySystemsTheShareIsToldInWhichAClaimHolds) {
   EXPECT_EQ(verdictWith(5, 1).verdict, Verdict::Undecided);
   EXPECT_EQ(verdictWith(5, 2).verdict, Verdict::Differs);
   EXPECT_NE(verdictWith(5, 2).note.find("not in 2 (6, 7)"), std::string::npos) << verdictWith(5, 2).note;
+}
+
+TEST(FairKinds, IndependentOptimaAddUpOrNot) {
+  // Two parameters with values 1 and 2. Each alone is best at 2; together they are worst, or best.
+  const auto grid = [](double both) {
+    std::vector<Evidence> all;
+    for (const auto& [a, b, falls] :
+         {std::tuple(1.0, 1.0, 30.0), {2.0, 1.0, 20.0}, {1.0, 2.0, 20.0}, {2.0, 2.0, both}}) {
+      all.push_back(condition(fmt::format("g {} {}", a, b), falls));
+      all.back().configuration = {{"parameters", {{"x.a", a}, {"x.b", b}}}};
+    }
+    return judged(all, "adds-up", {{"conditions", {"g 1 1", "g *"}}, {"alongs", {"x.a", "x.b"}}});
+  };
+  EXPECT_EQ(grid(40).verdict, Verdict::Agrees);
+  EXPECT_NE(grid(40).note.find("together: g 2 2"), std::string::npos) << grid(40).note;
+  EXPECT_NEAR(*grid(40).ours, 100, 1e-9);
+  EXPECT_EQ(grid(10).verdict, Verdict::Differs);
+  EXPECT_EQ(grid(20.2).verdict, Verdict::Differs) << "one per cent worse than the best";
 }
 
 }  // namespace surefoot
