@@ -5,6 +5,8 @@
 // Gauss & Hermite's rule of 20 nodes, the maximum by NLopt (Subplex: Rowan 1990). What is reported is exp β₁, with the
 // 95 % interval of the profile likelihood and the p of the likelihood ratio test. Where falls are few this decides what
 // a t interval cannot: it knows that they are no fewer than 0, and how rare they may be if there were none.
+// It holds its 95 % within two points from one fall a life on, and 91 % where there are two falls in twenty lives
+// (tests/rates).
 #pragma once
 
 #include <optional>
