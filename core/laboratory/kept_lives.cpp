@@ -88,13 +88,15 @@ std::shared_ptr<const TensorFile> KeptLives::read(const std::string& name) {
 
 void KeptLives::drop(const std::string& name) {
   unlink(fileOf(name).c_str());
-  rmdir(folder_.c_str());  // which does nothing while something is in it
+  // This does nothing while something is in it. Who is about to write there has made the folder and needs it.
+  if (const std::unique_lock lock(mutex_, std::try_to_lock); lock) rmdir(folder_.c_str());
 }
 
 void KeptLives::keepOnly(const std::set<std::string>& names) {
   std::error_code failed;
   for (const auto& entry : fs::directory_iterator(folder_, failed))
     if (isOurs(entry.path()) && !names.contains(entry.path().stem().string())) unlink(entry.path().c_str());
+  const std::lock_guard lock(mutex_);
   rmdir(folder_.c_str());
 }
 

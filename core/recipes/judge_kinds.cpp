@@ -8,6 +8,7 @@
 #include <boost/math/distributions/fisher_f.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <limits>
 
 #include "core/parameters.h"
 #include "core/statistics/statistics_text.h"
@@ -88,6 +89,7 @@ Verdict Judge::reduction() {
 
 Verdict Judge::significant() {
   const double sign = number("sign", -1);
+  double weakest = std::numeric_limits<double>::infinity();
   std::vector<Verdict> verdicts;
   for (const Evidence* e : conditions_) {
     const Evidence& reference = *referenceOf(*e);
@@ -99,7 +101,8 @@ Verdict Judge::significant() {
       verdicts.push_back(tooFew(e->name()));
       continue;
     }
-    if (pValue >= j_.p.value_or(0)) j_.p = pValue, report(i);
+    j_.p = std::max(pValue, j_.p.value_or(0));
+    if (!(i.value * sign > weakest)) weakest = i.value * sign, report(i);  // shown is what says least
     if (pValue < kSignificant && leavesZeroIn(reference, *e)) {
       verdicts.push_back(Verdict::Undecided);
       continue;

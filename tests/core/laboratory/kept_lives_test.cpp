@@ -2,6 +2,7 @@
 // Lives in hand outlast a pause and an end, bit for bit.
 #include "core/laboratory/kept_lives.h"
 
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <thread>
@@ -62,6 +63,23 @@ const std::string kLong =
     "[[condition]]\nname = \"a\"\n[[condition]]\nname = \"b\"\npre-learning = false\npolicy = \"softmax\"\n";
 
 }  // namespace
+
+// The last life of a folder is over, and the folder goes, while another life is about to be written there.
+TEST_F(KeptLivesTest, AFolderIsNotTakenAwayUnderALifeThatIsKept) {
+  KeptLives kept(folder.file("s"));
+  std::atomic<bool> over{false};
+  std::thread dropping([&] {
+    while (!over) kept.drop("life-b");
+  });
+  int failed = 0;
+  for (int i = 0; i < 5000; ++i) {
+    failed += !kept.keep("life-a", TensorFile{});
+    kept.drop("life-a");
+  }
+  over = true;
+  dropping.join();
+  EXPECT_EQ(failed, 0);
+}
 
 TEST_F(KeptLivesTest, StoppedAgainAndAgainTheContentIsThatOfOneRun) {
   const std::string task = "lives = 2\n[[condition]]\nname = \"a\"\n";
