@@ -35,19 +35,11 @@ std::string percentText(double share) {
 
 /// The last fixed moment that all conditions came to; empty: none.
 std::string fixedMoment(const std::vector<Evidence>& evidence) {
-  for (const char* measure : {"falls_6_min", "falls_3_min", "falls_1_min", "falls_330"})
+  for (const char* measure : kFixedMeasures)
     if (std::all_of(evidence.begin(), evidence.end(),
                     [&](const Evidence& e) { return std::isfinite(estimateOf(e, measure).value); }))
       return measure;
   return "";
-}
-
-std::string fixedChangeText(const Comparison& c) {
-  if (!c.fixed || !std::isfinite(c.fixed->change.value)) return "";
-  const Interval& i = c.fixed->change;
-  std::string text = signedText(i.value, 0);
-  if (i.known()) text += fmt::format(" ({} … {})", signedText(i.low, 0), signedText(i.high, 0));
-  return text;
 }
 
 }  // namespace
@@ -82,7 +74,7 @@ ConditionsTable conditionsTable(const Findings& findings, const std::vector<Evid
     if (exploring) row.push_back(percentText(f.exploring.value));
     if (!fixed.empty()) {
       row.push_back(cellOf(evidence[i], fixed));
-      row.push_back(c && c->fixed && c->fixed->measure == fixed ? fixedChangeText(*c) : "");
+      row.push_back(c && c->fixed && c->fixed->measure == fixed ? changeText(c->fixed->change, 0) : "");
     }
     row.push_back(cellOf(evidence[i], "falls") + (f.end ? "" : ", cut off"));
     row.push_back(c ? changeText(*c, 0) : "");

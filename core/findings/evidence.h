@@ -2,6 +2,7 @@
 // A condition's results as comparisons need them.
 #pragma once
 
+#include <array>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string_view>
@@ -29,6 +30,9 @@ struct Evidence {
 
 /// The evidence of all conditions of a store, in order.
 Result<std::vector<Evidence>> readEvidence(const Registry& registry, const Store& store);
+
+/// Falls at fixed moments: comparisons take the first of these that both conditions have.
+inline constexpr std::array kFixedMeasures = {"falls_6_min", "falls_3_min", "falls_1_min", "falls_330"};
 
 /// The names of the measures of a life: falls, minutes, all_falls, end_performance, average_reward, life_reward,
 /// success_during, success_after, failure_during, failure_after, first_transitions, walks (0 or 1: more than

@@ -112,7 +112,7 @@ void warn(Finding& f, const Evidence& m) {
 }
 
 std::optional<FixedChange> changeAtFixedMoment(const Evidence& reference, const Evidence& other, bool same) {
-  for (const char* measure : {"falls_6_min", "falls_3_min", "falls_1_min", "falls_330"}) {
+  for (const char* measure : kFixedMeasures) {
     const MeanEstimate before = estimateOf(reference, measure), after = estimateOf(other, measure);
     if (!std::isfinite(before.value) || !std::isfinite(after.value)) continue;
     const auto test = testOfUnits(reference, other, measure);

@@ -104,9 +104,7 @@ std::string fixedTable(const Findings& findings, std::size_t width) {
                                 padded("episode 330", 12), padded("change, % (95 %)", 24), "p");
   for (const Finding& f : findings.conditions) {
     const auto& fixed = f.comparison ? f.comparison->fixed : std::optional<FixedChange>();
-    std::string change = fixed && std::isfinite(fixed->change.value) ? signedText(fixed->change.value, 1) : "";
-    if (fixed && fixed->change.known())
-      change += fmt::format(" ({} … {})", signedText(fixed->change.low, 1), signedText(fixed->change.high, 1));
+    const std::string change = fixed ? changeText(fixed->change, 1) : "";
     const auto falls = [](const Interval& i) { return std::isfinite(i.value) ? plusMinusText(i, 1) : "–"; };
     out +=
         fmt::format("{} {} {} {} {} {} {} {} {}\n", padded(f.name, width), padded(std::to_string(f.lives), 6),

@@ -17,11 +17,11 @@ int livedBy(const Evidence& e) {
   return static_cast<int>(e.lives.size()) + e.record.diverged;
 }
 
+/// ", −45.0 % (−55.1 … −32.0)"
 std::string changeWords(const Interval& change) {
-  if (!std::isfinite(change.value)) return "";
-  std::string text = fmt::format(", {} %", signedText(change.value, 1));
-  if (change.known()) text += fmt::format(" ({} … {})", signedText(change.low, 1), signedText(change.high, 1));
-  return text;
+  const std::string text = changeText(change, 1);
+  const auto end = text.find(' ');
+  return text.empty() ? "" : ", " + text.substr(0, end) + " %" + (end == std::string::npos ? "" : text.substr(end));
 }
 
 Interval changeBetween(const Evidence& reference, const Evidence& e, std::string_view measure) {

@@ -64,9 +64,9 @@ std::vector<double> DecidedLives::levels() const {
   std::vector<double> all;
   double spent = 0;
   for (const int n : looks()) {
-    const double so_far = level * std::log(1 + (std::numbers::e - 1) * n / atMost);
-    all.push_back(so_far - spent);
-    spent = so_far;
+    const double soFar = level * std::log(1 + (std::numbers::e - 1) * n / atMost);
+    all.push_back(soFar - spent);
+    spent = soFar;
   }
   return all;
 }

@@ -10,6 +10,7 @@
 
 #include "core/basics/typed_json.h"
 #include "core/parameters.h"
+#include "core/plans/plan_systems.h"
 #include "core/recipes/judge.h"
 #include "core/recipes/judge_systems.h"
 #include "core/statistics/statistics_text.h"
@@ -91,8 +92,11 @@ double Judge::number(const char* key, std::optional<double> otherwise) {
 
 Judge::Group Judge::fitting(const std::string& pattern) const {
   Group group;
-  for (const Evidence& e : evidence_)
-    if (fits(e.name(), pattern) && !e.lives.empty()) group.push_back(&e);
+  for (const Evidence& e : evidence_) {
+    if (e.lives.empty()) continue;
+    const auto [system, name] = system_ > 0 ? systemOf(e.name()) : std::pair(0, e.name());
+    if (system == system_ && fits(name, pattern)) group.push_back(&e);
+  }
   return group;
 }
 
@@ -109,7 +113,8 @@ Judge::Group Judge::find(const char* key) {
 }
 
 const Evidence* Judge::referenceOf(const Evidence& e) {
-  const std::string name = text("reference", e.record.condition.reference.c_str());
+  const std::string& own = e.record.condition.reference;
+  const std::string name = text("reference", (system_ > 0 ? systemOf(own).second : own).c_str());
   const Group found = fitting(name);
   if (found.size() == 1) return found[0];
   complain("reference", fmt::format("no single condition is called \"{}\"", name));
@@ -228,9 +233,9 @@ const char* nameOf(Verdict verdict) {
 
 Result<Judgement> judge(const Registry& registry, const Claim& claim, const std::vector<Evidence>& evidence,
                         std::uint64_t seed) {
-  const auto systems = bySystem(evidence);
+  const std::set<int> systems = systemsOf(evidence);
   return systems.empty() ? Judge(registry, claim, evidence, seed).judge()
-                         : judgeOnSystems(registry, claim, systems, seed);
+                         : judgeOnSystems(registry, claim, evidence, systems, seed);
 }
 
 nlohmann::ordered_json judgementAsJson(const Judgement& j) {

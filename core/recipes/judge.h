@@ -37,11 +37,14 @@ inline Verdict ofShare(double share) {
 
 class Judge {
  public:
-  Judge(const Registry& registry, const Claim& claim, const std::vector<Evidence>& evidence, std::uint64_t seed)
+  /// `system`: looks at the conditions of this system alone, by their names without it; 0: at all.
+  Judge(const Registry& registry, const Claim& claim, const std::vector<Evidence>& evidence, std::uint64_t seed,
+        int system = 0)
       : registry_(registry),
         claim_(claim),
         arguments_(claim.arguments),
         evidence_(evidence),
+        system_(system),
         random_(seed) {
     j_.id = claim.id, j_.says = claim.says, j_.counts = claim.counts;
     j_.thesis = arguments_.value("thesis", nlohmann::json());
@@ -148,6 +151,7 @@ class Judge {
   const Claim& claim_;
   const nlohmann::json& arguments_;
   const std::vector<Evidence>& evidence_;
+  const int system_;
   Random random_;
   std::string measure_ = "falls", problem_;
   bool ofNothing_ = false, toNothing_ = false;  ///< the last change() was from a reference of 0; was to 0

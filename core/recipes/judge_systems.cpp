@@ -12,25 +12,20 @@
 
 namespace surefoot {
 
-std::map<int, std::vector<Evidence>> bySystem(const std::vector<Evidence>& evidence) {
-  std::map<int, std::vector<Evidence>> systems;
-  for (const Evidence& e : evidence) {
-    auto [number, name] = systemOf(e.name());
-    if (number == 0) continue;
-    Evidence& own = systems[number].emplace_back(e);
-    own.record.condition.name = std::move(name);
-    own.record.condition.reference = systemOf(own.record.condition.reference).second;
-  }
-  return systems;
+std::set<int> systemsOf(const std::vector<Evidence>& evidence) {
+  std::set<int> numbers;
+  for (const Evidence& e : evidence)
+    if (const int number = systemOf(e.name()).first; number > 0) numbers.insert(number);
+  return numbers;
 }
 
-Result<Judgement> judgeOnSystems(const Registry& registry, const Claim& claim,
-                                 const std::map<int, std::vector<Evidence>>& systems, std::uint64_t seed) {
+Result<Judgement> judgeOnSystems(const Registry& registry, const Claim& claim, const std::vector<Evidence>& evidence,
+                                 const std::set<int>& systems, std::uint64_t seed) {
   Judgement whole;
   whole.id = claim.id, whole.says = claim.says, whole.counts = claim.counts;
   std::array<std::vector<int>, 3> numbers;
-  for (const auto& [number, evidence] : systems) {
-    const auto judgement = Judge(registry, claim, evidence, seed).judge();
+  for (const int number : systems) {
+    const auto judgement = Judge(registry, claim, evidence, seed, number).judge();
     if (!judgement) return judgement.error();
     whole.thesis = judgement->thesis;
     numbers[static_cast<std::size_t>(judgement->verdict)].push_back(number);

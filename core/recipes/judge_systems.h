@@ -3,7 +3,7 @@
 // of the systems in which it holds. Agrees: in three quarters or more; differs: not in a quarter or more.
 #pragma once
 
-#include <map>
+#include <set>
 
 #include "core/recipes/claim.h"
 
@@ -11,11 +11,11 @@ namespace surefoot {
 
 inline constexpr double kOfMostSystems = 0.75;
 
-/// The conditions of every system, without its name in theirs. Empty: the conditions are not of systems.
-std::map<int, std::vector<Evidence>> bySystem(const std::vector<Evidence>& evidence);
+/// The numbers of the systems that conditions are of; empty: of none.
+std::set<int> systemsOf(const std::vector<Evidence>& evidence);
 
 /// `ours` is the share of the systems that agree; the note counts and names the others.
-Result<Judgement> judgeOnSystems(const Registry& registry, const Claim& claim,
-                                 const std::map<int, std::vector<Evidence>>& systems, std::uint64_t seed);
+Result<Judgement> judgeOnSystems(const Registry& registry, const Claim& claim, const std::vector<Evidence>& evidence,
+                                 const std::set<int>& systems, std::uint64_t seed);
 
 }  // namespace surefoot

@@ -7,6 +7,13 @@
 
 namespace surefoot {
 
+std::string changeText(const Interval& i, int decimals) {
+  if (!std::isfinite(i.value)) return "";
+  std::string text = signedText(i.value, decimals);
+  if (i.known()) text += fmt::format(" ({} … {})", signedText(i.low, decimals), signedText(i.high, decimals));
+  return text;
+}
+
 int decimalsOf(double value) {
   return std::abs(value) >= 100 ? 0 : std::abs(value) >= 10 ? 1 : 2;
 }

@@ -9,6 +9,9 @@
 
 namespace surefoot {
 
+/// "−45.0 (−55.1 … −32.0)"; without an interval the number alone, and nothing for NaN.
+std::string changeText(const Interval& change, int decimals);
+
 /// Digits behind the point with which a number has about three: 0 from 100 on, 1 from 10 on, else 2.
 int decimalsOf(double value);
 /// "93.4 ± 4.1"; without an interval the value alone; "–" where there is no value.
