@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "core/environment_library.h"
 #include "core/text/text.h"
 #include "core/text/words.h"
 
@@ -16,9 +17,10 @@ Error unknownName(std::string_view what, std::string_view name, const std::vecto
 
 std::vector<TaskMeasure> taskMeasuresOf(const Registry& registry, const std::set<std::string>& environments) {
   std::vector<TaskMeasure> all;
-  for (const EnvironmentEntry& entry : registry.environments) {
-    if (!environments.contains(entry.name)) continue;
-    const auto environment = entry.make();
+  for (const std::string& name : environments) {
+    const auto entry = findEnvironment(registry, name);
+    if (!entry) continue;
+    const auto environment = (*entry)->make();
     for (const TaskMeasure& m : environment->task().measures)
       if (!measureAt(all, m.key)) all.push_back(m);
   }

@@ -58,6 +58,8 @@ struct AgentEntry : Named {
   std::function<Result<std::unique_ptr<Agent>>(const AgentParts& parts)> make;
 };
 
+class EnvironmentLibrary;
+
 struct Registry {
   std::vector<EnvironmentEntry> environments;
   std::vector<FeatureEntry> features;
@@ -65,6 +67,7 @@ struct Registry {
   std::vector<PolicyEntry> policies;
   std::vector<AssignmentEntry> presets;
   std::vector<AssignmentEntry> scenarios;
+  std::shared_ptr<EnvironmentLibrary> files;  ///< environments from files; shared by all copies; null: there are none
 };
 
 /// "policy: there is no \"softmx\"; choose greedy, softmax or trl (did you mean softmax?)."

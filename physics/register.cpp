@@ -6,6 +6,7 @@
 #include "physics/compass/compass.h"
 #include "physics/leo/leo.h"
 #include "physics/pendulum/pendulum.h"
+#include "physics/robot/robot_entry.h"
 
 namespace surefoot {
 
@@ -58,6 +59,7 @@ AssignmentEntry leoPreset(const char* name, const char* title, const char* help,
 }  // namespace
 
 void registerPhysics(Registry& r) {
+  r.files = std::make_shared<EnvironmentLibrary>(readRobotEntry);
   r.environments.push_back({{kPendulum, "Pendulum", "The thesis's inverted pendulum on a cart, in Box2D."},
                             [] { return std::make_unique<Pendulum>(); }});
 

@@ -10,6 +10,7 @@
 #include "app/commands/commands.h"
 #include "app/commands/stored_function.h"
 #include "core/basics/typed_json.h"
+#include "core/environment_library.h"
 #include "core/experiment/task_description.h"
 #include "core/saved/checkpoint.h"
 #include "core/saved/q_file.h"
@@ -85,7 +86,7 @@ std::string asTable(const TensorFile& file) {
 Status checkWhole(const Registry& registry, const std::shared_ptr<const TensorFile>& file) {
   const Json name = file->about.value("/configuration/environment"_json_pointer, Json());
   if (!name.is_string()) return fileError(file->name, "its configuration names no environment.");
-  if (!findEntry(registry.environments, "environment", name.get<std::string>())) return Done{};
+  if (!findEnvironment(registry, name.get<std::string>())) return Done{};
   if (file->about["kind"] == "checkpoint") {
     const auto resumed = resume(registry, file, {});
     return resumed ? Status(Done{}) : resumed.error();

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "core/environment_library.h"
 #include "core/saved/q_file.h"
 #include "core/text/text.h"
 
@@ -18,10 +19,8 @@ Status checkSame(const TensorFile& file, const char* option, const std::optional
 }
 
 /// Sets the values of a preset or scenario.
-Status bring(const std::vector<AssignmentEntry>& entries, const char* what, const std::optional<std::string>& name,
-             Parameters& parameters) {
-  if (!name) return Done{};
-  const auto entry = findEntry(entries, what, *name);
+Status bring(const Result<const AssignmentEntry*>& entry, bool chosen, Parameters& parameters) {
+  if (!chosen) return Done{};
   if (!entry) return entry.error();
   for (const auto& [key, value] : (*entry)->values)
     if (parameters.find(key))
@@ -36,7 +35,13 @@ Result<Configuration> configurationUpon(const Registry& registry, const TensorFi
   const auto theirs = configurationOf(registry, file);
   if (!theirs) return theirs.error();
   const Names& names = theirs->names;
-  if (const Status s = checkSame(file, "--environment", chosen.environment, names.environment); !s) return s.error();
+  std::optional<std::string> environment = chosen.environment;
+  if (environment) {
+    auto named = environmentNamed(registry, *environment);
+    if (!named) return named.error();
+    environment = std::move(*named);
+  }
+  if (const Status s = checkSame(file, "--environment", environment, names.environment); !s) return s.error();
   if (const Status s = checkSame(file, "--features", chosen.features, names.features); !s) return s.error();
   const auto usual = configure(registry, names, {});
   auto ours = configure(registry, namesOr(chosen, names), {});
@@ -45,8 +50,10 @@ Result<Configuration> configurationUpon(const Registry& registry, const TensorFi
   for (const auto& [parameter, value] : theirs->parameters.all())
     if (value != usual->parameters.get(parameter.key) && ours->parameters.find(parameter.key))
       if (const Status s = ours->parameters.set(parameter.key, value); !s) return s.error();
-  if (const Status s = bring(registry.presets, "--preset", chosen.preset, ours->parameters); !s) return s.error();
-  if (const Status s = bring(registry.scenarios, "--scenario", chosen.scenario, ours->parameters); !s) return s.error();
+  const auto preset = findPreset(registry, names.environment, chosen.preset.value_or(""));
+  if (const Status s = bring(preset, chosen.preset.has_value(), ours->parameters); !s) return s.error();
+  const auto scenario = findScenario(registry, names.environment, chosen.scenario.value_or(""));
+  if (const Status s = bring(scenario, chosen.scenario.has_value(), ours->parameters); !s) return s.error();
   for (const Assignment& a : assignments)
     if (const Status s = ours->parameters.set(a.key, std::string_view(a.value)); !s) return s.error();
   return ours;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/environment_library.h"
 #include "core/experiment/task_description.h"
 #include "core/text/number_text.h"
 
@@ -13,18 +14,13 @@ namespace surefoot {
 
 namespace {
 
-/// Sets the values of a preset or scenario; `name` empty: the first that is meant for the environment, if any.
-Status assign(const std::vector<AssignmentEntry>& entries, std::string_view what, std::string& name, Configuration& c) {
-  if (name.empty())
-    for (auto entry = entries.rbegin(); entry != entries.rend(); ++entry)
-      if (entry->environment == c.names.environment) name = entry->name;
-  if (name.empty()) return Done{};
-  const auto found = findEntry(entries, what, name);
-  if (!found) return found.error();
-  const AssignmentEntry& entry = **found;
-  if (entry.environment != c.names.environment)
-    return Error{fmt::format("{}: \"{}\" belongs to the environment {}, not to {}.", what, entry.name,
-                             entry.environment, c.names.environment)};
+/// Sets the values of a preset or scenario; `name` empty: the first that the environment has, if any.
+Status assign(const std::vector<const AssignmentEntry*>& own, const Result<const AssignmentEntry*>& named,
+              std::string& name, Configuration& c) {
+  if (name.empty() && own.empty()) return Done{};
+  if (!name.empty() && !named) return named.error();
+  const AssignmentEntry& entry = name.empty() ? *own.front() : **named;
+  name = entry.name;
   for (const auto& [key, value] : entry.values) {
     // Values for a learning rule or representation that was not chosen have no effect.
     if (!key.starts_with("environment.") && !c.parameters.find(key)) continue;
@@ -39,8 +35,12 @@ Result<Configuration> configure(const Registry& registry, const Names& names,
                                 const std::vector<Assignment>& assignments) {
   Configuration c;
   c.names = names;
-  const auto environment = findEntry(registry.environments, "environment", names.environment);
+  auto named = environmentNamed(registry, names.environment);
+  if (!named) return named.error();
+  const std::string& here = c.names.environment = std::move(*named);
+  const auto environment = findEnvironment(registry, here);
   if (!environment) return environment.error();
+  if (registry.files) c.environmentFile = registry.files->find(here);
   const auto features = findEntry(registry.features, "features", names.features);
   if (!features) return features.error();
   const auto agent = findEntry(registry.agents, "agent", names.agent);
@@ -53,8 +53,11 @@ Result<Configuration> configure(const Registry& registry, const Names& names,
   c.parameters.add(*world, "environment.");
   if (const Status s = (*agent)->declare(world->task(), names.features, c.parameters); !s) return s.error();
 
-  if (const Status s = assign(registry.presets, "preset", c.names.preset, c); !s) return s.error();
-  if (const Status s = assign(registry.scenarios, "scenario", c.names.scenario, c); !s) return s.error();
+  std::string &preset = c.names.preset, &scenario = c.names.scenario;
+  if (const Status s = assign(presetsOf(registry, here), findPreset(registry, here, preset), preset, c); !s)
+    return s.error();
+  if (const Status s = assign(scenariosOf(registry, here), findScenario(registry, here, scenario), scenario, c); !s)
+    return s.error();
   for (const Assignment& a : assignments)
     if (const Status s = c.parameters.set(a.key, std::string_view(a.value)); !s) return s.error();
   return c;
@@ -90,7 +93,7 @@ Result<std::unique_ptr<Policy>> makePolicy(const Registry& registry, const std::
 }
 
 Result<std::unique_ptr<Environment>> makeEnvironment(const Registry& registry, const Configuration& c) {
-  const auto entry = findEntry(registry.environments, "environment", c.names.environment);
+  const auto entry = findEnvironment(registry, c.names.environment);
   if (!entry) return entry.error();
   auto environment = (*entry)->make();
   c.parameters.applyTo(*environment, "environment.");

@@ -15,11 +15,13 @@
 
 namespace surefoot {
 
+struct EnvironmentFile;
+
 /// The parts that a person chooses by name.
 struct Names {
-  std::string environment = "pendulum";
-  std::string preset{};    ///< empty: the environment's first, if it has any
-  std::string scenario{};  ///< likewise
+  std::string environment = "pendulum";  ///< or the path of a robot's file; configure() puts its name here
+  std::string preset{};                  ///< empty: the environment's first, if it has any
+  std::string scenario{};                ///< likewise
   std::string agent = "sarsa";
   std::string features = "tile-coder";
   std::string policy = "epsilon-greedy";
@@ -39,6 +41,7 @@ struct CommandText {
 
 struct Configuration {
   Names names;
+  std::shared_ptr<const EnvironmentFile> environmentFile;  ///< null: the environment is compiled in
   Parameters parameters;  ///< complete: environment, agent, features, and every policy's
   std::uint64_t seed = 1;
   int lives = 1;

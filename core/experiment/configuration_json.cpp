@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "core/environment_library.h"
 #include "core/text/text.h"
 
 namespace surefoot {
@@ -28,6 +29,18 @@ bool readOptional(const Json& json, const char* key, std::optional<T>& value, T 
   return true;
 }
 
+/// The text of a robot that travels in the file: it becomes an environment here.
+Status readEnvironmentText(const Registry& registry, const Json& json, const std::string& file, std::string& name) {
+  if (isEnvironmentPath(name)) return fileError(file, "its environment is a path, which no file of ours holds.");
+  if (!json.contains("environment_text")) return Done{};
+  if (!json["environment_text"].is_string() || !registry.files)
+    return fileError(file, "the text of its environment is none.");
+  const auto made = registry.files->add(json["environment_text"].get_ref<const std::string&>(), file);
+  if (!made) return made.error();
+  name = (*made)->entry.name;
+  return Done{};
+}
+
 }  // namespace
 
 ordered_json parametersAsJson(const Parameters& list) {
@@ -45,17 +58,19 @@ ordered_json parametersAsJson(const Parameters& list) {
 }
 
 ordered_json configurationAsJson(const Configuration& c) {
-  return {{"environment", c.names.environment},
-          {"preset", c.names.preset},
-          {"scenario", c.names.scenario},
-          {"agent", c.names.agent},
-          {"features", c.names.features},
-          {"policy", c.names.policy},
-          {"parameters", parametersAsJson(c.parameters)},
-          {"lives", c.lives},
-          {"minutes", orNull(c.minutes)},
-          {"episodes", orNull(c.episodes)},
-          {"until", orNull(c.until)}};
+  ordered_json json = {{"environment", c.names.environment},
+                       {"preset", c.names.preset},
+                       {"scenario", c.names.scenario},
+                       {"agent", c.names.agent},
+                       {"features", c.names.features},
+                       {"policy", c.names.policy},
+                       {"parameters", parametersAsJson(c.parameters)},
+                       {"lives", c.lives},
+                       {"minutes", orNull(c.minutes)},
+                       {"episodes", orNull(c.episodes)},
+                       {"until", orNull(c.until)}};
+  if (c.environmentFile) json["environment_text"] = c.environmentFile->text;
+  return json;
 }
 
 Status setParameters(Parameters& parameters, const Json& json, const std::string& file) {
@@ -79,6 +94,7 @@ Result<Configuration> configurationFromJson(const Registry& registry, const Json
       return fileError(file, fmt::format("its configuration names no {}.", key));
     *name = json[key].get<std::string>();
   }
+  if (const Status s = readEnvironmentText(registry, json, file, names.environment); !s) return s.error();
   auto c = configure(registry, names, {});
   if (!c) return Error{fmt::format("{}: {}", file, c.error().message), ErrorKind::File};
   if (json.contains("parameters"))

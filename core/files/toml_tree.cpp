@@ -41,8 +41,12 @@ std::optional<TomlNode> nodeOf(const toml::node& from, std::vector<Complaint>& c
     for (const toml::node& element : *list)
       if (auto child = nodeOf(element, complaints)) node.list.push_back(std::move(*child));
   } else if (const auto* table = from.as_table()) {
-    for (const auto& [key, value] : *table)
-      if (auto child = nodeOf(value, complaints)) node.table.emplace_back(key.str(), std::move(*child));
+    for (const auto& [key, value] : *table) {
+      auto child = nodeOf(value, complaints);
+      if (!child) continue;
+      child->keyAt = placeOf(key.source());
+      node.table.emplace_back(key.str(), std::move(*child));
+    }
     std::stable_sort(node.table.begin(), node.table.end(),
                      [](const auto& a, const auto& b) { return before(a.second.at, b.second.at); });
   } else {

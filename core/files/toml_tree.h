@@ -29,6 +29,7 @@ struct TomlNode {
   enum class Kind { Text, Whole, Number, Flag, List, Table };
   Kind kind = Kind::Table;
   TextPlace at{};
+  TextPlace keyAt{};  ///< of the key that it belongs to
   std::string text{};
   std::int64_t whole = 0;
   double number = 0.0;  ///< of a whole number, too

@@ -9,16 +9,6 @@
 
 namespace surefoot {
 
-void Hash64::add(std::uint64_t word) {
-  state_ = mix64((state_ ^ word) + 0x9e3779b97f4a7c15ULL);
-}
-void Hash64::add(double value) {
-  add(std::bit_cast<std::uint64_t>(value));
-}
-void Hash64::add(std::string_view text) {
-  for (const char c : text) add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
-}
-
 EpisodeLog::EpisodeLog(bool keepRows, const std::vector<TaskMeasure>& measures) : keepRows_(keepRows) {
   for (std::size_t m = 0; m < measures.size(); ++m) ofALife_[m] = measures[m].ofALife;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/basics/hash64.h"
 #include "core/environment.h"
 #include "core/files/archive.h"
 #include "core/life/end_of_learning.h"
@@ -30,19 +31,6 @@ struct EpisodeRow {
   double averageReward = 0.0;  ///< over the last 80 episodes, this one included
   EpisodeMeasures measures{};  ///< Task::measures
   double highest = kNoReward;  ///< highest reward of one transition
-};
-
-/// 64 bits over a sequence of words, in order.
-class Hash64 {
- public:
-  void add(std::uint64_t word);
-  void add(double value);
-  void add(std::string_view text);
-  std::uint64_t value() const { return state_; }
-  void setValue(std::uint64_t value) { state_ = value; }
-
- private:
-  std::uint64_t state_ = 0x5375'7265'666f'6f74ULL;
 };
 
 /// Counts and sums over a whole life; episodes cut by the end of the life are not counted.

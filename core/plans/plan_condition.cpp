@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "core/environment_library.h"
 #include "core/saved/q_file.h"
 
 namespace surefoot {
@@ -22,29 +23,6 @@ std::uint64_t seedFor(std::string_view text, const PlanHead& head) {
   hash.add(text);
   if (!head.series.empty()) hash.add(head.series);
   return hash.value();
-}
-
-/// "TRL {policy.threshold}" with the values in place of the keys. Values from lists that are not in the name are added.
-std::string nameOf(const Combination& c, std::string name, bool whole) {
-  for (const Assignment& a : c.all) {
-    const std::string key = a.key.starts_with("set.") ? a.key.substr(4) : a.key, mark = "{" + key + "}";
-    const auto place = name.find(mark);
-    const bool varied = std::any_of(c.varied.begin(), c.varied.end(), [&](const auto& v) { return v.key == a.key; });
-    if (place != std::string::npos)
-      name.replace(place, mark.size(), a.value);
-    else if (varied && whole)
-      name += fmt::format("{}{} {}", name.empty() ? "" : ", ", key, a.value);
-  }
-  return name;
-}
-
-/// "{policy.epsilon}", where a name still has one.
-std::string placeholderIn(const std::string& name) {
-  const auto begin = name.find('{'), end = name.find('}', begin);
-  if (begin == std::string::npos || end == std::string::npos) return "";
-  const std::string inside = name.substr(begin + 1, end - begin - 1);
-  const bool key = inside.find('.') != std::string::npos && inside.find(' ') == std::string::npos;
-  return key ? name.substr(begin, end - begin + 1) : "";
 }
 
 /// Makes one condition; everything that it needs to know of the plan is in `head`.
@@ -118,6 +96,8 @@ class ConditionMaker {
         status = readCount(key, value, kMostEpisodes, draft.episodes);
       else if (key == "pre-learning.file")
         draft.file = value;
+      else if (key == "environment")
+        status = readEnvironment(value, draft.names.environment);
       else if (std::string* part = nameField(draft.names, key))
         *part = value;
       else if (key == "base")
@@ -137,11 +117,20 @@ class ConditionMaker {
     return Done{};
   }
 
+  /// A name, or the file of a robot: beside the plan, if its path does not begin at the root.
+  Status readEnvironment(const std::string& value, std::string& name) const {
+    const std::filesystem::path path(value);
+    const bool beside = isEnvironmentPath(value) && path.is_relative();
+    const auto named =
+        environmentNamed(registry_, beside ? (std::filesystem::path(path_).parent_path() / path).string() : value);
+    if (!named) return named.error();
+    name = *named;
+    return Done{};
+  }
+
   /// Whether the preset that all conditions shall have is one of this environment.
   bool hasPreset(const std::string& environment) const {
-    return head_.preset && std::any_of(registry_.presets.begin(), registry_.presets.end(), [&](const auto& preset) {
-             return preset.name == *head_.preset && preset.environment == environment;
-           });
+    return head_.preset && findPreset(registry_, environment, *head_.preset);
   }
 
   /// The settings under pre-learning; false: there are none.
@@ -270,7 +259,6 @@ class ConditionMaker {
   }
 
   static std::string* nameField(Names& names, const std::string& key) {
-    if (key == "environment") return &names.environment;
     if (key == "preset") return &names.preset;
     if (key == "scenario") return &names.scenario;
     if (key == "agent") return &names.agent;
@@ -284,23 +272,6 @@ class ConditionMaker {
 };
 
 }  // namespace
-
-std::vector<Combination> combine(const PlanBlock& block) {
-  std::vector<Combination> grid(1);
-  for (const PlanSetting& setting : block.settings) {
-    std::vector<Combination> longer;
-    for (const Combination& sofar : grid)
-      for (const std::string& value : setting.values) {
-        longer.push_back(sofar);
-        longer.back().where[setting.key] = &setting;
-        longer.back().all.push_back({setting.key, value});
-        if (setting.values.size() > 1) longer.back().varied.push_back({setting.key, value});
-        if (longer.size() > kMostConditions) return longer;
-      }
-    grid = std::move(longer);
-  }
-  return grid;
-}
 
 Result<Condition> makeCondition(const Registry& registry, const std::string& path, const PlanHead& head,
                                 const Combination& combination, int line) {

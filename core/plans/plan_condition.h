@@ -1,33 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From a block of a plan file to its conditions: one for every combination of the values in its lists.
+// From one combination of the values of a plan's block to the condition that it describes.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <set>
 
 #include "core/plans/plan.h"
-#include "core/plans/plan_file.h"
+#include "core/plans/plan_combination.h"
 #include "core/plans/plan_systems.h"
 
 namespace surefoot {
-
-inline constexpr std::size_t kMostConditions = 10'000;
-
-/// One combination of the values of a block: all settings, their places in the file, and the keys that lists varied.
-struct Combination {
-  std::map<std::string, const PlanSetting*> where;
-  std::vector<Assignment> all, varied;
-
-  const std::string* find(const std::string& key) const {
-    for (const Assignment& a : all)
-      if (a.key == key) return &a.value;
-    return nullptr;
-  }
-};
-
-/// All combinations of a block; the last list varies fastest. At most kMostConditions + 1.
-std::vector<Combination> combine(const PlanBlock& block);
 
 /// The settings that all conditions of a plan share.
 struct PlanHead {

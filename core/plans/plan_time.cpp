@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/plans/plan_time.h"
+#include "core/environment_library.h"
 
 #include "core/plans/plan_systems.h"
 
@@ -34,7 +35,7 @@ double numberOf(const std::string& text, double otherwise) {
 }
 
 double stepTimeOf(const Registry& registry, const std::string& environment) {
-  const auto entry = findEntry(registry.environments, "environment", environment);
+  const auto entry = findEnvironment(registry, environment);
   return entry ? (*entry)->make()->task().stepTime.value_or(0.0) : 0.0;
 }
 

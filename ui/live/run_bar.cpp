@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/environment_library.h"
 #include "core/text/text.h"
 #include "ui/controls/bar_button.h"
 #include "ui/controls/combo.h"
@@ -159,12 +160,10 @@ void RunBar::fillTasks() {
     task_->setItemData(task_->count() - 1, isEnvironment, kIsEnvironment);
   };
   const std::string& here = life_.configuration().names.environment;
-  const auto& scenarios = life_.registry().scenarios;
-  const auto isHere = [&](const auto& scenario) { return scenario.environment == here; };
-  const bool any = std::any_of(scenarios.begin(), scenarios.end(), isHere);
+  const auto scenarios = scenariosOf(life_.registry(), here);
+  const bool any = !scenarios.empty();
   if (any) addHead(tr("Scenario of the model"));
-  for (const auto& entry : scenarios)
-    if (isHere(entry)) add(entry, entry.name, false);
+  for (const AssignmentEntry* entry : scenarios) add(*entry, entry->name, false);
   addHead(tr("Task"));
   for (const auto& entry : life_.registry().environments)
     if (entry.name != here)
@@ -195,7 +194,7 @@ void RunBar::refresh() {
     combo.setCurrentIndex(combo.findData(toText(name)));
   };
   // A model that was changed by hand is none of the scenarios.
-  const auto scenario = findEntry(life_.registry().scenarios, "scenario", names.scenario);
+  const auto scenario = findScenario(life_.registry(), names.environment, names.scenario);
   bool asNamed = true;
   if (scenario)
     for (const auto& [key, value] : (*scenario)->values) asNamed &= life_.configuration().parameters.get(key) == value;

@@ -4,6 +4,7 @@
 #include <QObject>
 #include <algorithm>
 
+#include "core/environment_library.h"
 #include "core/parameters.h"
 #include "core/text/text.h"
 
@@ -17,7 +18,7 @@ constexpr double kNoClock = 0.05;  // time of a step in a task without a clock [
 
 Playback playbackOf(const Fall& fall, const Registry& registry, const std::string& environment,
                     std::shared_ptr<const ActionValueFunction> values) {
-  const auto entry = findEntry(registry.environments, "environment", environment);
+  const auto entry = findEnvironment(registry, environment);
   if (!entry) return {};
   const auto world = (*entry)->make();
   Fields fields("environment.");

@@ -3,6 +3,8 @@
 
 #include <chrono>
 
+#include "core/environment_library.h"
+
 namespace surefoot {
 
 namespace {
@@ -71,7 +73,7 @@ void Editing::setPolicy(const std::string& name) {
 }
 
 void Editing::setScenario(const std::string& name) {
-  const auto entry = findEntry(life_.registry().scenarios, "scenario", name);
+  const auto entry = findScenario(life_.registry(), life_.configuration().names.environment, name);
   if (!entry) return;
   history_.beginMacro(QString::fromStdString((*entry)->title));
   for (const auto& [key, value] : (*entry)->values)

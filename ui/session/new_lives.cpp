@@ -4,6 +4,7 @@
 #include <chrono>
 #include <new>
 
+#include "core/environment_library.h"
 #include "core/saved/carry_over.h"
 #include "core/saved/q_file.h"
 
@@ -100,7 +101,7 @@ Status NewLives::beginEnvironment(const std::string& name) {
   Names names;
   names.environment = name;
   names.policy = life_.configuration().names.policy;
-  const auto entry = findEntry(life_.registry().environments, "environment", name);
+  const auto entry = findEnvironment(life_.registry(), name);
   if (!entry) return entry.error();
   auto configuration = configure(life_.registry(), names, {});
   if (!configuration) return configuration.error();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lessons/handed_in/grading.h"
+#include "core/environment_library.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -101,8 +102,8 @@ class Grader {
     return all;
   }
   void addScenarios() {
-    for (const AssignmentEntry& scenario : registry_.scenarios)
-      for (const auto& [key, value] : scenario.values) offered_.insert(key);
+    for (const AssignmentEntry* scenario : scenariosOf(registry_, lesson_.start.names.environment))
+      for (const auto& [key, value] : scenario->values) offered_.insert(key);
   }
 
   void checkOffered(std::size_t step, const LifeRecord& record) {

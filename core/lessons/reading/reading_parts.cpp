@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "core/environment_library.h"
 #include "core/expression/compile.h"
 #include "core/lessons/reading/lesson_reading.h"
 
@@ -112,7 +113,7 @@ void ReadingParts::checkName(TomlReader& reader, const std::string& key, const s
   };
   if (key == "policy") check(findEntry(registry_.policies, "policy", name));
   if (key == "agent") check(findEntry(registry_.agents, "agent", name));
-  if (key == "scenario") check(findEntry(registry_.scenarios, "scenario", name));
+  if (key == "scenario") check(findScenario(registry_, lesson_.start.names.environment, name));
   if (why) reader.complain(key, why->message);
 }
 

@@ -7,6 +7,7 @@
 #include <QLabel>
 #include <QLineEdit>
 
+#include "core/environment_library.h"
 #include "core/experiment/configuration.h"
 #include "ui/controls/combo.h"
 #include "ui/style/scale.h"
@@ -151,10 +152,9 @@ void ConditionForm::fillForEnvironment() {
   scenario_->clear();
   preLearned_->clear();
   preLearned_->addItem(tr("nothing"));
-  for (const auto& entry : registry_.scenarios) {
-    if (entry.environment != environment_->chosen()) continue;
-    scenario_->addItem(toText(entry.title), toText(entry.name));
-    preLearned_->addItem(toText(entry.title), toText(entry.name));
+  for (const AssignmentEntry* entry : scenariosOf(registry_, environment_->chosen())) {
+    scenario_->addItem(toText(entry->title), toText(entry->name));
+    preLearned_->addItem(toText(entry->title), toText(entry->name));
   }
   scenario_->setEnabled(scenario_->count() > 0);
   preLearned_->setEnabled(preLearned_->count() > 1);

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/environment_library.h"
 #include "core/text/text.h"
 #include "ui/lessons/driver/lesson_driver.h"
 #include "ui/running/run_names.h"
@@ -70,7 +71,8 @@ QStringList CurveNames::words() const {
   const std::vector<std::string> own = policy ? policyKeys(**policy) : std::vector<std::string>();
   QStringList words;
   if (!now.names.scenario.empty() && now.names.scenario != "actual")
-    words << titleOf(registry.scenarios, "scenario", now.names.scenario);
+    if (const auto entry = findScenario(registry, now.names.environment, now.names.scenario))
+      words << toText((*entry)->title);
   if (rules_) words << titleOf(registry.agents, "agent", now.names.agent);
   // The knobs of the step first, then what the lesson turns by itself.
   const LessonStep& step = driver_.step();

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "core/environment_library.h"
 #include "core/text/text.h"
 #include "ui/controls/combo.h"
 #include "ui/live/form/parameter_row.h"
@@ -84,7 +85,9 @@ void KnobRows::addChoice(const std::string& what) {
   };
   const Registry& registry = session_.life().registry();
   if (what == "policy") add(registry.policies);
-  if (what == "scenario") add(registry.scenarios);
+  if (what == "scenario")
+    for (const AssignmentEntry* entry : scenariosOf(registry, session_.life().configuration().names.environment))
+      combo->addItem(toText(entry->title), toText(entry->name));
   if (what == "agent")
     for (const AgentEntry& entry : registry.agents)
       if (entry.name != "scripted") combo->addItem(toText(entry.title), toText(entry.name));

@@ -12,6 +12,7 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "core/environment_library.h"
 #include "core/saved/q_file.h"
 #include "core/text/text.h"
 #include "ui/controls/combo.h"
@@ -75,9 +76,8 @@ void PreLearningDialog::fitToScreen() {
 void PreLearningDialog::makeModel(QGridLayout* grid) {
   scenario_ = new Combo(tr("Scenario of the simulation"));
   scenario_->addItem(tr("a model of your own"));
-  for (const auto& entry : life_.registry().scenarios)
-    if (entry.environment == life_.configuration().names.environment)
-      scenario_->addItem(toText(entry.title), toText(entry.name));
+  for (const AssignmentEntry* entry : scenariosOf(life_.registry(), life_.configuration().names.environment))
+    scenario_->addItem(toText(entry->title), toText(entry->name));
   grid->setColumnStretch(0, 1);
   if (scenario_->count() > 1) {
     grid->addWidget(new QLabel(tr("The simulation is scenario")), 0, 0);
@@ -97,9 +97,8 @@ void PreLearningDialog::makeModel(QGridLayout* grid) {
 }
 
 void PreLearningDialog::useScenario(const std::string& name) {
-  for (const auto& entry : life_.registry().scenarios)
-    if (entry.name == name && entry.environment == life_.configuration().names.environment)
-      model_->simulate(entry.values);
+  const auto entry = findScenario(life_.registry(), life_.configuration().names.environment, name);
+  if (entry) model_->simulate((*entry)->values);
 }
 
 void PreLearningDialog::makeLearning(QGridLayout* grid) {

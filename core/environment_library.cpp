@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/environment_library.h"
+
+#include <fmt/format.h>
+
+#include "core/files/read_file.h"
+
+namespace surefoot {
+
+using FileResult = Result<std::shared_ptr<const EnvironmentFile>>;
+
+FileResult EnvironmentLibrary::open(const std::string& path) {
+  const auto text = readText(path);
+  if (!text) return Error{text.error().message, ErrorKind::File};
+  return keep(*text, path, path);
+}
+
+FileResult EnvironmentLibrary::add(std::string_view text, const std::string& file) {
+  return keep(text, file, "");
+}
+
+FileResult EnvironmentLibrary::keep(std::string_view text, const std::string& file, const std::string& path) {
+  const std::lock_guard lock(mutex_);
+  for (const auto& [name, known] : files_)
+    if (known->text == text && (path.empty() || known->path == path)) return known;
+  auto made = reader_(text, file);
+  if (!made) return made.error();
+  made->path = path;
+  auto kept = std::make_shared<const EnvironmentFile>(std::move(*made));
+  // Another text that says the same (other comments) is the same environment: the first stays.
+  return files_.emplace(kept->entry.name, kept).first->second;
+}
+
+std::shared_ptr<const EnvironmentFile> EnvironmentLibrary::find(std::string_view name) const {
+  const std::lock_guard lock(mutex_);
+  const auto found = files_.find(name);
+  return found == files_.end() ? nullptr : found->second;
+}
+
+bool isEnvironmentPath(std::string_view name) {
+  return name.ends_with(".toml") || name.find('/') != std::string_view::npos;
+}
+
+Result<std::string> environmentNamed(const Registry& registry, const std::string& name) {
+  if (!registry.files || !isEnvironmentPath(name)) return name;
+  const auto file = registry.files->open(name);
+  if (!file) return file.error();
+  return (*file)->entry.name;
+}
+
+Result<const EnvironmentEntry*> findEnvironment(const Registry& registry, std::string_view name) {
+  if (registry.files)
+    if (const auto file = registry.files->find(name)) return &file->entry;
+  return findEntry(registry.environments, "environment", name);
+}
+
+namespace {
+
+std::vector<const AssignmentEntry*> entriesOf(const std::vector<AssignmentEntry>& all, std::string_view environment) {
+  std::vector<const AssignmentEntry*> own;
+  for (const AssignmentEntry& entry : all)
+    if (entry.environment == environment) own.push_back(&entry);
+  return own;
+}
+
+Result<const AssignmentEntry*> findAmong(const std::vector<const AssignmentEntry*>& own,
+                                         const std::vector<AssignmentEntry>& all, std::string_view what,
+                                         std::string_view environment, std::string_view name) {
+  std::vector<std::string> names;
+  for (const AssignmentEntry* entry : own) {
+    if (entry->name == name) return entry;
+    names.push_back(entry->name);
+  }
+  for (const AssignmentEntry& entry : all)
+    if (entry.name == name)
+      return Error{fmt::format("{}: \"{}\" belongs to the environment {}, not to {}.", what, name, entry.environment,
+                               environment)};
+  if (names.empty()) return Error{fmt::format("{}: the environment {} has none.", what, environment)};
+  return unknownName(what, name, names);
+}
+
+}  // namespace
+
+std::vector<const AssignmentEntry*> presetsOf(const Registry& registry, std::string_view environment) {
+  if (registry.files)
+    if (const auto file = registry.files->find(environment)) return entriesOf(file->presets, environment);
+  return entriesOf(registry.presets, environment);
+}
+
+std::vector<const AssignmentEntry*> scenariosOf(const Registry& registry, std::string_view environment) {
+  if (registry.files)
+    if (const auto file = registry.files->find(environment)) return entriesOf(file->scenarios, environment);
+  return entriesOf(registry.scenarios, environment);
+}
+
+Result<const AssignmentEntry*> findPreset(const Registry& registry, std::string_view environment,
+                                          std::string_view name) {
+  return findAmong(presetsOf(registry, environment), registry.presets, "preset", environment, name);
+}
+
+Result<const AssignmentEntry*> findScenario(const Registry& registry, std::string_view environment,
+                                            std::string_view name) {
+  return findAmong(scenariosOf(registry, environment), registry.scenarios, "scenario", environment, name);
+}
+
+}  // namespace surefoot

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Environments that come from files of their own (a robot), beside those that are compiled in. Each is kept under a
+// name made of its own and a hash of what it says, "hopper@3f2a91c0", so that two files of one name are two
+// environments, and a text that travels in another file is the same environment wherever it is read.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/registry.h"
+
+namespace surefoot {
+
+/// An environment with its presets and scenarios, and the text it was made from.
+struct EnvironmentFile {
+  EnvironmentEntry entry;
+  std::vector<AssignmentEntry> presets{}, scenarios{};
+  std::string text{};
+  std::string path{};  ///< where it was read; empty: it came inside another file
+};
+
+/// Any thread. What was added stays: entries can be pointed to as long as the library lives.
+class EnvironmentLibrary {
+ public:
+  /// Makes an environment from a text; the error names file, line and column.
+  using Reader = std::function<Result<EnvironmentFile>(std::string_view text, const std::string& file)>;
+
+  explicit EnvironmentLibrary(Reader reader) : reader_(std::move(reader)) {}
+
+  /// Reads a file, or a text that came in `file`; known texts are read only once.
+  Result<std::shared_ptr<const EnvironmentFile>> open(const std::string& path);
+  Result<std::shared_ptr<const EnvironmentFile>> add(std::string_view text, const std::string& file);
+  /// By its name; null: there is none.
+  std::shared_ptr<const EnvironmentFile> find(std::string_view name) const;
+
+ private:
+  Result<std::shared_ptr<const EnvironmentFile>> keep(std::string_view text, const std::string& file,
+                                                      const std::string& path);
+
+  Reader reader_;
+  mutable std::mutex mutex_;
+  std::map<std::string, std::shared_ptr<const EnvironmentFile>, std::less<>> files_;
+};
+
+/// Whether a person means a file: "hopper.toml", "robots/hopper.toml".
+bool isEnvironmentPath(std::string_view name);
+
+/// The name of an environment: as it is, or of the robot in the file that it names.
+Result<std::string> environmentNamed(const Registry& registry, const std::string& name);
+
+/// By its name, compiled in or from a file that was opened.
+Result<const EnvironmentEntry*> findEnvironment(const Registry& registry, std::string_view name);
+
+/// What belongs to an environment, in its order: the first is the usual one.
+std::vector<const AssignmentEntry*> presetsOf(const Registry& registry, std::string_view environment);
+std::vector<const AssignmentEntry*> scenariosOf(const Registry& registry, std::string_view environment);
+
+/// One of these by its name; the error says what there is, or to which other environment the name belongs.
+Result<const AssignmentEntry*> findPreset(const Registry& registry, std::string_view environment,
+                                          std::string_view name);
+Result<const AssignmentEntry*> findScenario(const Registry& registry, std::string_view environment,
+                                            std::string_view name);
+
+}  // namespace surefoot

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/robot/reading/robot_reading.h"
+
+#include <algorithm>
+
+#include "core/basics/hash64.h"
+#include "physics/robot/reading/sections.h"
+
+namespace surefoot {
+
+namespace {
+
+/// [body.thigh_r] with like = "thigh_l" has everything of that one but what it says itself.
+void fillLike(TomlNode& tables, std::vector<Complaint>& complaints) {
+  for (auto& [name, node] : tables.table) {
+    const TomlNode* like = node.find("like");
+    if (!like) continue;
+    const TomlNode* model = tables.find(like->text);
+    if (!model || model->find("like") || model == &node) {
+      complaints.push_back({like->at, fmt::format("like: there is no \"{}\" that stands for itself.", like->text)});
+      continue;
+    }
+    TomlNode whole = *model;
+    whole.at = node.at, whole.keyAt = node.keyAt;
+    for (auto& [key, own] : node.table) {
+      if (key == "like") continue;
+      const auto same = std::find_if(whole.table.begin(), whole.table.end(), [&](auto& w) { return w.first == key; });
+      if (same == whole.table.end())
+        whole.table.emplace_back(key, std::move(own));
+      else
+        same->second = std::move(own);
+    }
+    node = std::move(whole);
+  }
+}
+
+/// The headings that readers look at by themselves.
+constexpr const char* kSections[] = {"parameter", "constants", "body",  "point",  "ray",      "joint",   "actuator",
+                                     "ground",    "memory",    "state", "start",  "ending",   "event",   "reward",
+                                     "measure",   "picture",   "push",  "preset", "scenario", "learning"};
+
+bool isRobotName(const std::string& name) {
+  return !name.empty() && name.size() <= 40 && std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
+  });
+}
+
+void readHead(TomlReader& reader, RobotReader& in) {
+  RobotSpec& spec = in.spec();
+  if (const std::string format = reader.neededText("surefoot"); !format.empty() && format != "robot 1")
+    reader.complain("surefoot", fmt::format("\"{}\" is no format of ours; it is \"robot 1\".", format));
+  spec.name = reader.neededText("name");
+  if (!spec.name.empty() && !isRobotName(spec.name))
+    reader.complain("name", "a robot's name has letters a to z, digits and hyphens only, at most 40.");
+  spec.title = reader.text("title", spec.name);
+  spec.help = reader.text("help");
+  for (const char* section : kSections) static_cast<void>(reader.find(section));
+}
+
+void readTimes(TomlReader& reader, RobotReader& in) {
+  RobotSpec& spec = in.spec();
+  spec.stepTime = in.needed(reader, "step_time");
+  spec.substeps = in.number(reader, "substeps", 1);
+  spec.velocityIterations = in.number(reader, "velocity_iterations", 8);
+  spec.positionIterations = in.number(reader, "position_iterations", 3);
+  spec.gravity = in.number(reader, "gravity", 9.81);
+  spec.scale = in.number(reader, "scale", 1);
+  spec.maxSteps = in.number(reader, "max_steps", 1000);
+  spec.testEvery = in.number(reader, "test_every", 0);
+  spec.returns = in.pair(reader, "return", -1, 1);
+}
+
+void readSections(const TomlNode& root, RobotReader& in) {
+  TomlReader reader(root, in.complaints());
+  readHead(reader, in);
+  readParameters(root, in);
+  readConstants(root, in);
+  readTimes(reader, in);
+  reader.end();
+  readBodies(root, in);
+  readPoints(root, in);
+  readJoints(root, in);
+  readActuators(root, in);
+  readGround(root, in);
+  readMemories(root, in);
+  readStates(root, in);
+  readStart(root, in);
+  readEndings(root, in);
+  readRewards(root, in);
+  readPicture(root, in);
+  readSettings(root, in);
+}
+
+/// Numbers and texts in the order of the file; of an expression's spaces none counts.
+void addTo(Hash64& hash, const TomlNode& node) {
+  hash.add(static_cast<std::uint64_t>(node.kind));
+  for (const char c : node.text)
+    if (c != ' ') hash.add(std::string_view(&c, 1));
+  hash.add(node.number);
+  hash.add(static_cast<std::uint64_t>(node.flag));
+  for (const TomlNode& element : node.list) addTo(hash, element);
+  for (const auto& [key, value] : node.table) hash.add(key), addTo(hash, value);
+  hash.add(static_cast<std::uint64_t>(node.list.size() + node.table.size()));
+}
+
+void sortAndLimit(std::vector<Complaint>& complaints) {
+  std::stable_sort(complaints.begin(), complaints.end(), [](const Complaint& a, const Complaint& b) {
+    return std::pair(a.at.line, a.at.column) < std::pair(b.at.line, b.at.column);
+  });
+  if (complaints.size() > kMostComplaints) complaints.resize(kMostComplaints);
+}
+
+}  // namespace
+
+std::shared_ptr<const RobotSpec> readRobot(std::string_view text, std::vector<Complaint>& complaints) {
+  if (text.size() > kLongestRobot) {
+    complaints.push_back({{}, fmt::format("a robot has at most {} kB.", kLongestRobot >> 10)});
+    return nullptr;
+  }
+  auto root = parseToml(text, complaints);
+  if (!root) return nullptr;
+  for (auto& [heading, tables] : root->table)
+    if ((heading == "body" || heading == "joint" || heading == "actuator") && tables.kind == TomlNode::Kind::Table)
+      fillLike(tables, complaints);
+  auto spec = std::make_shared<RobotSpec>();
+  Hash64 hash;
+  addTo(hash, *root);
+  spec->fingerprint = hash.value();
+  RobotReader in(*spec, complaints);
+  collectNames(*root, in);
+  if (complaints.empty()) readSections(*root, in);
+  sortAndLimit(complaints);
+  if (!complaints.empty()) return nullptr;
+  return spec;
+}
+
+std::string robotComplaint(const std::string& file, const Complaint& complaint) {
+  std::string place = file;
+  if (complaint.at.line > 0) place += fmt::format(":{}", complaint.at.line);
+  if (complaint.at.column > 0) place += fmt::format(":{}", complaint.at.column);
+  return fmt::format("{}: {}", place, complaint.sentence);
+}
+
+}  // namespace surefoot

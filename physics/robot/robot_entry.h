@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A robot from a file among the things that can be chosen by name.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "core/environment_library.h"
+#include "physics/robot/spec/robot_spec.h"
+
+namespace surefoot {
+
+/// The robot as an environment of this name. Its first preset is "as-built", which holds what [learning] says, unless
+/// a preset of the file changes nothing itself; every other preset holds [learning], too. Scenarios likewise.
+EnvironmentFile robotEntry(const std::string& name, std::shared_ptr<const RobotSpec> spec);
+
+/// Reads a robot's text and checks all of it. It gets the name "hopper@3f2a91c0". An error holds all complaints, a line
+/// for each.
+Result<EnvironmentFile> readRobotEntry(std::string_view text, const std::string& file);
+
+/// A robot that comes with the program: by its own name.
+void addRobot(Registry& registry, EnvironmentFile robot);
+
+}  // namespace surefoot

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Robots for tests: the files that come with the program, and texts.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "core/register/register.h"
+#include "physics/register.h"
+#include "physics/robot/reading/robot_reading.h"
+#include "physics/robot/robot.h"
+#include "physics/robot/robot_entry.h"
+
+namespace surefoot {
+
+inline std::string textOfFile(const std::string& path) {
+  std::ifstream in(path);
+  EXPECT_TRUE(in) << path;
+  std::stringstream all;
+  all << in.rdbuf();
+  return all.str();
+}
+
+inline std::string robotText(const std::string& name) {
+  return textOfFile(std::string(SUREFOOT_SOURCE) + "/resources/robots/" + name + ".toml");
+}
+
+/// The robot of a text that is right.
+inline std::shared_ptr<const RobotSpec> robotOf(const std::string& text) {
+  std::vector<Complaint> complaints;
+  auto spec = readRobot(text, complaints);
+  for (const Complaint& c : complaints) ADD_FAILURE() << robotComplaint("text", c);
+  if (!spec) return nullptr;
+  for (const Complaint& c : checkRobot(*spec)) ADD_FAILURE() << robotComplaint("text", c);
+  return spec;
+}
+
+inline Registry registryWith(const std::string& robot) {
+  Registry registry;
+  registerCore(registry);
+  registerPhysics(registry);
+  auto spec = robotOf(robotText(robot));
+  if (spec) addRobot(registry, robotEntry(spec->name, spec));
+  return registry;
+}
+
+}  // namespace surefoot
