@@ -220,9 +220,7 @@ void ExperimentPage::refresh() {
   stop_->setEnabled(experiment_.canStartAgain() && !experiment_.isOpening());
   edit_->setEnabled(!experiment_.text().empty());
   summary_->setText(summaryOf(experiment_));
-  lives_->setEnabled(!experiment_.text().empty() && !experiment_.isOpening());
-  const QSignalBlocker quiet(lives_);
-  if (experiment_.plan() && !lives_->hasFocus()) lives_->setValue(experiment_.plan()->lives);
+  showLives();
   const auto count = [](std::int64_t n) { return toText(countText(static_cast<double>(n))); };
   QString right = tr("%1 falls in %2 lives").arg(count(experiment_.fallsShown()), count(experiment_.livesShown()));
   if (const std::int64_t more = experiment_.falls() - experiment_.fallsShown();

@@ -65,6 +65,7 @@ class ExperimentPage final : public QWidget {
   void setFull(QWidget* panel);
   void foldBar();
   void askForLives();
+  void showLives();
   void setLives(int lives);
   void inBackground(const QString& what, int steps, std::function<Status(std::atomic<int>& done)> work,
                     const QString& then);

@@ -79,6 +79,8 @@ std::string withLives(const std::string& plan, int lives) {
 
 namespace {
 
+constexpr int kMostLives = 100'000;
+
 /// The wheel leaves it alone: another number is another experiment.
 class LivesBox final : public QSpinBox {
  protected:
@@ -88,17 +90,27 @@ class LivesBox final : public QSpinBox {
 }  // namespace
 
 void ExperimentPage::askForLives() {
-  constexpr int kMost = 100'000;
   lives_ = new LivesBox;
   lives_->setButtonSymbols(QAbstractSpinBox::NoButtons);
   lives_->setAccessibleName(tr("Lives a condition"));
   lives_->setToolTip(
       tr("How many lives each condition lives; more make intervals narrower. Another number begins again, "
          "what was lived is kept."));
-  lives_->setRange(1, kMost);
+  lives_->setRange(1, kMostLives);
   lives_->setSuffix(tr(" lives"));
   lives_->setKeyboardTracking(false);
   connect(lives_, &QSpinBox::editingFinished, this, [this] { setLives(lives_->value()); });
+}
+
+/// A plan whose lives grow says itself how many there are: the box shows that, and takes no number.
+void ExperimentPage::showLives() {
+  const Plan* plan = experiment_.plan() ? &*experiment_.plan() : nullptr;
+  const bool grows = plan && plan->growth;
+  lives_->setEnabled(!experiment_.text().empty() && !experiment_.isOpening() && !grows);
+  const QSignalBlocker quiet(lives_);
+  lives_->setRange(grows ? 0 : 1, kMostLives);
+  lives_->setSpecialValueText(!grows ? QString() : plan->growth.search ? tr("a search") : tr("until decided"));
+  if (plan && !lives_->hasFocus()) lives_->setValue(grows ? 0 : plan->lives);
 }
 
 void ExperimentPage::setLives(int lives) {

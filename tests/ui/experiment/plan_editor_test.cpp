@@ -37,6 +37,22 @@ TEST(PlanEditor, EditsThatAreNotUsedYetAreNotLost) {
   EXPECT_TRUE(editor->text().contains("# mine")) << "undo brings them back";
 }
 
+TEST(PlanEditor, TheLivesOfAPlanThatGrowsAreNoNumberToType) {
+  ExperimentWindow p(kPlan);
+  auto* lives = p.named<QSpinBox>("Lives a condition");
+  ASSERT_TRUE(lives);
+  EXPECT_TRUE(lives->isEnabled());
+  EXPECT_EQ(lives->text(), QString("%1 lives").arg(p.experiment().plan()->lives));
+  std::string grows = kPlan;
+  const auto at = grows.find("lives = "), end = grows.find('\n', at);
+  grows.replace(at, end - at, "lives = \"decided\"");
+  const QString other = p.folder.filePath("grows.toml");
+  ASSERT_TRUE(writeWhole("plan", other.toStdString(), grows));
+  p.page.open(other);
+  ASSERT_TRUE(p.waitFor([&] { return !p.experiment().isOpening() && !lives->isEnabled(); }));
+  EXPECT_EQ(lives->text(), "until decided");
+}
+
 TEST(PlanEditor, ThePlanIsEditedAsTextAndChecked) {
   ExperimentWindow p;
   p.page.showPlan(true);
