@@ -56,6 +56,17 @@ std::optional<TomlNode> nodeOf(const toml::node& from, std::vector<Complaint>& c
   return node;
 }
 
+/// What the parser says, with its commonest cause.
+std::string inOurWords(std::string_view sentence) {
+  if (sentence.find("expected a comment or whitespace") != std::string_view::npos)
+    return "behind a value nothing but a comment is expected; a text that holds quotes goes between single quotes.";
+  constexpr std::string_view kBegins = "Error while parsing ";
+  if (sentence.starts_with(kBegins)) sentence.remove_prefix(kBegins.size());
+  std::string text = printable(sentence.substr(0, 200));
+  for (std::size_t at; (at = text.find('\n')) != std::string::npos;) text.replace(at, 1, "\\n");
+  return fmt::format("this is no TOML: {}.", text);
+}
+
 }  // namespace
 
 const TomlNode* TomlNode::find(std::string_view key) const {
@@ -68,7 +79,7 @@ std::optional<TomlNode> parseToml(std::string_view text, std::vector<Complaint>&
   const auto root = parseLimitedToml(text);
   if (const auto* table = std::get_if<toml::table>(&root)) return nodeOf(*table, complaints);
   const auto& trouble = std::get<TomlTrouble>(root);
-  complaints.push_back({{trouble.line, trouble.column}, printable(shortened(trouble.sentence)) + "."});
+  complaints.push_back({{trouble.line, trouble.column}, inOurWords(trouble.sentence)});
   return std::nullopt;
 }
 
@@ -157,13 +168,16 @@ const TomlNode* TomlReader::table(std::string_view key) {
   return findKind(key, Kind::Table, "a table");
 }
 
-void TomlReader::end() {
+bool TomlReader::end() {
+  bool known = true;
   for (const auto& [key, node] : table_.table) {
     if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
     const std::string near = nearestWord(key, known_);
-    complaints_.push_back({node.at, fmt::format("there is no \"{}\" here{}.", printable(shortened(key)),
-                                                near.empty() ? "" : "; did you mean " + near)});
+    complaints_.push_back({node.keyAt, fmt::format("there is no \"{}\" here{}.", printable(shortened(key)),
+                                                   near.empty() ? "" : "; did you mean " + near)});
+    known = false;
   }
+  return known;
 }
 
 }  // namespace surefoot

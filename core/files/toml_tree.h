@@ -65,7 +65,8 @@ class TomlReader {
 
   /// Complains at a key, or at the table if the key is not there.
   void complain(std::string_view key, std::string sentence);
-  void end();
+  /// False: there was such a key.
+  bool end();
 
  private:
   const TomlNode* findKind(std::string_view key, TomlNode::Kind kind, const char* what);

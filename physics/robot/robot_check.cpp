@@ -39,7 +39,7 @@ class ValueCheck {
       const double low = state.range[0](values_), high = state.range[1](values_);
       if (!(low < high && std::isfinite(low) && std::isfinite(high)))
         complaints_.push_back(
-            {state.range[0].at, fmt::format("range: the lowest, {}, must be below the highest, {}.", low, high)});
+            {state.place, fmt::format("range: the lowest, {}, must be below the highest, {}.", low, high)});
       for (const auto* positive : {&state.width, &state.resolution, &state.span})
         if (*positive && !((**positive)(values_) > 0.0 && std::isfinite((**positive)(values_))))
           complaints_.push_back({(**positive).at, fmt::format("{} = {}; it must be above 0.",

@@ -41,9 +41,9 @@ Result<EnvironmentFile> readRobotEntry(std::string_view text, const std::string&
   const auto spec = readRobot(text, complaints);
   if (spec) complaints = checkRobot(*spec);
   if (!complaints.empty()) {
-    std::string all;
-    for (const Complaint& complaint : complaints) all += (all.empty() ? "" : "\n") + robotComplaint(file, complaint);
-    return Error{all, ErrorKind::File};
+    std::string first = robotComplaint(file, complaints.front());
+    if (complaints.size() > 1) first += fmt::format(" There are more: surefoot check {}", file);
+    return Error{first, ErrorKind::File};
   }
   auto entry = robotEntry(fmt::format("{}@{:08x}", spec->name, spec->fingerprint >> 32), spec);
   entry.text = text;

@@ -14,8 +14,7 @@ namespace surefoot {
 /// a preset of the file changes nothing itself; every other preset holds [learning], too. Scenarios likewise.
 EnvironmentFile robotEntry(const std::string& name, std::shared_ptr<const RobotSpec> spec);
 
-/// Reads a robot's text and checks all of it. It gets the name "hopper@3f2a91c0". An error holds all complaints, a line
-/// for each.
+/// Reads a robot's text and checks all of it. It gets the name "hopper@3f2a91c0". An error holds the first complaint.
 Result<EnvironmentFile> readRobotEntry(std::string_view text, const std::string& file);
 
 /// A robot that comes with the program: by its own name.

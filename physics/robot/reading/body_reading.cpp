@@ -84,7 +84,7 @@ BodySpec readBody(const std::string& name, const TomlNode& node, RobotReader& in
   usual.ink = in.choice(reader, "ink", kInks, Ink::Solid);
   usual.fill = in.choice(reader, "fill", kFills, Fill::Panel);
   for (const TomlNode* shape : reader.tables("shape")) body.shapes.push_back(readShape(*shape, in, usual));
-  reader.end();
+  if (!reader.end()) return body;  // a key that is misspelt is missing, too
 
   const TomlNode* mass = node.find("mass");
   const bool inertia = body.inertia || body.inertiaAtOrigin || !body.rotates;

@@ -25,9 +25,11 @@ void readEnds(TomlReader& reader, RobotReader& in, JointSpec& joint) {
   if (between->kind != TomlNode::Kind::List || between->list.size() != 2)
     return reader.complain("between", "it takes two bodies, such as [\"world\", \"cart\"].");
   const TomlNode &parent = between->list[0], &child = between->list[1];
-  if (parent.text != "world") joint.parent = in.indexOf(parent, NameKind::Body).value_or(-1);
-  joint.child = in.indexOf(child, NameKind::Body).value_or(0);
-  if (joint.parent == joint.child) reader.complain("between", "a joint joins two different bodies.");
+  const bool toWorld = parent.text == "world";
+  const auto first = toWorld ? std::nullopt : in.indexOf(parent, NameKind::Body);
+  const auto second = in.indexOf(child, NameKind::Body);
+  joint.parent = first.value_or(-1), joint.child = second.value_or(0);
+  if (first && second && *first == *second) reader.complain("between", "a joint joins two different bodies.");
 }
 
 JointSpec readJoint(const std::string& name, const TomlNode& node, RobotReader& in) {

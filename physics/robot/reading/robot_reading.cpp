@@ -34,10 +34,30 @@ void fillLike(TomlNode& tables, std::vector<Complaint>& complaints) {
   }
 }
 
-/// The headings that readers look at by themselves.
-constexpr const char* kSections[] = {"parameter", "constants", "body",  "point",  "ray",      "joint",   "actuator",
-                                     "ground",    "memory",    "state", "start",  "ending",   "event",   "reward",
-                                     "measure",   "picture",   "push",  "preset", "scenario", "learning"};
+enum class Form { Table, Named, List };  // [start], [body.NAME], [[state]]
+
+constexpr std::pair<const char*, Form> kSections[] = {
+    {"constants", Form::Table}, {"ground", Form::Table},   {"start", Form::Table},    {"picture", Form::Table},
+    {"push", Form::Table},      {"learning", Form::Table}, {"body", Form::Named},     {"point", Form::Named},
+    {"ray", Form::Named},       {"joint", Form::Named},    {"actuator", Form::Named}, {"preset", Form::Named},
+    {"scenario", Form::Named},  {"parameter", Form::List}, {"memory", Form::List},    {"state", Form::List},
+    {"ending", Form::List},     {"event", Form::List},     {"reward", Form::List},    {"measure", Form::List}};
+
+/// Whether every section is written as it is meant: [body.NAME] and not [[body]].
+void checkForms(const TomlNode& root, std::vector<Complaint>& complaints) {
+  const auto isTable = [](const TomlNode& node) { return node.kind == TomlNode::Kind::Table; };
+  for (const auto& [name, form] : kSections) {
+    const TomlNode* node = root.find(name);
+    if (!node) continue;
+    bool right = form == Form::List ? node->kind == TomlNode::Kind::List : isTable(*node);
+    for (const TomlNode& element : node->list) right &= isTable(element);
+    if (form == Form::Named)
+      for (const auto& [key, value] : node->table) right &= isTable(value);
+    const char* shape = form == Form::List ? "[[{}]]" : form == Form::Named ? "[{}.NAME]" : "[{}]";
+    if (!right)
+      complaints.push_back({node->keyAt, fmt::format("it is written {}.", fmt::format(fmt::runtime(shape), name))});
+  }
+}
 
 bool isRobotName(const std::string& name) {
   return !name.empty() && name.size() <= 40 && std::all_of(name.begin(), name.end(), [](char c) {
@@ -54,7 +74,7 @@ void readHead(TomlReader& reader, RobotReader& in) {
     reader.complain("name", "a robot's name has letters a to z, digits and hyphens only, at most 40.");
   spec.title = reader.text("title", spec.name);
   spec.help = reader.text("help");
-  for (const char* section : kSections) static_cast<void>(reader.find(section));
+  for (const auto& section : kSections) static_cast<void>(reader.find(section.first));
 }
 
 void readTimes(TomlReader& reader, RobotReader& in) {
@@ -119,6 +139,8 @@ std::shared_ptr<const RobotSpec> readRobot(std::string_view text, std::vector<Co
   }
   auto root = parseToml(text, complaints);
   if (!root) return nullptr;
+  checkForms(*root, complaints);
+  if (!complaints.empty()) return nullptr;
   for (auto& [heading, tables] : root->table)
     if ((heading == "body" || heading == "joint" || heading == "actuator") && tables.kind == TomlNode::Kind::Table)
       fillLike(tables, complaints);

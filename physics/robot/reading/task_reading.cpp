@@ -23,7 +23,7 @@ StateSpec readState(const TomlNode& node, RobotReader& in) {
   state.words.perSpan = reader.text("per_span", state.words.unit.empty() ? "" : "/" + state.words.unit);
   state.words.whole = reader.flag("whole");
   state.value = in.needed(reader, "value", Where::Moving, ValueKind::Flag);
-  reader.need("range");
+  if (const TomlNode* range = reader.need("range")) state.place = range->at;
   state.range = in.pair(reader, "range", 0, 1);
   state.view = in.maybePair(reader, "view");
   state.width = in.maybe(reader, "width");

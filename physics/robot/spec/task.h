@@ -32,7 +32,7 @@ struct StateSpec {
   std::optional<FormulaPair> view{};
   std::optional<Formula> width{}, resolution{}, span{};
   bool wrap = false;
-  TextPlace place{};
+  TextPlace place{};  ///< of its range
 };
 
 /// One coordinate of the start: of a joint, or of a body.

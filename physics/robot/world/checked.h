@@ -20,13 +20,13 @@ class CheckedNumbers {
       : values_(values),
         complaints_(complaints) {}
 
-  /// `where`: "[body.pole]"; `what`: "mass"; `unit` stands behind what is allowed.
+  /// `where`: "[body.pole]", or nothing at the top; `what`: "mass"; `unit` stands behind what is allowed.
   double operator()(const Formula& formula, std::string_view where, std::string_view what, double low, double high,
                     std::string_view unit = "") {
     const double value = formula(values_);
     if (value >= low && value <= high) return value;
-    complain(formula.at, fmt::format("{}: {} = {}; allowed is {} … {}{}{}.", where, what, value, boundText(low),
-                                     boundText(high), unit.empty() ? "" : " ", unit));
+    complain(formula.at, fmt::format("{}{}{} = {}; allowed is {} … {}{}{}.", where, where.empty() ? "" : ": ", what,
+                                     value, boundText(low), boundText(high), unit.empty() ? "" : " ", unit));
     return low > 0.0 ? low : high < 0.0 ? high : 0.0;
   }
   double at(const Formula& formula, std::string_view where, std::string_view what) {
@@ -37,11 +37,12 @@ class CheckedNumbers {
     return {at(pair[0], where, what), at(pair[1], where, what)};
   }
   int whole(const Formula& formula, std::string_view what, int low, int high) {
-    const double value = (*this)(formula, what, "it", low, high);
+    const double value = (*this)(formula, "", what, low, high);
     if (value != std::floor(value)) complain(formula.at, fmt::format("{}: {} is no whole number.", what, value));
     return static_cast<int>(value);
   }
   void complain(TextPlace at, std::string sentence) { complaints_.push_back({at, std::move(sentence)}); }
+  std::size_t wrong() const { return complaints_.size(); }
   std::span<const double> values() const { return values_; }
 
  private:

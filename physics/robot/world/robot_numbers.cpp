@@ -54,6 +54,7 @@ ShapeNumbers shapeOf(const ShapeSpec& spec, const std::string& where, CheckedNum
 /// Mass, centre and inertia: as given, or from the density of the shapes.
 void weigh(const BodySpec& spec, const std::string& where, CheckedNumbers& number, BodyNumbers& body) {
   if (spec.still) return;
+  const std::size_t wrong = number.wrong();
   MassOf dense;
   for (std::size_t i = 0; i < spec.shapes.size() && !spec.mass; ++i)
     dense.add(massOf(body.shapes[i], number(spec.shapes[i].density, where, "density", 0, 1e6, "kg/m²")));
@@ -67,7 +68,7 @@ void weigh(const BodySpec& spec, const std::string& where, CheckedNumbers& numbe
   if (!(body.mass >= 1e-6 && body.mass <= 1e6))
     number.complain(spec.place,
                     fmt::format("{}: its shapes weigh {} kg; allowed is 0.000001 … 1,000,000 kg.", where, body.mass));
-  if (!body.rotates) return;
+  if (!body.rotates || number.wrong() > wrong) return;
   const double about = body.inertiaAtOrigin - arm;
   // Single precision: what is left of a difference of large numbers must still be a number.
   if (!(about > 0.0 && about > 1e-5 * arm && about >= 1e-12))
@@ -207,12 +208,12 @@ void laidGround(const GroundSpec& spec, RobotNumbers& numbers, CheckedNumbers& n
 }
 
 void readTimes(const RobotSpec& robot, RobotNumbers& numbers, CheckedNumbers& number) {
-  numbers.stepTime = number(robot.stepTime, "step_time", "it", 1e-5, 10, "s");
-  numbers.scale = number(robot.scale, "scale", "it", 0.01, 1000);
+  numbers.stepTime = number(robot.stepTime, "", "step_time", 1e-5, 10, "s");
+  numbers.scale = number(robot.scale, "", "scale", 0.01, 1000);
   numbers.substeps = number.whole(robot.substeps, "substeps", 1, 1000);
   numbers.velocityIterations = number.whole(robot.velocityIterations, "velocity_iterations", 1, 200);
   numbers.positionIterations = number.whole(robot.positionIterations, "position_iterations", 1, 200);
-  const double gravity = number(robot.gravity, "gravity", "it", -1000, 1000, "m/s²");
+  const double gravity = number(robot.gravity, "", "gravity", -1000, 1000, "m/s²");
   const double slope = number(robot.ground.slope, "[ground]", "slope", -1.5, 1.5, "rad");
   numbers.gravity =
       slope == 0.0 ? Point{0.0, -gravity} : Point{gravity * portableSin(slope), -gravity * portableCos(slope)};

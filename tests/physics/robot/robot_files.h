@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <string>
 
+#include "core/experiment/configuration.h"
 #include "core/register/register.h"
 #include "physics/register.h"
 #include "physics/robot/reading/robot_reading.h"

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is said of files that are wrong: each is the pendulum with one change.
+#include "tests/physics/robot/robot_files.h"
+
+namespace surefoot {
+
+namespace {
+
+struct WrongFile {
+  const char *from, *to;
+  const char* complaint;  ///< "line:column: sentence"
+};
+
+std::string firstComplaint(const std::string& text) {
+  std::vector<Complaint> complaints;
+  const auto spec = readRobot(text, complaints);
+  if (spec) complaints = checkRobot(*spec);
+  return complaints.empty() ? "" : robotComplaint("p", complaints.front());
+}
+
+/// The pendulum with one place changed, and the line of this place.
+std::string changed(const std::string& from, const std::string& to, int& line) {
+  std::string text = robotText("pendulum");
+  const auto at = text.find(from);
+  if (at == std::string::npos) return ADD_FAILURE() << from, text;
+  line = 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(at), '\n'));
+  return text.replace(at, from.size(), to);
+}
+
+std::string deep(int levels) {
+  std::string text = "1";
+  for (int i = 0; i < levels; ++i) text = "1+(1*" + text + ")";
+  return "when = \"" + text + "\"";
+}
+
+}  // namespace
+
+TEST(WrongRobots, TellThePlaceAndTheReason) {
+  const char* when = "when = \"abs(pole_angle) >= fall_angle\"";
+  const std::string nested = deep(100);
+  const std::vector<WrongFile> files = {
+      {"\nmass = \"pole_mass\"", "\nmas = \"pole_mass\"", "+1:1: there is no \"mas\" here; did you mean mass."},
+      {"M_e + pole_mass", "M_e + pole_mas", ":14: M_t: there is no \"pole_mas\"; did you mean pole_mass."},
+      {"base.vx / R\"\nrange", "bse.vx / R\"\nrange",
+       ":10: value: there is no body, point, joint, shape or actuator \"bse\" (did you mean base?)."},
+      {"-pole.angle", "-pole.angel",
+       ":11: value: \"pole\" has no \"angel\"; it has x, y, angle, vx, vy, rate, height and touches (did you mean "
+       "angle?)."},
+      {"[\"base\", \"pole\"]", "[\"base\", \"pol\"]", ":20: there is no body \"pol\" (did you mean pole?)."},
+      {"mass = \"pole_mass\"", "mass = \"pole.angle\"",
+       ":9: mass: \"pole.angle\" changes while the robot moves; here only parameters and constants can stand."},
+      {"value = \"-pole.angle\"", "value = \"-pole.angle + uniform(0,1)\"", ":24: value: there is no chance here."},
+      {when, "when = \"0 <= pole_angle <= fall_angle\"",
+       ":25: when: comparisons do not chain; write a < b and b < c."},
+      {when, "when = \"pole_angle = 1\"", ":20: when: compare with ==."},
+      {when, "when = \"abs(pole_angle >= fall_angle\"", ":37: when: the parenthesis of abs… is not closed."},
+      {when, nested.c_str(), ":87: when: this is nested too deep."},
+      {when, "when = \"system(\"rm\")\"",
+       ":17: behind a value nothing but a comment is expected; a text that holds quotes goes between single quotes."},
+      {"inertia_at_origin = \"pole_mass * pole_length * pole_length / 3\"", "",
+       "-2:8: [body.pole] has a mass but no inertia [kg m²] about its centre; give it, or density, or rotates = "
+       "false."},
+      {"range = [-16, 16]", "range = [16, -16]", ":9: range: the lowest, 16, must be below the highest, -16."},
+      {"value = 0.08", "value = 80", ":9: value: 80 lies outside its range 0 … 10."},
+      {"on = \"goal\"", "on = \"gaol\"", ":6: there is no [[ending]] named \"gaol\"."},
+      {"mass = \"pole_mass\"", "mass = \"pole_mass * 1e300\"",
+       ":8: [body.pole]: mass = 1e+300; allowed is 0.000001 … 1,000,000 kg."},
+      {"step_time = 0.005", "step_time = 0", ":13: step_time = 0; allowed is 0.00001 … 10 s."},
+      {"1 / (R * (1 + 0.005", "1 / (R - R) * (R * (1 + 0.005",
+       ":14: per_torque: it comes to inf, which is no finite number."},
+      {"[body.pole]", "[body.pole", ":11: this is no TOML: table header: expected ']', saw '\\n'."},
+      {"[joint.rail]", "[[joint]]", ":3: it is written [joint.NAME]."},
+      {"[point.tip]", "[point.pole]", ":8: there is another \"pole\" already; bodies, points, joints, actuators, "
+                                      "states and constants share one space of names."},
+      {"name = \"pendulum-file\"", "name = \"../up\"",
+       ":8: name: a robot's name has letters a to z, digits and hyphens only, at most 40."},
+  };
+  for (const WrongFile& file : files) {
+    int line = 0;
+    const std::string text = changed(file.from, file.to, line);
+    std::string wanted = file.complaint;
+    if (wanted[0] == '+' || wanted[0] == '-') {
+      const auto colon = wanted.find(':');
+      line += std::stoi(wanted.substr(0, colon));
+      wanted = wanted.substr(colon);
+    }
+    EXPECT_EQ(firstComplaint(text), "p:" + std::to_string(line) + wanted);
+  }
+}
+
+TEST(WrongRobots, HaveAtMostTwentyComplaintsInTheOrderOfTheFile) {
+  std::string text = robotText("pendulum");
+  for (std::size_t at = 0; (at = text.find("help =", at)) != std::string::npos;) text.replace(at, 4, "hlep");
+  for (std::size_t at = 0; (at = text.find("order =", at)) != std::string::npos;) text.replace(at, 5, "orded");
+  for (std::size_t at = 0; (at = text.find("unit =", at)) != std::string::npos;) text.replace(at, 4, "unti");
+  std::vector<Complaint> complaints;
+  EXPECT_FALSE(readRobot(text, complaints));
+  ASSERT_EQ(complaints.size(), kMostComplaints);
+  for (std::size_t i = 1; i < complaints.size(); ++i) EXPECT_LE(complaints[i - 1].at.line, complaints[i].at.line);
+}
+
+TEST(WrongRobots, AreToldUnderTheValuesThatAPersonChose) {
+  Registry registry;
+  registerCore(registry);
+  registerPhysics(registry);
+  std::string text = robotText("pendulum");
+  text.replace(text.find("range = [0.001, 100]"), 20, "range = [0, 100]");
+  const auto file = registry.files->add(text, "p.toml");
+  ASSERT_TRUE(file) << file.error().message;
+  Names names;
+  names.environment = (*file)->entry.name;
+  const auto heavy = configure(registry, names, {});
+  ASSERT_TRUE(heavy);
+  EXPECT_TRUE(makeEnvironment(registry, *heavy));
+  const auto none = configure(registry, names, {{"environment.pole_mass", "0"}});
+  ASSERT_TRUE(none);
+  const auto made = makeEnvironment(registry, *none);
+  ASSERT_FALSE(made);
+  EXPECT_NE(made.error().message.find("mass = 0; allowed is"), std::string::npos) << made.error().message;
+}
+
+}  // namespace surefoot
