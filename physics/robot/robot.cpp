@@ -145,8 +145,14 @@ void Robot::measure(bool first) {
 
 void Robot::decide(Action action) {
   if (action == kHandMade) {
-    for (const std::size_t a : driven_)
-      if (spec_->actuators[a].handMade) u_[a] = (*spec_->actuators[a].handMade)(values_);
+    for (const std::size_t a : driven_) {
+      const ActuatorSpec& actuator = spec_->actuators[a];
+      if (!actuator.handMade) continue;
+      double low = kInfinity, high = -kInfinity;  // no controller commands more than a level can
+      for (const Formula& level : actuator.levels)
+        low = std::min(low, level(values_)), high = std::max(high, level(values_));
+      u_[a] = std::clamp((*actuator.handMade)(values_), low, high);
+    }
     return;
   }
   auto rest = static_cast<std::size_t>(action);

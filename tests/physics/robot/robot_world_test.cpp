@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Worlds of robots from files: the same bits fresh and used, mechanics by hand, LEO's own controller.
+#include <numbers>
+
+#include "tests/physics/robot/robot_files.h"
+
+namespace surefoot {
+
+namespace {
+
+constexpr const char* kRobots[] = {"acrobot", "ball-beam", "biped",    "cart-pole", "compass",
+                                   "hopper",  "leo",       "pendulum", "segway"};
+
+/// Rewards and states of an episode of random actions.
+std::uint64_t hashOfEpisode(Robot& robot, int episode) {
+  Random random(static_cast<std::uint64_t>(episode) + 1);
+  Hash64 hash;
+  robot.reset(random);
+  const auto actions = static_cast<double>(robot.task().actions.size());
+  for (int step = 0; step < 60; ++step) {
+    const Outcome outcome = robot.step(static_cast<Action>(random.uniform() * actions));
+    hash.add(outcome.reward);
+    for (const double x : robot.state()) hash.add(x);
+    if (outcome.ending != Ending::None) break;
+  }
+  return hash.value();
+}
+
+/// A robot of the least text: a mass that hangs, slides or turns.
+std::string text(const std::string& bodies, const std::string& rest = "") {
+  return "surefoot = \"robot 1\"\nname = \"test\"\nstep_time = 0.01\nsubsteps = 10\nmax_steps = 100000\n" + bodies +
+         "[actuator.motor]\njoint = \"hinge\"\nlevels = [-1, 0, 1]\n" + rest +
+         "[[reward]]\nname = \"time\"\nvalue = -1\n";
+}
+
+const std::string kPendulum =
+    "[body.rod]\nmass = 2\ninertia = 0.1\ncentre = [0, -0.5]\n[ground]\ntype = \"none\"\n"
+    "[joint.hinge]\nbetween = [\"world\", \"rod\"]\n";
+const std::string kAngles =
+    "[[state]]\nkey = \"angle\"\nvalue = \"hinge.angle\"\nrange = [-4, 4]\n[[state]]\nkey = \"rate\"\n"
+    "value = \"hinge.rate\"\nrange = [-20, 20]\n";
+
+}  // namespace
+
+TEST(RobotWorlds, AreTheSameFreshAndUsed) {
+  for (const char* name : kRobots) {
+    const auto spec = robotOf(robotText(name));
+    ASSERT_TRUE(spec) << name;
+    Robot used(spec);
+    for (int episode = 0; episode < 60; ++episode) {
+      Robot fresh(spec);
+      ASSERT_EQ(hashOfEpisode(used, episode), hashOfEpisode(fresh, episode)) << name << ", episode " << episode;
+    }
+  }
+}
+
+TEST(RobotWorlds, ARodSwingsAsTheEquationSays) {
+  const auto spec = robotOf(text(kPendulum, kAngles + "[start]\n\"hinge.angle\" = 0.05\n"));
+  ASSERT_TRUE(spec);
+  Robot robot(spec);
+  Random random(1);
+  robot.reset(random);
+  // ω² = m g l / (I + m l²)
+  const double period = 2 * std::numbers::pi / std::sqrt(2 * 9.81 * 0.5 / (0.1 + 2 * 0.25));
+  int crossings = 0;
+  double last = robot.state()[0], first = 0.0, now = 0.0;
+  for (int step = 0; step < 1000; ++step) {
+    robot.step(1);
+    const double angle = robot.state()[0];
+    if (last > 0 && angle <= 0) {
+      now = (step + last / (last - angle)) * 0.01;
+      if (crossings++ == 0) first = now;
+    }
+    last = angle;
+  }
+  ASSERT_GT(crossings, 4);
+  EXPECT_NEAR((now - first) / (crossings - 1), period, 0.005 * period);
+}
+
+TEST(RobotWorlds, AMotorsTorqueFrictionAndDampingAreThoseOfTheFile) {
+  const auto rateAfter = [&](const std::string& joint, int action) {
+    const auto spec = robotOf(
+        text("gravity = 0\n[body.rod]\nmass = 2\ninertia = 0.5\n[ground]\ntype = \"none\"\n[joint.hinge]\nbetween = "
+             "[\"world\", \"rod\"]\n" +
+                 joint,
+             kAngles));
+    if (!spec) return 0.0;
+    Robot robot(spec);
+    Random random(1);
+    robot.reset(random);
+    for (int step = 0; step < 100; ++step) robot.step(action);
+    return robot.state()[1];
+  };
+  EXPECT_NEAR(rateAfter("", 2), 2.0, 1e-3);                              // T t/I
+  EXPECT_NEAR(rateAfter("friction = 0.25\n", 2), 1.5, 1e-3);             // (T − F) t/I
+  EXPECT_NEAR(rateAfter("friction = 2\n", 2), 0.0, 1e-6);                // it holds
+  EXPECT_NEAR(rateAfter("damping = 1\n", 2), 1 - std::exp(-2.0), 2e-3);  // T/D (1 − e^(−D t/I))
+  EXPECT_NEAR(rateAfter("armature = 0.5\n", 2), 1.0, 1e-3);              // T t/(I + J)
+  EXPECT_NEAR(rateAfter("", 0), -2.0, 1e-3);
+}
+
+TEST(RobotWorlds, ASpringSlidesAsTheEquationSays) {
+  const auto spec = robotOf(
+      "surefoot = \"robot 1\"\nname = \"spring\"\nstep_time = 0.01\nsubsteps = 10\n[body.mass]\nmass = 2\nrotates = "
+      "false\n[ground]\ntype = \"none\"\n[joint.rail]\ntype = \"prismatic\"\nbetween = [\"world\", "
+      "\"mass\"]\nstiffness = "
+      "50\n[actuator.motor]\ntype = \"force\"\njoint = \"rail\"\nlevels = [0, 10]\n[[state]]\nkey = \"x\"\nvalue = "
+      "\"mass.x\"\nrange = [-1, 1]\n[start]\n\"rail.position\" = 0.1\n[[reward]]\nname = \"time\"\nvalue = -1\n");
+  ASSERT_TRUE(spec);
+  Robot robot(spec);
+  Random random(1);
+  robot.reset(random);
+  EXPECT_NEAR(robot.state()[0], 0.1, 1e-6);
+  for (int step = 1; step <= 60; ++step) {
+    robot.step(0);
+    EXPECT_NEAR(robot.state()[0], 0.1 * std::cos(5 * 0.01 * step), 2e-3) << step;  // ω = √(k/m)
+  }
+}
+
+TEST(RobotWorlds, LeoWalksWithItsHandMadeController) {
+  const auto spec = robotOf(robotText("leo"));
+  ASSERT_TRUE(spec);
+  Robot robot(spec);
+  ASSERT_TRUE(robot.task().handMade);
+  EXPECT_EQ(robot.task().actions.size(), 343u);
+  Random random(1);
+  robot.reset(random);
+  double reward = 0.0;
+  Outcome outcome;
+  int steps = 0;
+  for (; outcome.ending == Ending::None; ++steps) reward += (outcome = robot.step(kHandMade)).reward;
+  EXPECT_EQ(steps, 750);
+  EXPECT_EQ(outcome.event, Event::None);
+  EXPECT_NEAR(reward, 4000, 100);               // RESULTS.md: 3,945 to 4,044
+  EXPECT_NEAR(robot.measures()[0], 10.6, 0.2);  // m: 10.5 to 10.7
+  EXPECT_EQ(robot.measures()[1], 49);
+  EXPECT_LT(robot.world().jointSeparation(), 1e-4);
+}
+
+TEST(RobotWorlds, WhatFliesApartIsCutOffAndCounted) {
+  const auto spec = robotOf(text(kPendulum, "effort = \"1 / (hinge.angle - hinge.angle)\"\n" + kAngles));
+  ASSERT_TRUE(spec);
+  Robot robot(spec);
+  Random random(1);
+  robot.reset(random);
+  const Outcome outcome = robot.step(0);
+  EXPECT_EQ(outcome.ending, Ending::Truncated);
+  EXPECT_EQ(outcome.event, Event::None);
+  EXPECT_EQ(robot.flewApart(), 1);
+  for (const double x : robot.state()) EXPECT_TRUE(std::isfinite(x));
+}
+
+}  // namespace surefoot
