@@ -30,114 +30,62 @@ double clamp(double x, double low, double high) {
   return x < low ? low : high < x ? high : x;
 }
 
-double ofOne(Operation operation, double x) {
-  switch (operation) {
-    case Operation::Minus:
-      return -x;
-    case Operation::Not:
-      return x == 0.0 ? 1.0 : 0.0;
-    case Operation::Truth:
-      return x == 0.0 ? 0.0 : 1.0;
-    case Operation::Abs:
-      return std::abs(x);
-    case Operation::Sign:
-      return sign(x);
-    case Operation::Floor:
-      return std::floor(x);
-    case Operation::Round:
-      return std::round(x);
-    case Operation::Sqrt:
-      return std::sqrt(x);
-    case Operation::Sin:
-      return portableSin(x);
-    case Operation::Cos:
-      return portableCos(x);
-    case Operation::Exp:
-      return portableExp(x);
-    default:
-      return x * x;
-  }
-}
-
-double ofTwo(Operation operation, double a, double b) {
-  switch (operation) {
-    case Operation::Add:
-      return a + b;
-    case Operation::Subtract:
-      return a - b;
-    case Operation::Multiply:
-      return a * b;
-    case Operation::Divide:
-      return a / b;
-    case Operation::Less:
-      return a < b ? 1.0 : 0.0;
-    case Operation::LessOrEqual:
-      return a <= b ? 1.0 : 0.0;
-    case Operation::Greater:
-      return a > b ? 1.0 : 0.0;
-    case Operation::GreaterOrEqual:
-      return a >= b ? 1.0 : 0.0;
-    case Operation::Equal:
-      return a == b ? 1.0 : 0.0;
-    case Operation::NotEqual:
-      return a != b ? 1.0 : 0.0;
-    case Operation::Min:
-      return b < a ? b : a;
-    case Operation::Max:
-      return a < b ? b : a;
-    case Operation::Wrap:
-      return wrap(a, b);
-    default:
-      return std::sqrt(a * a + b * b);
-  }
-}
-
 }  // namespace
 
-double Expression::evaluate(std::span<const double> values, Random* random) const {
-  std::array<double, kDeepest> stack;  // NOLINT: every place is written before it is read
-  std::size_t top = 0;                 // number of values
-  for (std::size_t i = 0; i < instructions_.size(); ++i) {
-    const Instruction& in = instructions_[i];
-    switch (in.operation) {
-      case Operation::Constant:
-        stack[top++] = in.number;
-        break;
-      case Operation::Variable:
-        stack[top++] = values[static_cast<std::size_t>(in.place)];
-        break;
-      case Operation::Power:
-        stack[top - 1] = power(stack[top - 1], in.place);
-        break;
-      case Operation::Jump:
-        i = static_cast<std::size_t>(in.place) - 1;
-        break;
-      case Operation::JumpIfFalse:
-        if (stack[--top] == 0.0) i = static_cast<std::size_t>(in.place) - 1;
-        break;
+// One switch for all: an expression is evaluated in every substep of a robot.
+double Expression::run(std::span<const double> values, Random* random) const {
+  constexpr std::size_t kBelow = 2;             // so that the last two can be named even if there are none
+  std::array<double, kBelow + kDeepest> stack;  // NOLINT: every place is written before it is read
+  double* top = stack.data() + kBelow;          // behind the last value
+  const auto push = [&](double x) { *top++ = x; };
+  const auto pop = [&] { return *--top; };
+  const Instruction* const begin = instructions_.data();
+  const Instruction* const end = begin + instructions_.size();
+  for (const Instruction* in = begin; in != end; ++in) {
+    double& a = top[-2];  // of an operation with two; b is taken from the stack
+    double& x = top[-1];  // of an operation with one
+    switch (in->operation) {
+      // clang-format off
+      case Operation::Constant: push(in->number); break;
+      case Operation::Variable: push(values[static_cast<std::size_t>(in->place)]); break;
+      case Operation::Power: x = power(x, in->place); break;
+      case Operation::Jump: in = begin + in->place - 1; break;
+      case Operation::JumpIfFalse: if (pop() == 0.0) in = begin + in->place - 1; break;
       case Operation::JumpIfDecided:
-        if ((stack[top - 1] != 0.0) == (in.number != 0.0)) {
-          stack[top - 1] = in.number;
-          i = static_cast<std::size_t>(in.place) - 1;
-        } else {
-          --top;
-        }
+        if ((x != 0.0) == (in->number != 0.0)) { x = in->number; in = begin + in->place - 1; } else { --top; }
         break;
-      case Operation::Clamp:
-        top -= 2;
-        stack[top - 1] = clamp(stack[top - 1], stack[top], stack[top + 1]);
-        break;
-      case Operation::Uniform:
-        --top;
-        stack[top - 1] = random->uniform(stack[top - 1], stack[top]);
-        break;
-      default:
-        if (in.operation >= Operation::Add) --top;
-        stack[top - 1] = in.operation < Operation::Add ? ofOne(in.operation, stack[top - 1])
-                                                       : ofTwo(in.operation, stack[top - 1], stack[top]);
+      case Operation::Clamp: { const double high = pop(), low = pop(); top[-1] = clamp(top[-1], low, high); break; }
+      case Operation::Uniform: { const double high = pop(); top[-1] = random->uniform(top[-1], high); break; }
+      case Operation::Minus: x = -x; break;
+      case Operation::Not: x = x == 0.0 ? 1.0 : 0.0; break;
+      case Operation::Truth: x = x == 0.0 ? 0.0 : 1.0; break;
+      case Operation::Abs: x = std::abs(x); break;
+      case Operation::Sign: x = sign(x); break;
+      case Operation::Floor: x = std::floor(x); break;
+      case Operation::Round: x = std::round(x); break;
+      case Operation::Sqrt: x = std::sqrt(x); break;
+      case Operation::Sin: x = portableSin(x); break;
+      case Operation::Cos: x = portableCos(x); break;
+      case Operation::Exp: x = portableExp(x); break;
+      case Operation::Square: x = x * x; break;
+      case Operation::Add: a += pop(); break;
+      case Operation::Subtract: a -= pop(); break;
+      case Operation::Multiply: a *= pop(); break;
+      case Operation::Divide: a /= pop(); break;
+      case Operation::Less: a = a < pop() ? 1.0 : 0.0; break;
+      case Operation::LessOrEqual: a = a <= pop() ? 1.0 : 0.0; break;
+      case Operation::Greater: a = a > pop() ? 1.0 : 0.0; break;
+      case Operation::GreaterOrEqual: a = a >= pop() ? 1.0 : 0.0; break;
+      case Operation::Equal: a = a == pop() ? 1.0 : 0.0; break;
+      case Operation::NotEqual: a = a != pop() ? 1.0 : 0.0; break;
+      case Operation::Min: { const double b = pop(); a = b < a ? b : a; break; }
+      case Operation::Max: { const double b = pop(); a = a < b ? b : a; break; }
+      case Operation::Wrap: a = wrap(a, pop()); break;
+      case Operation::Hypot: { const double b = pop(); a = std::sqrt(a * a + b * b); break; }
+        // clang-format on
     }
   }
-  return stack[0];
+  return stack[kBelow];
 }
 
 std::vector<int> Expression::variables() const {

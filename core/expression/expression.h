@@ -75,7 +75,11 @@ class Expression {
 
   /// `values` holds every variable's value at the place that the vocabulary gave it. `random`: only for expressions
   /// with chance. Allocates nothing.
-  double evaluate(std::span<const double> values, Random* random = nullptr) const;
+  double evaluate(std::span<const double> values, Random* random = nullptr) const {
+    const Instruction& first = instructions_.front();
+    if (instructions_.size() > 1) return run(values, random);
+    return first.operation == Operation::Variable ? values[static_cast<std::size_t>(first.place)] : first.number;
+  }
   bool holds(std::span<const double> values, Random* random = nullptr) const { return evaluate(values, random) != 0.0; }
 
   std::span<const Instruction> instructions() const { return instructions_; }
@@ -83,6 +87,8 @@ class Expression {
   std::vector<int> variables() const;
 
  private:
+  double run(std::span<const double> values, Random* random) const;
+
   std::vector<Instruction> instructions_;
 };
 

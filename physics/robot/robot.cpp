@@ -10,8 +10,8 @@ namespace surefoot {
 
 namespace {
 
-std::size_t placed(const RobotNames& names, NameKind kind, std::size_t index) {
-  return static_cast<std::size_t>(names.placeOf(kind, static_cast<int>(index)));
+std::size_t placeOf(const RobotSpec& spec, NameKind kind) {
+  return static_cast<std::size_t>(spec.names.placeOf(kind, 0));
 }
 
 /// Constants that use a parameter of the rewards, or another such constant.
@@ -35,10 +35,15 @@ std::vector<std::size_t> liveConstants(const RobotSpec& spec) {
 Robot::Robot(std::shared_ptr<const RobotSpec> spec)
     : spec_(std::move(spec)),
       values_(static_cast<std::size_t>(spec_->names.places()), 0.0),
+      constantsAt_(placeOf(*spec_, NameKind::Constant)),
+      memoriesAt_(placeOf(*spec_, NameKind::Memory)),
+      statesAt_(placeOf(*spec_, NameKind::State)),
+      stepAt_(static_cast<std::size_t>(spec_->names.placeOfStep())),
       whole_(spec_->parameters.size(), 0),
       live_(liveConstants(*spec_)) {
   std::copy(spec_->defaults.begin(), spec_->defaults.end(), values_.begin());
   for (std::size_t p = 0; p < whole_.size(); ++p) whole_[p] = static_cast<int>(spec_->defaults[p]);
+  for (const MemorySpec& memory : spec_->memories) inSubsteps_ |= memory.substep;
   for (std::size_t a = 0; a < spec_->actuators.size(); ++a)
     if (!spec_->actuators[a].levels.empty()) driven_.push_back(a);
   rebuild();
@@ -59,7 +64,7 @@ void Robot::computeConstants() {
   for (std::size_t p = 0; p < whole_.size(); ++p)
     if (spec_->parameters[p].kind == Kind::Integer) values_[p] = whole_[p];
   for (std::size_t c = 0; c < spec_->constants.size(); ++c)
-    values_[placed(spec_->names, NameKind::Constant, c)] = spec_->constants[c].value(values_);
+    values_[constantsAt_ + c] = spec_->constants[c].value(values_);
 }
 
 void Robot::rebuild() {
@@ -108,14 +113,13 @@ void Robot::begin(const std::vector<BodyPlacement>& bodies) {
   world_->place(bodies);
   steps_ = 0;
   std::fill(u_.begin(), u_.end(), 0.0);
-  values_[static_cast<std::size_t>(spec_->names.placeOfStep())] = 0.0;
-  values_[static_cast<std::size_t>(spec_->names.placeOfTime())] = 0.0;
-  for (std::size_t m = 0; m < spec_->memories.size(); ++m)
-    values_[placed(spec_->names, NameKind::Memory, m)] = spec_->memories[m].start(values_);
+  values_[stepAt_] = 0.0;
+  values_[stepAt_ + 1] = 0.0;
+  for (std::size_t m = 0; m < spec_->memories.size(); ++m) values_[memoriesAt_ + m] = spec_->memories[m].start(values_);
   world_->readAll(values_, u_);
   for (std::size_t m = 0; m < spec_->memories.size(); ++m)
     if (!spec_->memories[m].substep && !spec_->memories[m].hasStart)
-      values_[placed(spec_->names, NameKind::Memory, m)] = spec_->memories[m].each(values_);
+      values_[memoriesAt_ + m] = spec_->memories[m].each(values_);
   observe();
   for (std::size_t r = 0; r < potentials_.size(); ++r)
     if (spec_->rewards[r].potential) potentials_[r] = spec_->rewards[r].value(values_);
@@ -123,14 +127,12 @@ void Robot::begin(const std::vector<BodyPlacement>& bodies) {
 }
 
 void Robot::observe() {
-  for (std::size_t s = 0; s < state_.size(); ++s)
-    values_[placed(spec_->names, NameKind::State, s)] = state_[s] = spec_->states[s].value(values_);
+  for (std::size_t s = 0; s < state_.size(); ++s) values_[statesAt_ + s] = state_[s] = spec_->states[s].value(values_);
 }
 
 void Robot::remember(bool substep) {
   for (std::size_t m = 0; m < spec_->memories.size(); ++m)
-    if (spec_->memories[m].substep == substep)
-      values_[placed(spec_->names, NameKind::Memory, m)] = spec_->memories[m].each(values_);
+    if (spec_->memories[m].substep == substep) values_[memoriesAt_ + m] = spec_->memories[m].each(values_);
 }
 
 void Robot::measure(bool first) {
@@ -165,11 +167,12 @@ void Robot::decide(Action action) {
 
 bool Robot::substeps() {
   const double h = numbers_.stepTime / numbers_.substeps;
-  double& time = values_[static_cast<std::size_t>(spec_->names.placeOfTime())];
+  double& time = values_[stepAt_ + 1];
   const double begun = steps_ * numbers_.stepTime;
   for (int i = 0; i < numbers_.substeps; ++i) {
     time = begun + i * h;
     if (!world_->substep(values_, u_)) return false;
+    if (!inSubsteps_) continue;
     world_->readForSubstep(values_, u_);
     remember(true);
   }
@@ -177,13 +180,12 @@ bool Robot::substeps() {
 }
 
 Outcome Robot::step(Action action) {
-  for (const std::size_t c : live_)
-    values_[placed(spec_->names, NameKind::Constant, c)] = spec_->constants[c].value(values_);
+  for (const std::size_t c : live_) values_[constantsAt_ + c] = spec_->constants[c].value(values_);
   decide(action);
   const bool whole = substeps();
   ++steps_;
-  values_[static_cast<std::size_t>(spec_->names.placeOfStep())] = steps_;
-  values_[static_cast<std::size_t>(spec_->names.placeOfTime())] = steps_ * numbers_.stepTime;
+  values_[stepAt_] = steps_;
+  values_[stepAt_ + 1] = steps_ * numbers_.stepTime;
   if (!whole) {
     ++flewApart_;
     const std::vector<double> last = state_;
@@ -221,9 +223,10 @@ Outcome Robot::judged() {
   }
   for (std::size_t r = 0; r < spec_->rewards.size(); ++r) {
     const RewardSpec& reward = spec_->rewards[r];
-    const double value = valueOf(r);
     const bool here =
         (!reward.ending || *reward.ending == ending) && (!reward.when || reward.when->expression.holds(values_));
+    if (!here && !reward.potential) continue;
+    const double value = valueOf(r);
     if (here) outcome.terms[r] = value;
     outcome.reward += outcome.terms[r];
   }

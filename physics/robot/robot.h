@@ -55,8 +55,9 @@ class Robot final : public Environment {
   double valueOf(std::size_t reward);
 
   std::shared_ptr<const RobotSpec> spec_;
-  std::vector<double> values_;  ///< at the places of RobotNames
-  std::vector<int> whole_;      ///< parameters that are whole numbers
+  std::vector<double> values_;                                ///< at the places of RobotNames:
+  std::size_t constantsAt_, memoriesAt_, statesAt_, stepAt_;  ///< time stands behind step
+  std::vector<int> whole_;                                    ///< parameters that are whole numbers
   RobotNumbers numbers_;
   Task task_;
   std::unique_ptr<Assembly> assembly_;
@@ -64,6 +65,7 @@ class Robot final : public Environment {
   std::vector<std::size_t> driven_;  ///< the actuators with levels, in the order of the task's action variables
   std::vector<std::size_t> live_;    ///< constants of rewards: they follow a change at once
   std::vector<double> u_, potentials_, state_, measures_;
+  bool inSubsteps_ = false;  ///< some memories are of a substep
   int steps_ = 0, maxSteps_ = 0;
   std::int64_t flewApart_ = 0;
 };

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Box2D turns bodies by sinf and cosf. These definitions stand in the executable, where the dynamic linker finds them
-// before those of the C library, like box2d_clock.cpp, and for the same reason in an OBJECT library.
+// Box2D turns bodies by sinf, cosf and sincosf. These definitions stand in the executable, where the dynamic linker
+// finds them before those of the C library, like box2d_clock.cpp, and for the same reason in an OBJECT library.
 #include "physics/world/single_trigonometry.h"
+
+#ifdef __x86_64__
+#define SUREFOOT_FUSED [[gnu::target("fma")]]
+#else
+#define SUREFOOT_FUSED
+#endif
 
 namespace surefoot {
 
-#ifdef __x86_64__
-[[gnu::target("fma")]] float singleSineFused(float x, int quarters) {
-  return singleSineOfAny(x, quarters);
+SUREFOOT_FUSED void sineAndCosineFused(float x, float* sine, float* cosine) {
+  sineAndCosineOf(x, *sine, *cosine);
 }
-#else
-float singleSineFused(float x, int quarters) {
-  return singleSineOfAny(x, quarters);
-}
-#endif
 
-float singleSineAnywhere(float x, int quarters) {
-  return singleSineOfAny(x, quarters);
+void sineAndCosineAnywhere(float x, float* sine, float* cosine) {
+  sineAndCosineOf(x, *sine, *cosine);
 }
 
 namespace {
@@ -35,9 +35,17 @@ bool hasFusedMultiplyAdd() {
 
 }  // namespace surefoot
 
+extern "C" void sincosf(float x, float* sine, float* cosine) noexcept {
+  if (surefoot::kHasFused) return surefoot::sineAndCosineFused(x, sine, cosine);
+  surefoot::sineAndCosineAnywhere(x, sine, cosine);
+}
 extern "C" float sinf(float x) noexcept {
-  return surefoot::kHasFused ? surefoot::singleSineFused(x, 0) : surefoot::singleSineAnywhere(x, 0);
+  float sine, cosine;
+  sincosf(x, &sine, &cosine);
+  return sine;
 }
 extern "C" float cosf(float x) noexcept {
-  return surefoot::kHasFused ? surefoot::singleSineFused(x, 1) : surefoot::singleSineAnywhere(x, 1);
+  float sine, cosine;
+  sincosf(x, &sine, &cosine);
+  return cosine;
 }

@@ -13,44 +13,55 @@
 
 namespace surefoot {
 
-/// sin(x + quarters·½π) to 0.56 units in the last place, for abs(x) < 120.
-[[gnu::always_inline]] inline float singleSineTurned(float x, int quarters) {
-  constexpr double kSin1 = -0x1.555545995a603p-3, kSin2 = 0x1.1107605230bc4p-7, kSin3 = -0x1.994eb3774cf24p-13;
-  constexpr double kCos1 = -0x1.ffffffd0c621cp-2, kCos2 = 0x1.55553e1068f19p-5, kCos3 = -0x1.6c087e89a359dp-10,
-                   kCos4 = 0x1.99343027bf8c3p-16;
+/// An angle as quarter turns and a rest of at most half of one to either side.
+struct QuarterTurns {
+  int turns;
+  double rest;
+};
+
+/// For abs(x) < 120.
+[[gnu::always_inline]] inline QuarterTurns quarterTurnsOf(float x) {
   constexpr double kTwoOverPi = 0x1.45F306DC9C883p+23;  // times 2²⁴
   constexpr double kHalfPi = 0x1.921FB54442D18p0;
   constexpr float kQuarterPi = 0x1.921FB6p-1f;
-  double r = static_cast<double>(x);
-  int n = quarters;
-  if (!(std::abs(x) < kQuarterPi)) {
-    const int nearest = (static_cast<int>(r * kTwoOverPi) + 0x800000) >> 24;
-    r = std::fma(-static_cast<double>(nearest), kHalfPi, r);
-    n += nearest;
-  }
-  const double square = r * r;
-  double value = 0.0;
-  if ((n & 1) == 0) {
-    const double cube = r * square;
-    value = std::fma(cube * square, std::fma(square, kSin3, kSin2), std::fma(cube, kSin1, r));
-  } else {
-    const double fourth = square * square;
-    const double low = std::fma(fourth, kCos2, std::fma(square, kCos1, 1.0));
-    value = std::fma(fourth * square, std::fma(square, kCos4, kCos3), low);
-  }
-  return static_cast<float>((n & 2) != 0 ? -value : value);
+  const auto full = static_cast<double>(x);
+  if (std::abs(x) < kQuarterPi) return {0, full};
+  const int nearest = (static_cast<int>(full * kTwoOverPi) + 0x800000) >> 24;
+  return {nearest, std::fma(-static_cast<double>(nearest), kHalfPi, full)};
 }
 
-/// The same for any x; what is no number, or infinite, gives no number.
-[[gnu::always_inline]] inline float singleSineOfAny(float x, int quarters) {
-  if (std::abs(x) < 120.0f) return singleSineTurned(x, quarters);
-  if (!(std::abs(x) < 1e9f)) return x - x;
-  return static_cast<float>(portableCosTurned(static_cast<double>(x), quarters + 3));
+/// sin r and cos r for abs(r) ≤ ¼π, to 0.56 units in the last place.
+[[gnu::always_inline]] inline void sineAndCosineOfRest(double r, float& sine, float& cosine) {
+  constexpr double kSin1 = -0x1.555545995a603p-3, kSin2 = 0x1.1107605230bc4p-7, kSin3 = -0x1.994eb3774cf24p-13;
+  constexpr double kCos1 = -0x1.ffffffd0c621cp-2, kCos2 = 0x1.55553e1068f19p-5, kCos3 = -0x1.6c087e89a359dp-10,
+                   kCos4 = 0x1.99343027bf8c3p-16;
+  const double square = r * r, cube = r * square, fourth = square * square;
+  sine = static_cast<float>(std::fma(cube * square, std::fma(square, kSin3, kSin2), std::fma(cube, kSin1, r)));
+  const double low = std::fma(fourth, kCos2, std::fma(square, kCos1, 1.0));
+  cosine = static_cast<float>(std::fma(fourth * square, std::fma(square, kCos4, kCos3), low));
+}
+
+/// For any x; what is no number, or infinite, gives no number.
+[[gnu::always_inline]] inline void sineAndCosineOf(float x, float& sine, float& cosine) {
+  if (std::abs(x) < 120.0f) {
+    const QuarterTurns q = quarterTurnsOf(x);
+    sineAndCosineOfRest(q.rest, sine, cosine);
+    if (q.turns == 0) return;
+    const float s = sine, c = cosine;
+    const bool odd = (q.turns & 1) != 0;
+    sine = ((q.turns & 2) != 0 ? -1.0f : 1.0f) * (odd ? c : s);
+    cosine = ((q.turns + 1) & 2) != 0 ? -(odd ? s : c) : (odd ? s : c);
+  } else if (std::abs(x) < 1e9f) {
+    sine = static_cast<float>(portableSin(static_cast<double>(x)));
+    cosine = static_cast<float>(portableCos(static_cast<double>(x)));
+  } else {
+    sine = cosine = x - x;
+  }
 }
 
 /// For processors with fused multiply-add, and for all.
-float singleSineFused(float x, int quarters);
-float singleSineAnywhere(float x, int quarters);
+void sineAndCosineFused(float x, float* sine, float* cosine);
+void sineAndCosineAnywhere(float x, float* sine, float* cosine);
 bool hasFusedMultiplyAdd();
 
 }  // namespace surefoot
