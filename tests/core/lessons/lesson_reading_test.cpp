@@ -121,7 +121,7 @@ TEST(Lesson, IsReadAsItIsWritten) {
 TEST(Lesson, EveryMistakeIsToldWithLineAndColumn) {
   const std::pair<std::pair<const char*, const char*>, const char*> kMistakes[] = {
       {{"title = \"Exploring costs falls\"\n", ""}, "title is missing."},
-      {{"goal", "gaol"}, "line 2, column 8: there is no \"gaol\" here; did you mean goal"},
+      {{"goal", "gaol"}, "line 2, column 1: there is no \"gaol\" here; did you mean goal"},
       {{"level = 2", "level = 4"}, "line 5, column 9: level: 4 is not allowed; it takes 1 to 3."},
       {{"minutes = 10", "minutes = \"ten\""}, "minutes: it takes a number."},
       {{"\"cliff\"", "\"clif\""}, "start: environment: there is no \"clif\", did you mean cliff"},
