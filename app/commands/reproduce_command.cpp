@@ -40,12 +40,21 @@ bool isOnPreset(const Recipe& recipe, const std::string& preset) {
                      [&](const Condition& c) { return c.configuration.names.preset == preset; });
 }
 
+/// A recipe that varies what the preset holds, too, has two equal conditions on it: of several recipes it is left out.
+bool isLeftOut(const Result<Recipe>& recipe, const ReproduceRequest& request) {
+  if (recipe || !request.changes.preset || request.recipes.size() < 2) return false;
+  std::fprintf(stderr, "surefoot: left out on the preset %s: %s\n", request.changes.preset->c_str(),
+               recipe.error().message.c_str());
+  return true;
+}
+
 /// Prints what would be done and about how long it takes, a line a recipe.
 int tell(const Registry& registry, const ReproduceRequest& request) {
   std::string text;
   double minutes = 0;
   for (const std::string& path : request.recipes) {
     const auto recipe = readRecipe(registry, path, request.changes);
+    if (isLeftOut(recipe, request)) continue;
     if (!recipe) return fail(recipe.error());
     if (request.changes.preset && !isOnPreset(*recipe, *request.changes.preset)) continue;
     const auto content = readText(path);
@@ -79,6 +88,7 @@ class Reproduction {
     for (const std::string& path : request_.recipes) {
       if (changes.preset) {
         const auto recipe = readRecipe(registry_, path, changes);
+        if (isLeftOut(recipe, request_)) continue;
         if (!recipe) return fail(recipe.error());
         if (!isOnPreset(*recipe, *changes.preset)) continue;
       }

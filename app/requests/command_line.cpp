@@ -9,6 +9,7 @@
 #include "app/requests/laboratory_line.h"
 #include "app/requests/lessons_line.h"
 #include "app/requests/requests.h"
+#include "app/requests/robots_line.h"
 #include "core/text/text.h"
 #include "core/text/words.h"
 #include "core/version.h"
@@ -123,6 +124,7 @@ struct CommandLine {
   CLI::App* bench = app.add_subcommand("bench", "how fast this machine learns");
   CLI::App* probabilities = app.add_subcommand("probabilities", "the probability of every action, given its value");
   LessonsLine lessons{app, *window};
+  RobotsLine robots{app};
   LaboratoryLine laboratory{app};
   TrainOptions trainOptions, windowOptions;
   ListRequest listOptions;
@@ -150,8 +152,8 @@ struct CommandLine {
     addAssignments(*probabilities, probabilitiesOptions.assignments, "a parameter of the policy; may be repeated");
     probabilities->add_flag("--json", probabilitiesOptions.json, "as JSON");
     std::vector<CLI::App*> commands = laboratory.commands();
-    for (CLI::App* c :
-         {&app, train, window, list, probabilities, query, slice, inspect, resample, replay, bench, lessons.lessons})
+    for (CLI::App* c : {&app, train, window, list, probabilities, query, slice, inspect, resample, replay, bench,
+                        lessons.lessons, robots.check, robots.create})
       commands.push_back(c);
     for (CLI::App* command : commands) {
       command->set_help_flag("-h,--help", "print this help");
@@ -225,6 +227,7 @@ Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv
   if (const Status s = line.checkLeftovers(); !s) return s.error();
 
   if (auto request = line.laboratory.request(registry)) return std::move(*request);
+  if (auto request = line.robots.request()) return std::move(*request);
   if (line.list->parsed()) return Request(line.listOptions);
   if (line.train->parsed()) return any(makeTrainRequest(registry, line.trainOptions, false));
   if (line.probabilities->parsed()) return any(makeProbabilitiesRequest(registry, line.probabilitiesOptions));

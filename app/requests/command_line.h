@@ -134,15 +134,26 @@ struct LessonsRequest {
   std::optional<std::string> out;
 };
 
+/// `surefoot check`
+struct CheckRequest {
+  std::string file;
+  bool json = false;
+};
+
+/// `surefoot new`
+struct NewRobotRequest {
+  std::string name, like = "segway";
+};
+
 /// --help or --version: the text to print.
 struct PrintRequest {
   std::string text;
 };
 
-using Request =
-    std::variant<ListRequest, ProbabilitiesRequest, TrainRequest, WindowRequest, QueryRequest, SliceRequest,
-                 InspectRequest, ResampleRequest, ReplayRequest, BenchRequest, ExperimentRequest, ReproduceRequest,
-                 ExportRequest, MergeRequest, StatisticsRequest, LessonsRequest, PrintRequest>;
+using Request = std::variant<ListRequest, ProbabilitiesRequest, TrainRequest, WindowRequest, QueryRequest, SliceRequest,
+                             InspectRequest, ResampleRequest, ReplayRequest, BenchRequest, ExperimentRequest,
+                             ReproduceRequest, ExportRequest, MergeRequest, StatisticsRequest, LessonsRequest,
+                             CheckRequest, NewRobotRequest, PrintRequest>;
 
 Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv);
 

@@ -188,6 +188,7 @@ Outcome Robot::step(Action action) {
   values_[stepAt_ + 1] = steps_ * numbers_.stepTime;
   if (!whole) {
     ++flewApart_;
+    lastEnding_ = -1;
     const std::vector<double> last = state_;
     world_.reset();  // it holds numbers that are none
     begin(assembly_->settled(assembly_->drawing()));
@@ -214,6 +215,7 @@ Outcome Robot::judged() {
   int ending = -1;
   for (std::size_t e = 0; e < spec_->endings.size() && ending < 0; ++e)
     if (spec_->endings[e].when.expression.holds(values_)) ending = static_cast<int>(e);
+  lastEnding_ = ending;
   if (ending >= 0) {
     const Ends kind = spec_->endings[static_cast<std::size_t>(ending)].kind;
     outcome.ending = kind == Ends::Time ? Ending::Truncated : Ending::Terminal;

@@ -41,6 +41,8 @@ class Robot final : public Environment {
   std::span<const double> values() const { return values_; }
   /// Episodes that ended because a number was none, or beyond all bounds.
   std::int64_t flewApart() const { return flewApart_; }
+  /// The ending of the last step, by its number in the file; −1: none of them.
+  int lastEnding() const { return lastEnding_; }
 
  private:
   void computeConstants();
@@ -66,7 +68,7 @@ class Robot final : public Environment {
   std::vector<std::size_t> live_;    ///< constants of rewards: they follow a change at once
   std::vector<double> u_, potentials_, state_, measures_;
   bool inSubsteps_ = false;  ///< some memories are of a substep
-  int steps_ = 0, maxSteps_ = 0;
+  int steps_ = 0, maxSteps_ = 0, lastEnding_ = -1;
   std::int64_t flewApart_ = 0;
 };
 

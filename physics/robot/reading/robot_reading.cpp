@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/basics/hash64.h"
+#include "physics/robot/reading/robot_text.h"
 #include "physics/robot/reading/sections.h"
 
 namespace surefoot {
@@ -59,19 +60,12 @@ void checkForms(const TomlNode& root, std::vector<Complaint>& complaints) {
   }
 }
 
-bool isRobotName(const std::string& name) {
-  return !name.empty() && name.size() <= 40 && std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
-  });
-}
-
 void readHead(TomlReader& reader, RobotReader& in) {
   RobotSpec& spec = in.spec();
   if (const std::string format = reader.neededText("surefoot"); !format.empty() && format != "robot 1")
     reader.complain("surefoot", fmt::format("\"{}\" is no format of ours; it is \"robot 1\".", format));
   spec.name = reader.neededText("name");
-  if (!spec.name.empty() && !isRobotName(spec.name))
-    reader.complain("name", "a robot's name has letters a to z, digits and hyphens only, at most 40.");
+  if (const char* why = wrongRobotName(spec.name); why && !spec.name.empty()) reader.complain("name", why);
   spec.title = reader.text("title", spec.name);
   spec.help = reader.text("help");
   for (const auto& section : kSections) static_cast<void>(reader.find(section.first));

@@ -177,18 +177,25 @@ double RobotWorld::jointSeparation() const {
   return most / scale_;
 }
 
-double RobotWorld::energy() const {
+double RobotWorld::motion() const {
   double sum = 0.0;
   for (const b2Body* body : bodies_) {
     if (body->GetType() == b2_staticBody) continue;
-    const double mass = full(body->GetMass());
-    const b2Vec2 p = body->GetWorldCenter(), v = body->GetLinearVelocity();
+    const double mass = full(body->GetMass()), rate = full(body->GetAngularVelocity());
     const double about = full(body->GetInertia()) - mass * full(body->GetLocalCenter().LengthSquared());
-    const double rate = full(body->GetAngularVelocity());
-    sum += 0.5 * mass * full(v.LengthSquared()) + 0.5 * about * rate * rate -
-           mass * scale_ * (numbers_.gravity.x * full(p.x) + numbers_.gravity.y * full(p.y));
+    sum += 0.5 * mass * full(body->GetLinearVelocity().LengthSquared()) + 0.5 * about * rate * rate;
   }
   return sum / (scale_ * scale_);
+}
+
+double RobotWorld::height() const {
+  double sum = 0.0;
+  for (const b2Body* body : bodies_) {
+    if (body->GetType() == b2_staticBody) continue;
+    const b2Vec2 p = body->GetWorldCenter();
+    sum -= full(body->GetMass()) * (numbers_.gravity.x * full(p.x) + numbers_.gravity.y * full(p.y));
+  }
+  return sum / scale_;
 }
 
 }  // namespace surefoot

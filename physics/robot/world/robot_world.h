@@ -35,7 +35,9 @@ class RobotWorld final : private b2ContactListener {
   /// The largest distance between the two ends of any joint [m].
   double jointSeparation() const;
   /// Kinetic and potential energy of all bodies [J]; springs are not in it.
-  double energy() const;
+  double energy() const { return motion() + height(); }
+  /// The kinetic part of it.
+  double motion() const;
 
  private:
   struct Joint {
@@ -64,6 +66,7 @@ class RobotWorld final : private b2ContactListener {
 
   void PreSolve(b2Contact* contact, const b2Manifold* old) override;
 
+  double height() const;
   void addGround();
   void addBody(int index);
   void addShape(b2Body& body, const ShapeNumbers& shape, std::size_t number);

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/robot/inspection/inspection.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "physics/robot/inspection/passive.h"
+#include "physics/robot/spec/every_formula.h"
+
+namespace surefoot {
+
+namespace {
+
+constexpr int kSteps = 4000;
+
+class Inspection {
+ public:
+  explicit Inspection(std::shared_ptr<const RobotSpec> spec) : spec_(std::move(spec)), robot_(spec_) {}
+
+  RobotInspection all() {
+    describe();
+    live();
+    if (spec_->joints.empty()) {
+      found_.passive.seconds = 0;
+    } else {
+      found_.passive = energyOf(passiveRobot(*spec_, 1));
+      found_.halved = energyOf(passiveRobot(*spec_, 2));
+    }
+    propose();
+    warnOfStates();
+    warnOfTask();
+    warnOfWorld();
+    std::stable_sort(found_.warnings.begin(), found_.warnings.end(),
+                     [](const Complaint& a, const Complaint& b) { return a.at.line < b.at.line; });
+    return std::move(found_);
+  }
+
+ private:
+  void describe() {
+    const RobotNumbers& numbers = robot_.numbers();
+    found_.scale = numbers.scale;
+    for (std::size_t j = 0; j < spec_->joints.size(); ++j)
+      found_.joints.emplace_back(spec_->joints[j].name, numbers.joints[j].soft);
+    for (const BodyNumbers& body : numbers.bodies)
+      for (const ShapeNumbers& shape : body.shapes) {
+        if (shape.meets == Meets::Nothing) continue;
+        const bool round = shape.kind == ShapeSpec::Kind::Circle || shape.kind == ShapeSpec::Kind::Rod;
+        const double radius = round ? shape.radius : 0.5 * std::min(shape.size.x, shape.size.y);
+        if (radius > 0.0 && (found_.smallestRadius == 0.0 || radius < found_.smallestRadius))
+          found_.smallestRadius = radius;
+      }
+    for (const EndingSpec& ending : spec_->endings) found_.endings.emplace_back(ending.name, 0);
+    found_.endings.emplace_back("step limit", 0);
+    for (const StateVariable& v : robot_.task().state) {
+      SeenState seen{.key = v.key, .unit = v.unit, .low = v.low, .high = v.high};
+      seen.seenLow = kInfinity, seen.seenHigh = -kInfinity;
+      seen.tiles = static_cast<int>(std::ceil((v.high - v.low) / v.span * v.resolution - 1e-9)) + (v.period ? 0 : 1);
+      found_.states.push_back(seen);
+    }
+  }
+
+  void note(std::span<const double> state) {
+    for (std::size_t s = 0; s < state.size(); ++s) {
+      SeenState& seen = found_.states[s];
+      seen.seenLow = std::min(seen.seenLow, state[s]);
+      seen.seenHigh = std::max(seen.seenHigh, state[s]);
+      seen.outside += state[s] < seen.low || state[s] > seen.high ? 1.0 / kSteps : 0.0;
+      const double range = seen.high - seen.low, from = seen.low - 0.25 * range;
+      const double bin = (state[s] - from) / (1.5 * range) * SeenState::kBins;
+      if (bin >= 0 && bin < static_cast<double>(SeenState::kBins)) ++seen.bins[static_cast<std::size_t>(bin)];
+    }
+    states_.emplace_back(state.begin(), state.end());
+  }
+
+  void live() {
+    Random random(1);
+    robot_.reset(random);
+    starts_.insert({robot_.state().begin(), robot_.state().end()});
+    rewarded_.assign(spec_->rewards.size(), false);
+    const auto actions = static_cast<double>(robot_.task().actions.size());
+    int episodes = 0, inEpisode = 0;
+    for (int step = 0; step < kSteps; ++step) {
+      const Outcome outcome = robot_.step(static_cast<Action>(random.uniform() * actions));
+      ++inEpisode;
+      note(robot_.state());
+      found_.jointGap = std::max(found_.jointGap, robot_.world().jointSeparation());
+      for (std::size_t r = 0; r < rewarded_.size(); ++r) rewarded_[r] = rewarded_[r] || outcome.terms[r] != 0.0;
+      if (outcome.ending == Ending::None) continue;
+      ++found_
+            .endings[static_cast<std::size_t>(robot_.lastEnding() < 0 ? static_cast<int>(spec_->endings.size())
+                                                                      : robot_.lastEnding())]
+            .second;
+      atOnce_ += inEpisode == 1;
+      ++episodes, inEpisode = 0;
+      robot_.reset(random);
+      starts_.insert({robot_.state().begin(), robot_.state().end()});
+    }
+    found_.meanSteps = static_cast<double>(kSteps) / std::max(1, episodes);
+    found_.flewApart = robot_.flewApart();
+    episodes_ = episodes;
+  }
+
+  /// Outwards to two digits.
+  static double rounded(double value, bool up) {
+    if (value == 0.0) return 0.0;
+    const double unit = std::pow(10.0, std::floor(std::log10(std::abs(value))) - 1.0);
+    return (up ? std::ceil(value / unit - 1e-9) : std::floor(value / unit + 1e-9)) * unit;
+  }
+
+  void propose() {
+    found_.proposedScale =
+        found_.smallestRadius > 0.0 ? std::clamp(std::round(0.2 / found_.smallestRadius), 1.0, 20.0) : found_.scale;
+    found_.tiles = static_cast<double>(robot_.task().actions.size());
+    for (SeenState& seen : found_.states) {
+      found_.tiles *= seen.tiles;
+      const double margin = 0.1 * (seen.seenHigh - seen.seenLow);
+      seen.proposedLow = seen.outside > 0.05 ? rounded(std::min(seen.low, seen.seenLow - margin), false) : seen.low;
+      seen.proposedHigh = seen.outside > 0.05 ? rounded(std::max(seen.high, seen.seenHigh + margin), true) : seen.high;
+    }
+  }
+
+  void warn(TextPlace at, std::string sentence) { found_.warnings.push_back({at, std::move(sentence)}); }
+
+  void warnOfStates() {
+    for (std::size_t s = 0; s < found_.states.size(); ++s) {
+      const SeenState& seen = found_.states[s];
+      const TextPlace at = spec_->states[s].place;
+      if (seen.seenHigh <= seen.seenLow)
+        warn(at, fmt::format("{} never changes in {} random steps.", seen.key, kSteps));
+      else if (seen.outside > 0.05)
+        warn(at, fmt::format("{} leaves its range {:.4g} … {:.4g} in {:.0f} % of random steps; it came to {:.4g} … "
+                             "{:.4g}.",
+                             seen.key, seen.low, seen.high, 100 * seen.outside, seen.seenLow, seen.seenHigh));
+      else if (seen.seenHigh - seen.seenLow < 0.15 * (seen.high - seen.low) && !robot_.task().state[s].period)
+        warn(at, fmt::format("{} came to {:.4g} … {:.4g} only, of {:.4g} … {:.4g}; what has learned may go farther, so "
+                             "look at a learned life before you narrow it.",
+                             seen.key, seen.seenLow, seen.seenHigh, seen.low, seen.high));
+      for (std::size_t other = 0; other < s; ++other)
+        if (alike(s, other))
+          warn(at, fmt::format("{} and {} always agree; one of them is enough.", found_.states[other].key, seen.key));
+    }
+  }
+  bool alike(std::size_t a, std::size_t b) const {
+    return std::all_of(states_.begin(), states_.end(),
+                       [&](const auto& state) { return std::abs(state[a] - state[b]) < 1e-9; });
+  }
+
+  void warnOfTask() {
+    const TextPlace top{1, 1};
+    std::set<int> used;
+    collectUses(used);
+    for (std::size_t p = 0; p < spec_->parameters.size(); ++p)
+      if (!used.contains(static_cast<int>(p)))
+        warn(top, fmt::format("nothing uses the parameter {}.", spec_->parameters[p].key));
+    if (!robot_.task().canFall) warn(top, "no ending is a fall: falls cannot be counted.");
+    if (starts_.size() == 1 && episodes_ > 1) warn(top, "every episode begins alike.");
+    if (atOnce_ > 0) warn(top, fmt::format("{} of {} episodes end in their first step.", atOnce_, episodes_));
+    for (std::size_t r = 0; r < rewarded_.size(); ++r) {
+      const RewardSpec& reward = spec_->rewards[r];
+      const bool rare = reward.ending && found_.endings[static_cast<std::size_t>(*reward.ending)].second == 0;
+      if (!rewarded_[r] && !rare)
+        warn(reward.value.at, fmt::format("the reward {} was never other than 0.", reward.name));
+    }
+    if (found_.tiles > 2.7e7)
+      warn(top,
+           fmt::format("a dense table has {:.3g} tiles a tiling; give it a memory, or wider tiles.", found_.tiles));
+  }
+
+  void collectUses(std::set<int>& used) const {
+    const auto add = [&](const Formula& formula) {
+      for (const int place : formula.expression.variables()) used.insert(place);
+    };
+    forEveryFormula(*spec_, add);
+  }
+
+  void warnOfWorld() {
+    const TextPlace top{1, 1};
+    if (const double loss = found_.passive.lossPerSecond(); loss > 0.05)
+      warn(spec_->substeps.at.line > 0 ? spec_->substeps.at : top,
+           fmt::format(
+               "left to itself the robot loses {:.0f} % of its motion a second, by the size of the substep alone "
+               "({:.0f} % with twice as many substeps).",
+               100 * loss, 100 * found_.halved.lossPerSecond()));
+    if (found_.jointGap > 1e-3)
+      warn(top,
+           fmt::format("joints part by up to {:.2g} mm; more iterations hold them together.", 1000 * found_.jointGap));
+    if (found_.smallestRadius > 0.0 && found_.smallestRadius * found_.scale < 0.1)
+      warn(top, fmt::format("the smallest part that meets something is {:.3g} of Box2D's units, near the slop of its "
+                            "contacts; scale = {:.0f} makes it 0.2.",
+                            found_.smallestRadius * found_.scale, found_.proposedScale));
+    if (found_.flewApart > 0)
+      warn(top, fmt::format("it flew apart {} times in {} random steps.", found_.flewApart, kSteps));
+  }
+
+  std::shared_ptr<const RobotSpec> spec_;
+  Robot robot_;
+  RobotInspection found_;
+  std::vector<std::vector<double>> states_;
+  std::set<std::vector<double>> starts_;
+  std::vector<bool> rewarded_;
+  int atOnce_ = 0, episodes_ = 0;
+};
+
+}  // namespace
+
+RobotInspection inspectRobot(const std::shared_ptr<const RobotSpec>& spec) {
+  return Inspection(spec).all();
+}
+
+}  // namespace surefoot

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A robot left to itself.
+#pragma once
+
+#include "physics/robot/inspection/inspection.h"
+
+namespace surefoot {
+
+/// The robot without anything that takes or gives energy but gravity; its substeps times `finer`.
+std::shared_ptr<const RobotSpec> passiveRobot(const RobotSpec& spec, int finer);
+
+/// From its start, for some seconds.
+PassiveEnergy energyOf(const std::shared_ptr<const RobotSpec>& passive);
+
+}  // namespace surefoot
