@@ -24,8 +24,12 @@ int fail(const Error& error) {
   return exitCode(error.kind);
 }
 
+void tell(const std::string& note) {
+  if (!note.empty()) static_cast<void>(fail(Error{note}));  // only prints
+}
+
 void tellNote(const Store& store) {
-  if (!store.note().empty()) fail(Error{store.note(), ErrorKind::File});  // only prints; the program goes on
+  tell(store.note());
 }
 
 int print(const std::string& content) {

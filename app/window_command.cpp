@@ -151,6 +151,7 @@ int windowCommand(const Registry& registry, const WindowRequest& request, int ar
   const char* platform = std::getenv("QT_QPA_PLATFORM");
   if (!std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY") && !platform) return fail(noDisplay());
 
+  tell(request.note);
   qInstallMessageHandler(onMessage);
   int qtArguments = 1;  // ours are not Qt's
   static_cast<void>(argc);

@@ -41,6 +41,10 @@ bool isEnvironmentPath(std::string_view name) {
   return name.ends_with(".toml") || name.find('/') != std::string_view::npos;
 }
 
+std::string_view plainName(std::string_view environment) {
+  return environment.substr(0, environment.find('@'));
+}
+
 Result<std::string> environmentNamed(const Registry& registry, const std::string& name) {
   if (!registry.files || !isEnvironmentPath(name)) return name;
   const auto file = registry.files->open(name);

@@ -50,6 +50,9 @@ class EnvironmentLibrary {
 /// Whether a person means a file: "hopper.toml", "robots/hopper.toml".
 bool isEnvironmentPath(std::string_view name);
 
+/// "hopper" of "hopper@3f2a91c0": what two versions of a robot have in common.
+std::string_view plainName(std::string_view environment);
+
 /// The name of an environment: as it is, or of the robot in the file that it names.
 Result<std::string> environmentNamed(const Registry& registry, const std::string& name);
 

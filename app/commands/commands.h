@@ -29,6 +29,9 @@ int replayCommand(const Registry& registry, const ReplayRequest& request);
 /// Prints "surefoot: …" to standard error and returns the exit code of the error.
 int fail(const Error& error);
 
+/// Prints a note to standard error; the program goes on. An empty one is none.
+void tell(const std::string& note);
+
 /// Prints the note of a store, if it has one, to standard error.
 void tellNote(const Store& store);
 

@@ -39,6 +39,9 @@ void addTrainOptions(CLI::App& app, TrainOptions& o) {
   addOption(app, "--jobs", o.jobs, "threads [all cores]", "N");
   app.add_flag("--json", o.json, "print the result as one JSON object");
   addOption(app, "--log", o.log, "write a row an episode to this file, which must not exist yet", "FILE.csv");
+  app.add_flag("--load-from-other", o.loadFromOther,
+               "with --load and --environment: even if it was learned on a robot of another name, whose states and "
+               "actions must be the same");
   addOption(app, "--load", o.load,
             "begin with what another life has learned, under its configuration; other options come on top", "FILE");
   addOption(app, "--from", o.from, "live as a journal, a saved session or a Q-function says; other options come on top",

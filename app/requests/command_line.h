@@ -33,6 +33,7 @@ struct TrainRequest {
   bool json = false;
   std::optional<std::string> log;
   bool turbo = false;  ///< window only: start flat out
+  std::string note{};  ///< what a person should know of the files that were read
 
   // `train` only: files.
   std::optional<std::string> save, journal, checkpoint;

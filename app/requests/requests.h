@@ -23,7 +23,7 @@ struct TrainOptions {
   std::vector<std::string> assignments;
   std::optional<std::string> seed, minutes, episodes, until, lives, jobs, log, load;
   std::vector<std::string> at;
-  bool json = false, turbo = false, otherVersion = false;
+  bool json = false, turbo = false, otherVersion = false, loadFromOther = false;
   std::optional<std::string> from;
   std::optional<std::string> save, journal, checkpoint, every, resume;  ///< `train` only
 };

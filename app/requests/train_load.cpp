@@ -31,7 +31,7 @@ Status bring(const Result<const AssignmentEntry*>& entry, bool chosen, Parameter
 }  // namespace
 
 Result<Configuration> configurationUpon(const Registry& registry, const TensorFile& file, const ChosenNames& chosen,
-                                        const std::vector<Assignment>& assignments) {
+                                        const std::vector<Assignment>& assignments, bool fromOther) {
   const auto theirs = configurationOf(registry, file);
   if (!theirs) return theirs.error();
   const Names& names = theirs->names;
@@ -41,18 +41,27 @@ Result<Configuration> configurationUpon(const Registry& registry, const TensorFi
     if (!named) return named.error();
     environment = std::move(*named);
   }
-  if (const Status s = checkSame(file, "--environment", environment, names.environment); !s) return s.error();
+  // Another version of the same robot is another model of it, which may go on with what was learned if it has the same
+  // state and actions (checkTask); any other robot must be asked for.
+  const bool version = environment && plainName(*environment) == plainName(names.environment);
+  if (!version && !fromOther)
+    if (const Status s = checkSame(file, "--environment", environment, names.environment); !s) return s.error();
   if (const Status s = checkSame(file, "--features", chosen.features, names.features); !s) return s.error();
   const auto usual = configure(registry, names, {});
-  auto ours = configure(registry, namesOr(chosen, names), {});
+  Names wanted = namesOr(chosen, names);
+  if (environment && *environment != names.environment) {  // its own presets and scenarios
+    wanted.preset = chosen.preset.value_or("");
+    wanted.scenario = chosen.scenario.value_or("");
+  }
+  auto ours = configure(registry, wanted, {});
   if (!usual) return usual.error();
   if (!ours) return ours.error();
   for (const auto& [parameter, value] : theirs->parameters.all())
     if (value != usual->parameters.get(parameter.key) && ours->parameters.find(parameter.key))
       if (const Status s = ours->parameters.set(parameter.key, value); !s) return s.error();
-  const auto preset = findPreset(registry, names.environment, chosen.preset.value_or(""));
+  const auto preset = findPreset(registry, ours->names.environment, chosen.preset.value_or(""));
   if (const Status s = bring(preset, chosen.preset.has_value(), ours->parameters); !s) return s.error();
-  const auto scenario = findScenario(registry, names.environment, chosen.scenario.value_or(""));
+  const auto scenario = findScenario(registry, ours->names.environment, chosen.scenario.value_or(""));
   if (const Status s = bring(scenario, chosen.scenario.has_value(), ours->parameters); !s) return s.error();
   for (const Assignment& a : assignments)
     if (const Status s = ours->parameters.set(a.key, std::string_view(a.value)); !s) return s.error();

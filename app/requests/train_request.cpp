@@ -186,7 +186,7 @@ Result<TrainRequest> makeResumeRequest(const Registry& registry, const TrainOpti
 Result<LivedBefore> chosenConfiguration(const Registry& registry, const TrainOptions& o, const TensorFile* loaded,
                                         const std::vector<Assignment>& assignments) {
   if (!o.from) {
-    auto configuration = loaded ? configurationUpon(registry, *loaded, o.names, assignments)
+    auto configuration = loaded ? configurationUpon(registry, *loaded, o.names, assignments, o.loadFromOther)
                                 : configure(registry, namesOr(o.names, {}), assignments);
     if (!configuration) return configuration.error();
     return LivedBefore{std::move(*configuration), {}};
@@ -200,6 +200,14 @@ Result<LivedBefore> chosenConfiguration(const Registry& registry, const TrainOpt
   return lived;
 }
 
+/// What was learned on another model of the robot is told.
+std::string originOf(const Registry& registry, const TensorFile& file, const Configuration& ours) {
+  const auto theirs = configurationOf(registry, file);
+  if (!theirs || theirs->names.environment == ours.names.environment) return "";
+  return fmt::format("{}: learned on {}, and goes on on {}.", file.name, theirs->names.environment,
+                     ours.names.environment);
+}
+
 }  // namespace
 
 Result<TrainRequest> makeTrainRequest(const Registry& registry, const TrainOptions& o, bool window) {
@@ -207,6 +215,7 @@ Result<TrainRequest> makeTrainRequest(const Registry& registry, const TrainOptio
   request.json = o.json, request.turbo = o.turbo;
   request.log = o.log, request.save = o.save, request.journal = o.journal, request.checkpoint = o.checkpoint;
 
+  if (o.loadFromOther && !o.load) return Error{"--load-from-other: it goes with --load FILE."};
   if (o.otherVersion && !o.resume) return Error{"--other-version: it goes with --resume FILE."};
   if (o.resume)
     if (const Status s = checkResume(o); !s) return s.error();
@@ -225,6 +234,7 @@ Result<TrainRequest> makeTrainRequest(const Registry& registry, const TrainOptio
     if (const Status s = checkPolicyKeys(registry, c.names.policy, *assignments); !s) return s.error();
     if (const Status s = checkEffect(c.parameters, *assignments); !s) return s.error();
   }
+  if (loaded) request.note = originOf(registry, *loaded, c);
   if (const Status s = readExtent(o, c); !s) return s.error();
   if (const Status s = checkOneLife(o, c); !s) return s.error();
   if (const Status s = checkDifferentFiles(o); !s) return s.error();

@@ -29,6 +29,29 @@ Json actionsAsJson(const Task& task) {
   return json;
 }
 
+namespace {
+
+/// What a named thing of the file has otherwise than that of the configuration: "the unit of pole_rate is …".
+std::optional<std::string> otherwise(const Json& theirs, const Json& ours, const char* key, const char* what) {
+  if (!theirs.is_object() || !theirs.contains(key)) return std::nullopt;  // an older file does not say it
+  const Json mine = ours.contains(key) ? ours[key] : Json(nullptr);
+  if (theirs[key] == mine) return std::nullopt;
+  return fmt::format("it was learned by another robot: {} of {} is {} in the file, and {} in the configuration.", what,
+                     ours.value("variable", "?"), shortened(jsonText(theirs[key], -1, true)),
+                     shortened(jsonText(mine, -1, true)));
+}
+
+/// The first difference between two lists of named things that have the same names.
+std::optional<std::string> firstDifference(const Json& theirs, const Json& ours,
+                                           std::initializer_list<std::pair<const char*, const char*>> keys) {
+  for (std::size_t i = 0; i < ours.size(); ++i)
+    for (const auto& [key, what] : keys)
+      if (auto difference = otherwise(theirs[i], ours[i], key, what)) return difference;
+  return std::nullopt;
+}
+
+}  // namespace
+
 Status checkTask(const TensorFile& file, const Task& task) {
   const auto refuse = [&](const std::string& what, const Json& theirs, const Json& ours) {
     return fileError(file.name,
@@ -46,6 +69,15 @@ Status checkTask(const TensorFile& file, const Task& task) {
     return keys;
   };
   if (names(about["state"]) != names(state)) return refuse("the state", names(about["state"]), names(state));
+  if (const auto d = firstDifference(about["state"], state, {{"unit", "the unit"}, {"period", "the period"}}))
+    return fileError(file.name, *d);
+  if (const Json& theirs = about["actions"]; theirs.contains("variables") && theirs["variables"].is_array()) {
+    const Json ours = actions.contains("variables") ? actions["variables"] : Json::array();
+    if (names(theirs["variables"]) != names(ours))
+      return refuse("the list of actuators", names(theirs["variables"]), names(ours));
+    if (const auto d = firstDifference(theirs["variables"], ours, {{"unit", "the unit"}, {"levels", "the levels"}}))
+      return fileError(file.name, *d);
+  }
   for (const char* key : {"values", "names"}) {
     const Json theirs = about["actions"].contains(key) ? about["actions"][key] : Json(nullptr);
     if (theirs.is_array() && theirs.size() != actions[key].size())

@@ -56,6 +56,35 @@ TEST(RobotsCommand, AFileStandsWhereAnEnvironmentStands) {
   EXPECT_NE(gone.err.find("roller.toml"), std::string::npos);
 }
 
+TEST(RobotsCommand, WhatWasLearnedGoesOnOnAnotherModelOfTheRobotButOnNoOtherRobot) {
+  const Folder folder;
+  const std::string file = folder.file("roller.toml"), q = folder.file("q.safetensors");
+  ASSERT_EQ(surefoot("new " + folder.file("roller") + " --like pendulum").code, 0);
+  run("train --environment " + file + " --minutes 0.5 --save " + q);
+  const std::string text = contentOf(file);
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string changed = text;
+    changed.replace(changed.find(from), from.size(), to);
+    std::ofstream(file) << changed;
+  };
+  const std::string load = "train --load " + q + " --environment " + file + " --minutes 0.1";
+  with("step_time", "# a comment makes no other robot\nstep_time");
+  EXPECT_EQ(surefoot(load).err, "");
+  with("wheel_mass = 0.5", "wheel_mass = 0.6");
+  const Finished heavier = surefoot(load);
+  EXPECT_EQ(heavier.code, 0) << heavier.err;
+  EXPECT_NE(heavier.err.find("learned on roller@"), std::string::npos) << heavier.err;
+  with("levels = [-1.5, -0.75, 0, 0.75, 1.5]", "levels = [-1.5, -0.5, 0, 0.5, 1.5]");
+  expectRefusal(load, 3, {"-0.75", "-0.5", "in the configuration"});
+  with("unit = \"rad/s\"", "unit = \"°/s\"");
+  expectRefusal(load, 3, {"another robot", "the unit of pole_rate"});
+  const std::string other = "train --load " + q + " --environment pendulum --minutes 0.1";
+  expectRefusal(other, 3, {"learned with --environment roller@"});
+  const Finished asked = surefoot(other + " --load-from-other");
+  EXPECT_EQ(asked.code, 0) << asked.err;
+  EXPECT_NE(asked.err.find("goes on on pendulum"), std::string::npos) << asked.err;
+}
+
 TEST(RobotsCommand, WhatIsWrongIsToldWithItsPlace) {
   const Folder folder;
   const std::string file = folder.file("roller.toml");

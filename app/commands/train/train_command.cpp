@@ -52,6 +52,7 @@ int trainCommand(const Registry& registry, const TrainRequest& request) {
   if (!environment) return fail(environment.error());
   auto files = TrainFiles::claim(request, (*environment)->task());
   if (!files) return fail(files.error());
+  tell(request.note);
   const auto lives = run(registry, request, *files);
   if (!lives) return fail(lives.error());
 
