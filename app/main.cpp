@@ -10,6 +10,8 @@
 #include "app/commands/commands.h"
 #include "app/process/exit_code.h"
 #include "app/process/interrupt.h"
+#include "app/process/resources.h"
+#include "core/environment_library.h"
 #include "core/register/register.h"
 #include "core/text/printable.h"
 #include "physics/register.h"
@@ -62,6 +64,7 @@ int run(int argc, char** argv) {
   Registry registry;
   registerCore(registry);
   registerPhysics(registry);
+  registry.files->setShelf(resourceFolder("robots"));
   if (const Status s = checkNoneIsEmpty(argc, argv); !s) return fail(s.error());
   const Result<Request> request = parseCommandLine(registry, argc, argv);
   if (!request) return fail(request.error());
@@ -82,8 +85,8 @@ int run(int argc, char** argv) {
     int operator()(const SliceRequest& r) const { return sliceCommand(registry, r); }
     int operator()(const InspectRequest& r) const { return inspectCommand(registry, r); }
     int operator()(const ResampleRequest& r) const { return resampleCommand(registry, r); }
-    int operator()(const CheckRequest& r) const { return checkCommand(r); }
-    int operator()(const NewRobotRequest& r) const { return newRobotCommand(r); }
+    int operator()(const CheckRequest& r) const { return checkCommand(registry, r); }
+    int operator()(const NewRobotRequest& r) const { return newRobotCommand(registry, r); }
     int operator()(const ReplayRequest& r) const { return replayCommand(registry, r); }
     int operator()(const BenchRequest& r) const { return benchCommand(registry, r); }
     int operator()(const ExperimentRequest& r) const { return experimentCommand(registry, r); }

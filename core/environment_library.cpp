@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
+
 #include "core/files/read_file.h"
 
 namespace surefoot {
@@ -37,6 +40,22 @@ std::shared_ptr<const EnvironmentFile> EnvironmentLibrary::find(std::string_view
   return found == files_.end() ? nullptr : found->second;
 }
 
+std::vector<std::string> EnvironmentLibrary::shelved() const {
+  std::vector<std::string> names;
+  std::error_code error;
+  if (!shelf_.empty())
+    for (const auto& entry : std::filesystem::directory_iterator(shelf_, error))
+      if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::string EnvironmentLibrary::shelvedPath(std::string_view name) const {
+  const auto names = shelved();
+  if (std::find(names.begin(), names.end(), name) == names.end()) return "";
+  return (std::filesystem::path(shelf_) / (std::string(name) + ".toml")).string();
+}
+
 bool isEnvironmentPath(std::string_view name) {
   return name.ends_with(".toml") || name.find('/') != std::string_view::npos;
 }
@@ -46,8 +65,12 @@ std::string_view plainName(std::string_view environment) {
 }
 
 Result<std::string> environmentNamed(const Registry& registry, const std::string& name) {
-  if (!registry.files || !isEnvironmentPath(name)) return name;
-  const auto file = registry.files->open(name);
+  if (!registry.files) return name;
+  const auto& compiled = registry.environments;
+  const bool isCompiled = std::any_of(compiled.begin(), compiled.end(), [&](const auto& e) { return e.name == name; });
+  const std::string path = isEnvironmentPath(name) ? name : isCompiled ? "" : registry.files->shelvedPath(name);
+  if (path.empty()) return name;
+  const auto file = registry.files->open(path);
   if (!file) return file.error();
   return (*file)->entry.name;
 }
@@ -55,7 +78,12 @@ Result<std::string> environmentNamed(const Registry& registry, const std::string
 Result<const EnvironmentEntry*> findEnvironment(const Registry& registry, std::string_view name) {
   if (registry.files)
     if (const auto file = registry.files->find(name)) return &file->entry;
-  return findEntry(registry.environments, "environment", name);
+  std::vector<std::string> names = registry.files ? registry.files->shelved() : std::vector<std::string>();
+  for (const EnvironmentEntry& entry : registry.environments) {
+    if (entry.name == name) return &entry;
+    names.push_back(entry.name);
+  }
+  return Error{unknownName("environment", name, names).message};
 }
 
 namespace {

@@ -35,6 +35,14 @@ class EnvironmentLibrary {
   /// Reads a file, or a text that came in `file`; known texts are read only once.
   Result<std::shared_ptr<const EnvironmentFile>> open(const std::string& path);
   Result<std::shared_ptr<const EnvironmentFile>> add(std::string_view text, const std::string& file);
+  /// The folder of the files that come with the program: they are known by their file's names, and read when they are
+  /// asked for.
+  void setShelf(std::string folder) { shelf_ = std::move(folder); }
+  /// Their names, in order.
+  std::vector<std::string> shelved() const;
+  /// The path of one of them; empty: there is none of this name.
+  std::string shelvedPath(std::string_view name) const;
+
   /// By its name; null: there is none.
   std::shared_ptr<const EnvironmentFile> find(std::string_view name) const;
 
@@ -43,6 +51,7 @@ class EnvironmentLibrary {
                                                       const std::string& path);
 
   Reader reader_;
+  std::string shelf_;
   mutable std::mutex mutex_;
   std::map<std::string, std::shared_ptr<const EnvironmentFile>, std::less<>> files_;
 };
@@ -53,7 +62,7 @@ bool isEnvironmentPath(std::string_view name);
 /// "hopper" of "hopper@3f2a91c0": what two versions of a robot have in common.
 std::string_view plainName(std::string_view environment);
 
-/// The name of an environment: as it is, or of the robot in the file that it names.
+/// The name of an environment: as it is, or of the robot in the file that it names, or that comes with the program.
 Result<std::string> environmentNamed(const Registry& registry, const std::string& name);
 
 /// By its name, compiled in or from a file that was opened.

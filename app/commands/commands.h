@@ -22,8 +22,8 @@ int exportCommand(const ExportRequest& request);
 int mergeCommand(const MergeRequest& request);
 int statisticsCommand(const Registry& registry, const StatisticsRequest& request);
 int lessonsCommand(const Registry& registry, const LessonsRequest& request);
-int checkCommand(const CheckRequest& request);
-int newRobotCommand(const NewRobotRequest& request);
+int checkCommand(const Registry& registry, const CheckRequest& request);
+int newRobotCommand(const Registry& registry, const NewRobotRequest& request);
 int replayCommand(const Registry& registry, const ReplayRequest& request);
 
 /// Prints "surefoot: …" to standard error and returns the exit code of the error.

@@ -5,6 +5,7 @@
 
 #include "app/commands/commands.h"
 #include "core/basics/typed_json.h"
+#include "core/environment_library.h"
 #include "core/formulas.h"
 #include "core/glossary.h"
 #include "core/recipes/figure.h"
@@ -119,14 +120,59 @@ OrderedJson describeFigures() {
   return list;
 }
 
+/// The robots that come with the program as files.
+std::vector<EnvironmentEntry> robotsOf(const Registry& registry) {
+  std::vector<EnvironmentEntry> robots;
+  for (const std::string& name : registry.files ? registry.files->shelved() : std::vector<std::string>()) {
+    const auto file = registry.files->open(registry.files->shelvedPath(name));
+    if (!file) continue;
+    EnvironmentEntry entry = (*file)->entry;
+    entry.name = name;
+    robots.push_back(std::move(entry));
+  }
+  return robots;
+}
+
+std::string robotTable(const Registry& registry) {
+  const auto robots = robotsOf(registry);
+  return robots.empty() ? "" : table("robots from files (surefoot check NAME tells more of one)", robots);
+}
+
+OrderedJson describeRobots(const Registry& registry) {
+  OrderedJson list = OrderedJson::array();
+  for (const EnvironmentEntry& robot : robotsOf(registry))
+    list.push_back({{"name", robot.name}, {"title", robot.title}, {"help", robot.help}});
+  return list;
+}
+
+/// Leaves nothing but one environment, with its presets, scenarios and parameters.
+Status keepOnly(Registry& registry, const std::string& robot) {
+  const auto name = environmentNamed(registry, robot);
+  if (!name) return name.error();
+  const auto entry = findEnvironment(registry, *name);
+  if (!entry) return entry.error();
+  std::vector<AssignmentEntry> presets, scenarios;
+  for (const AssignmentEntry* preset : presetsOf(registry, *name)) presets.push_back(*preset);
+  for (const AssignmentEntry* scenario : scenariosOf(registry, *name)) scenarios.push_back(*scenario);
+  registry.environments = {**entry};
+  registry.presets = std::move(presets);
+  registry.scenarios = std::move(scenarios);
+  registry.files = nullptr;
+  return Done{};
+}
+
 }  // namespace
 
-int listCommand(const Registry& r, const ListRequest& request) {
+int listCommand(const Registry& registry, const ListRequest& request) {
+  Registry r = registry;
+  if (!request.robot.empty())
+    if (const Status s = keepOnly(r, request.robot); !s) return fail(s.error());
   const Parameters parameters = allParameters(r);
   if (request.json) {
     OrderedJson list = OrderedJson::array();
     for (const auto& entry : parameters.all()) list.push_back(describe(entry));
     const OrderedJson json = {{"environments", describe(r.environments)},
+                              {"robots", describeRobots(r)},
                               {"features", describe(r.features)},
                               {"agents", describe(r.agents)},
                               {"policies", describe(r.policies)},
@@ -136,9 +182,9 @@ int listCommand(const Registry& r, const ListRequest& request) {
                               {"parameters", list}};
     return print(jsonText(json, 2) + "\n");
   }
-  return print(table("environments", r.environments) + table("features", r.features) + table("agents", r.agents) +
-               table("policies", r.policies) + table("presets", r.presets) + table("scenarios", r.scenarios) +
-               figureTable() + table(parameters));
+  return print(table("environments", r.environments) + robotTable(r) + table("features", r.features) +
+               table("agents", r.agents) + table("policies", r.policies) + table("presets", r.presets) +
+               table("scenarios", r.scenarios) + figureTable() + table(parameters));
 }
 
 }  // namespace surefoot

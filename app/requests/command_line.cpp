@@ -147,6 +147,10 @@ struct CommandLine {
     addFileCommands();
     window->add_flag("--turbo", windowOptions.turbo, "learn flat out from the start");
     list->add_flag("--json", listOptions.json, "as JSON");
+    list->add_option("ROBOT", listOptions.robot,
+                     "a robot's file, or the name of one that comes with the program: "
+                     "what can be set and chosen of it")
+        ->type_name("");
     addOption(*probabilities, "--q", probabilitiesOptions.q, "action values, separated by ; or blanks, or by commas",
               "Q1;Q2;…");
     probabilities->add_option("--policy", probabilitiesOptions.policy, "action-selection rule")

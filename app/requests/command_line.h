@@ -16,6 +16,7 @@ namespace surefoot {
 /// `surefoot list`
 struct ListRequest {
   bool json = false;
+  std::string robot{};  ///< only of this robot: a file, or a name
 };
 
 /// `surefoot probabilities`

@@ -8,7 +8,10 @@ namespace surefoot {
 RobotsLine::RobotsLine(CLI::App& app)
     : check(app.add_subcommand("check", "what a robot's file describes, and what is doubtful in it")),
       create(app.add_subcommand("new", "begin a robot's file like one that comes with the program")) {
-  check->add_option("FILE", checkRequest.file, "a robot's file, NAME.toml")->type_name("");
+  check
+      ->add_option("FILE", checkRequest.file,
+                   "a robot's file, NAME.toml, or the name of one that comes with the program")
+      ->type_name("");
   check->add_flag("--json", checkRequest.json, "as JSON");
   create->add_option("NAME", newRequest.name, "the robot's name; its file is NAME.toml, and must not exist yet")
       ->type_name("");

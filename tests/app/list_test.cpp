@@ -3,13 +3,13 @@
 
 namespace surefoot {
 
-TEST(List, JsonHasEightArraysOfNamedObjects) {
+TEST(List, JsonHasNineArraysOfNamedObjects) {
   const Finished run = surefoot("list --json");
   ASSERT_EQ(run.code, 0);
   const auto json = nlohmann::json::parse(run.out);
-  EXPECT_EQ(json.size(), 8u);
+  EXPECT_EQ(json.size(), 9u);
   for (const char* key :
-       {"environments", "features", "agents", "policies", "presets", "scenarios", "figures", "parameters"}) {
+       {"environments", "robots", "features", "agents", "policies", "presets", "scenarios", "figures", "parameters"}) {
     ASSERT_TRUE(json.contains(key)) << key;
     EXPECT_FALSE(json[key].empty()) << key;
     for (const auto& entry : json[key]) EXPECT_TRUE(entry.at("name").is_string());

@@ -41,7 +41,7 @@ TEST(RobotsCommand, NewWritesARobotOfAnotherNameThatIsRight) {
 TEST(RobotsCommand, AFileStandsWhereAnEnvironmentStands) {
   const Folder folder;
   const std::string file = folder.file("roller.toml");
-  ASSERT_EQ(surefoot("new " + folder.file("roller") + " --like pendulum").code, 0);
+  ASSERT_EQ(surefoot("new " + folder.file("roller") + " --like pendulum-file").code, 0);
   const std::string q = folder.file("q.safetensors"), journal = folder.file("j.jsonl");
   const auto result = run("train --environment " + file + " --minutes 0.5 --save " + q + " --journal " + journal);
   const std::string name = result["configuration"]["environment"];
@@ -59,7 +59,7 @@ TEST(RobotsCommand, AFileStandsWhereAnEnvironmentStands) {
 TEST(RobotsCommand, WhatWasLearnedGoesOnOnAnotherModelOfTheRobotButOnNoOtherRobot) {
   const Folder folder;
   const std::string file = folder.file("roller.toml"), q = folder.file("q.safetensors");
-  ASSERT_EQ(surefoot("new " + folder.file("roller") + " --like pendulum").code, 0);
+  ASSERT_EQ(surefoot("new " + folder.file("roller") + " --like pendulum-file").code, 0);
   run("train --environment " + file + " --minutes 0.5 --save " + q);
   const std::string text = contentOf(file);
   const auto with = [&](const std::string& from, const std::string& to) {
@@ -88,7 +88,7 @@ TEST(RobotsCommand, WhatWasLearnedGoesOnOnAnotherModelOfTheRobotButOnNoOtherRobo
 TEST(RobotsCommand, WhatIsWrongIsToldWithItsPlace) {
   const Folder folder;
   const std::string file = folder.file("roller.toml");
-  ASSERT_EQ(surefoot("new " + folder.file("roller") + " --like pendulum").code, 0);
+  ASSERT_EQ(surefoot("new " + folder.file("roller") + " --like pendulum-file").code, 0);
   std::string text = contentOf(file);
   text.replace(text.find("-pole.angle"), 11, "-pole.angel");
   text.replace(text.find("[\"base\", \"pole\"]"), 16, "[\"base\", \"pol\"]");

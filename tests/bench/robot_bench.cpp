@@ -27,11 +27,11 @@ void learns(benchmark::State& state, const std::string& environment) {
   live(state, worlds(), {.environment = environment}, {});
 }
 BENCHMARK_CAPTURE(learns, pendulum, "pendulum");
-BENCHMARK_CAPTURE(learns, pendulum_file, pathOf("pendulum"));
+BENCHMARK_CAPTURE(learns, pendulum_file, pathOf("pendulum-file"));
 BENCHMARK_CAPTURE(learns, compass, "compass");
-BENCHMARK_CAPTURE(learns, compass_file, pathOf("compass"));
+BENCHMARK_CAPTURE(learns, compass_file, pathOf("compass-file"));
 BENCHMARK_CAPTURE(learns, leo, "leo");
-BENCHMARK_CAPTURE(learns, leo_file, pathOf("leo"));
+BENCHMARK_CAPTURE(learns, leo_file, pathOf("leo-file"));
 
 /// The world alone, with random actions.
 void moves(benchmark::State& state, const std::string& name) {
@@ -47,9 +47,9 @@ void moves(benchmark::State& state, const std::string& name) {
   state.counters["steps/s"] = benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
 }
 BENCHMARK_CAPTURE(moves, pendulum, "pendulum");
-BENCHMARK_CAPTURE(moves, pendulum_file, pathOf("pendulum"));
+BENCHMARK_CAPTURE(moves, pendulum_file, pathOf("pendulum-file"));
 BENCHMARK_CAPTURE(moves, compass, "compass");
-BENCHMARK_CAPTURE(moves, compass_file, pathOf("compass"));
+BENCHMARK_CAPTURE(moves, compass_file, pathOf("compass-file"));
 BENCHMARK_CAPTURE(moves, hopper, pathOf("hopper"));
 BENCHMARK_CAPTURE(moves, biped, pathOf("biped"));
 

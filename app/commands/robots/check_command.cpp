@@ -6,6 +6,7 @@
 #include "app/commands/robots/robot_report.h"
 #include "app/process/exit_code.h"
 #include "core/basics/typed_json.h"
+#include "core/environment_library.h"
 #include "core/files/read_file.h"
 #include "physics/robot/reading/robot_reading.h"
 
@@ -26,7 +27,9 @@ int tellWrong(const CheckRequest& request, const std::vector<Complaint>& complai
 
 }  // namespace
 
-int checkCommand(const CheckRequest& request) {
+int checkCommand(const Registry& registry, const CheckRequest& asked) {
+  CheckRequest request = asked;
+  if (const std::string path = registry.files->shelvedPath(request.file); !path.empty()) request.file = path;
   const auto text = readText(request.file);
   if (!text) return fail({text.error().message, ErrorKind::File});
   std::vector<Complaint> complaints;

@@ -6,7 +6,6 @@
 #include <filesystem>
 
 #include "app/commands/commands.h"
-#include "app/process/resources.h"
 #include "core/environment_library.h"
 #include "core/files/read_file.h"
 #include "core/files/whole_file.h"
@@ -19,32 +18,21 @@ namespace surefoot {
 
 namespace {
 
-/// The robots that come with the program, by the names of their files.
-std::vector<std::string> shippedRobots() {
-  std::vector<std::string> names;
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(resourceFolder("robots"), error))
-    if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-Result<std::string> textLike(const std::string& like) {
+/// The text of a file, or of a robot that comes with the program.
+Result<std::string> textLike(const EnvironmentLibrary& robots, const std::string& like) {
   if (isEnvironmentPath(like)) return readText(like);
-  const auto names = shippedRobots();
-  if (std::find(names.begin(), names.end(), like) != names.end())
-    return readText((std::filesystem::path(resourceFolder("robots")) / (like + ".toml")).string());
-  return Error{unknownName("--like", like, names).message};
+  if (const std::string path = robots.shelvedPath(like); !path.empty()) return readText(path);
+  return Error{unknownName("--like", like, robots.shelved()).message};
 }
 
 }  // namespace
 
-int newRobotCommand(const NewRobotRequest& request) {
+int newRobotCommand(const Registry& registry, const NewRobotRequest& request) {
   const std::filesystem::path path(request.name);
   const std::string name = path.stem().string();
   if (const char* why = wrongRobotName(name))
     return fail({fmt::format("new: \"{}\": {}", printable(shortened(name)), why)});
-  const auto text = textLike(request.like);
+  const auto text = textLike(*registry.files, request.like);
   if (!text) return fail(text.error());
   const std::string file = (path.parent_path() / (name + ".toml")).string();
   auto place = WholeFile::createNew("robot", file);

@@ -26,8 +26,13 @@ inline std::string textOfFile(const std::string& path) {
   return all.str();
 }
 
+/// Robots that are compiled in, too, have another name as a file.
+inline std::string fileOf(const std::string& name) {
+  return name == "pendulum" || name == "compass" || name == "leo" ? name + "-file" : name;
+}
+
 inline std::string robotText(const std::string& name) {
-  return textOfFile(std::string(SUREFOOT_SOURCE) + "/resources/robots/" + name + ".toml");
+  return textOfFile(std::string(SUREFOOT_SOURCE) + "/resources/robots/" + fileOf(name) + ".toml");
 }
 
 /// The robot of a text that is right.
