@@ -26,8 +26,13 @@ FileResult EnvironmentLibrary::keep(std::string_view text, const std::string& fi
   const std::lock_guard lock(mutex_);
   for (const auto& [name, known] : files_)
     if (known->text == text && (path.empty() || known->path == path)) return known;
-  auto made = reader_(text, file);
-  if (!made) return made.error();
+  std::vector<Complaint> complaints;
+  auto made = reader_(text, complaints);
+  if (!made) {
+    std::string first = complaintLine(file, complaints.front());
+    if (complaints.size() > 1) first += fmt::format(" There are more: surefoot check {}", file);
+    return Error{first, ErrorKind::File};
+  }
   made->path = path;
   auto kept = std::make_shared<const EnvironmentFile>(std::move(*made));
   // Another text that says the same (other comments) is the same environment: the first stays.

@@ -8,10 +8,12 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/environment_inspection.h"
 #include "core/registry.h"
 
 namespace surefoot {
@@ -22,19 +24,26 @@ struct EnvironmentFile {
   std::vector<AssignmentEntry> presets{}, scenarios{};
   std::string text{};
   std::string path{};  ///< where it was read; empty: it came inside another file
+  /// Lets it move at random and tells what came of it; takes some tenths of a second.
+  std::function<EnvironmentInspection()> inspect{};
 };
 
 /// Any thread. What was added stays: entries can be pointed to as long as the library lives.
 class EnvironmentLibrary {
  public:
-  /// Makes an environment from a text; the error names file, line and column.
-  using Reader = std::function<Result<EnvironmentFile>(std::string_view text, const std::string& file)>;
+  /// Makes an environment from a text; nothing, with all complaints in the order of the text: something is wrong.
+  using Reader =
+      std::function<std::optional<EnvironmentFile>(std::string_view text, std::vector<Complaint>& complaints)>;
 
   explicit EnvironmentLibrary(Reader reader) : reader_(std::move(reader)) {}
 
   /// Reads a file, or a text that came in `file`; known texts are read only once.
   Result<std::shared_ptr<const EnvironmentFile>> open(const std::string& path);
   Result<std::shared_ptr<const EnvironmentFile>> add(std::string_view text, const std::string& file);
+  /// Reads a text that is still being written: nothing is kept of it.
+  std::optional<EnvironmentFile> read(std::string_view text, std::vector<Complaint>& complaints) const {
+    return reader_(text, complaints);
+  }
   /// The folder of the files that come with the program: they are known by their file's names, and read when they are
   /// asked for.
   void setShelf(std::string folder) { shelf_ = std::move(folder); }

@@ -6,6 +6,7 @@
 #include "physics/compass/compass.h"
 #include "physics/leo/leo.h"
 #include "physics/pendulum/pendulum.h"
+#include "physics/robot/inspection/inspection.h"
 #include "physics/robot/robot_entry.h"
 
 namespace surefoot {
@@ -59,7 +60,9 @@ AssignmentEntry leoPreset(const char* name, const char* title, const char* help,
 }  // namespace
 
 void registerPhysics(Registry& r) {
-  r.files = std::make_shared<EnvironmentLibrary>(readRobotEntry);
+  r.files = std::make_shared<EnvironmentLibrary>([](std::string_view text, std::vector<Complaint>& complaints) {
+    return readRobotEntry(text, complaints, inspectRobot);
+  });
   r.environments.push_back({{kPendulum, "Pendulum", "The thesis's inverted pendulum on a cart, in Box2D."},
                             [] { return std::make_unique<Pendulum>(); }});
 

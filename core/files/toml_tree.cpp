@@ -69,6 +69,13 @@ std::string inOurWords(std::string_view sentence) {
 
 }  // namespace
 
+std::string complaintLine(const std::string& file, const Complaint& complaint) {
+  std::string place = file;
+  if (complaint.at.line > 0) place += fmt::format(":{}", complaint.at.line);
+  if (complaint.at.column > 0) place += fmt::format(":{}", complaint.at.column);
+  return fmt::format("{}: {}", place, complaint.sentence);
+}
+
 const TomlNode* TomlNode::find(std::string_view key) const {
   for (const auto& [name, node] : table)
     if (name == key) return &node;

@@ -25,6 +25,9 @@ struct Complaint {
   std::string sentence;
 };
 
+/// "hopper.toml:121:10: value: …", as editors understand it; without a column, or a line, where there is none.
+std::string complaintLine(const std::string& file, const Complaint& complaint);
+
 struct TomlNode {
   enum class Kind { Text, Whole, Number, Flag, List, Table };
   Kind kind = Kind::Table;

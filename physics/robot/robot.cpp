@@ -95,7 +95,7 @@ Status Robot::check() const {
   copy.computeConstants();
   static_cast<void>(numbersOf(*spec_, copy.values_, complaints));
   if (complaints.empty()) return Done{};
-  return Error{robotComplaint(spec_->name, complaints.front())};
+  return Error{complaintLine(spec_->name, complaints.front())};
 }
 
 void Robot::reset(Random& random) {

@@ -43,6 +43,7 @@ class Robot final : public Environment {
   std::int64_t flewApart() const { return flewApart_; }
   /// The ending of the last step, by its number in the file; −1: none of them.
   int lastEnding() const { return lastEnding_; }
+  int stepLimit() const { return maxSteps_; }
 
  private:
   void computeConstants();

@@ -36,17 +36,14 @@ EnvironmentFile robotEntry(const std::string& name, std::shared_ptr<const RobotS
   return file;
 }
 
-Result<EnvironmentFile> readRobotEntry(std::string_view text, const std::string& file) {
-  std::vector<Complaint> complaints;
+std::optional<EnvironmentFile> readRobotEntry(std::string_view text, std::vector<Complaint>& complaints,
+                                              const RobotInspector& inspector) {
   const auto spec = readRobot(text, complaints);
   if (spec) complaints = checkRobot(*spec);
-  if (!complaints.empty()) {
-    std::string first = robotComplaint(file, complaints.front());
-    if (complaints.size() > 1) first += fmt::format(" There are more: surefoot check {}", file);
-    return Error{first, ErrorKind::File};
-  }
+  if (!complaints.empty()) return std::nullopt;
   auto entry = robotEntry(fmt::format("{}@{:08x}", spec->name, spec->fingerprint >> 32), spec);
   entry.text = text;
+  entry.inspect = [spec, inspector] { return inspector(spec); };
   return entry;
 }
 

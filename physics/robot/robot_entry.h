@@ -10,12 +10,15 @@
 
 namespace surefoot {
 
+using RobotInspector = std::function<EnvironmentInspection(const std::shared_ptr<const RobotSpec>&)>;
+
 /// The robot as an environment of this name. Its first preset is "as-built", which holds what [learning] says, unless
 /// a preset of the file changes nothing itself; every other preset holds [learning], too. Scenarios likewise.
 EnvironmentFile robotEntry(const std::string& name, std::shared_ptr<const RobotSpec> spec);
 
-/// Reads a robot's text and checks all of it. It gets the name "hopper@3f2a91c0". An error holds the first complaint.
-Result<EnvironmentFile> readRobotEntry(std::string_view text, const std::string& file);
+/// Reads a robot's text and checks all of it. It gets the name "hopper@3f2a91c0".
+std::optional<EnvironmentFile> readRobotEntry(std::string_view text, std::vector<Complaint>& complaints,
+                                              const RobotInspector& inspector);
 
 /// A robot that comes with the program: by its own name.
 void addRobot(Registry& registry, EnvironmentFile robot);

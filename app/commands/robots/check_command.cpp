@@ -9,6 +9,7 @@
 #include "core/environment_library.h"
 #include "core/files/read_file.h"
 #include "physics/robot/reading/robot_reading.h"
+#include "physics/robot/robot.h"
 
 namespace surefoot {
 
@@ -21,7 +22,7 @@ int tellWrong(const CheckRequest& request, const std::vector<Complaint>& complai
     if (const int code = print(jsonText(json, 2) + "\n"); code != kDone) return code;
     return kFile;
   }
-  for (const Complaint& c : complaints) fail(Error{robotComplaint(request.file, c), ErrorKind::File});
+  for (const Complaint& c : complaints) fail(Error{complaintLine(request.file, c), ErrorKind::File});
   return kFile;
 }
 
@@ -36,7 +37,7 @@ int checkCommand(const Registry& registry, const CheckRequest& asked) {
   const auto spec = readRobot(*text, complaints);
   if (spec) complaints = checkRobot(*spec);
   if (!complaints.empty()) return tellWrong(request, complaints);
-  const RobotInspection found = inspectRobot(spec);
+  const EnvironmentInspection found = inspectRobot(spec);
   if (!request.json) return print(robotReport(*spec, found, request.file));
   auto json = robotReportAsJson(*spec, found);
   json["errors"] = nlohmann::ordered_json::array();

@@ -12,7 +12,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-std::string stateTable(const RobotInspection& found) {
+std::string stateTable(const EnvironmentInspection& found) {
   std::string text =
       fmt::format("  {:<20}{:>22}{:>24}{:>10}{:>7}\n", "state", "file", "4,000 random steps", "outside", "tiles");
   for (const SeenState& s : found.states) {
@@ -24,7 +24,7 @@ std::string stateTable(const RobotInspection& found) {
   return text;
 }
 
-std::string worldText(const RobotInspection& found) {
+std::string worldText(const EnvironmentInspection& found) {
   std::string text;
   if (found.passive.seconds > 0)
     text +=
@@ -43,7 +43,7 @@ std::string worldText(const RobotInspection& found) {
 
 }  // namespace
 
-std::string robotReport(const RobotSpec& spec, const RobotInspection& found, const std::string& file) {
+std::string robotReport(const RobotSpec& spec, const EnvironmentInspection& found, const std::string& file) {
   std::size_t actions = 1;
   for (const ActuatorSpec& actuator : spec.actuators)
     if (!actuator.levels.empty()) actions *= actuator.levels.size();
@@ -52,13 +52,13 @@ std::string robotReport(const RobotSpec& spec, const RobotInspection& found, con
   text += stateTable(found);
   text += fmt::format("  a dense table has {} tiles a tiling\n", countText(found.tiles));
   std::string endings;
-  for (const auto& [name, count] : found.endings)
-    endings += fmt::format("{}{} {}", endings.empty() ? "" : ", ", name, count);
+  for (const SeenEnding& e : found.endings)
+    endings += fmt::format("{}{} {}", endings.empty() ? "" : ", ", e.name, e.count);
   text += fmt::format("  endings: {}; {:.1f} steps an episode\n", endings, found.meanSteps);
   text += worldText(found);
   if (found.warnings.empty()) return text + "  nothing is doubtful\n";
   text += fmt::format("{} to look at:\n", found.warnings.size() == 1 ? "one thing" : "things");
-  for (const Complaint& warning : found.warnings) text += robotComplaint(file, warning) + "\n";
+  for (const Complaint& warning : found.warnings) text += complaintLine(file, warning) + "\n";
   return text;
 }
 
@@ -69,7 +69,7 @@ ordered_json complaintsAsJson(const std::vector<Complaint>& complaints) {
   return list;
 }
 
-ordered_json robotReportAsJson(const RobotSpec& spec, const RobotInspection& found) {
+ordered_json robotReportAsJson(const RobotSpec& spec, const EnvironmentInspection& found) {
   ordered_json states = ordered_json::array(), endings = ordered_json::object(), joints = ordered_json::object();
   for (const SeenState& s : found.states)
     states.push_back({{"key", s.key},
@@ -80,7 +80,7 @@ ordered_json robotReportAsJson(const RobotSpec& spec, const RobotInspection& fou
                       {"proposed", {s.proposedLow, s.proposedHigh}},
                       {"tiles", s.tiles},
                       {"histogram", s.bins}});
-  for (const auto& [name, count] : found.endings) endings[name] = count;
+  for (const SeenEnding& e : found.endings) endings[e.name] = e.count;
   for (const auto& [name, soft] : found.joints) joints[name] = soft ? "soft" : "hard";
   return {{"name", spec.name},
           {"title", spec.title},

@@ -9,8 +9,8 @@
 
 namespace surefoot {
 
-std::string robotReport(const RobotSpec& spec, const RobotInspection& found, const std::string& file);
-nlohmann::ordered_json robotReportAsJson(const RobotSpec& spec, const RobotInspection& found);
+std::string robotReport(const RobotSpec& spec, const EnvironmentInspection& found, const std::string& file);
+nlohmann::ordered_json robotReportAsJson(const RobotSpec& spec, const EnvironmentInspection& found);
 /// "line", "column" and "sentence" of each.
 nlohmann::ordered_json complaintsAsJson(const std::vector<Complaint>& complaints);
 

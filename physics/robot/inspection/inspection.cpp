@@ -7,6 +7,7 @@
 #include <cmath>
 #include <set>
 
+#include "physics/robot/inspection/parts.h"
 #include "physics/robot/inspection/passive.h"
 #include "physics/robot/spec/every_formula.h"
 
@@ -20,7 +21,7 @@ class Inspection {
  public:
   explicit Inspection(std::shared_ptr<const RobotSpec> spec) : spec_(std::move(spec)), robot_(spec_) {}
 
-  RobotInspection all() {
+  EnvironmentInspection all() {
     describe();
     live();
     if (spec_->joints.empty()) {
@@ -52,10 +53,18 @@ class Inspection {
         if (radius > 0.0 && (found_.smallestRadius == 0.0 || radius < found_.smallestRadius))
           found_.smallestRadius = radius;
       }
-    for (const EndingSpec& ending : spec_->endings) found_.endings.emplace_back(ending.name, 0);
-    found_.endings.emplace_back("step limit", 0);
-    for (const StateVariable& v : robot_.task().state) {
-      SeenState seen{.key = v.key, .unit = v.unit, .low = v.low, .high = v.high};
+    for (const EndingSpec& ending : spec_->endings)
+      found_.endings.push_back({ending.name, ending.text, ending.kind == EndingSpec::Kind::Fall, 0});
+    found_.endings.push_back({"step limit", "", false, 0});
+    found_.name = spec_->name, found_.title = spec_->title;
+    found_.stepTime = numbers.stepTime;
+    found_.stepLimit = robot_.stepLimit();
+    describeParts(*spec_, robot_, found_);
+    for (std::size_t i = 0; i < robot_.task().state.size(); ++i) {
+      const StateVariable& v = robot_.task().state[i];
+      SeenState seen{.key = v.key, .title = v.title, .symbol = v.symbol, .unit = v.unit, .low = v.low, .high = v.high};
+      seen.rangeAt = spec_->states[i].place;
+      seen.width = v.span / v.resolution;
       seen.seenLow = kInfinity, seen.seenHigh = -kInfinity;
       seen.tiles = static_cast<int>(std::ceil((v.high - v.low) / v.span * v.resolution - 1e-9)) + (v.period ? 0 : 1);
       found_.states.push_back(seen);
@@ -76,31 +85,60 @@ class Inspection {
   }
 
   void live() {
+    const auto trace = traceOf(*spec_);
+    found_.traceTitle = trace.title;
+    found_.steps = kSteps;
     Random random(1);
-    robot_.reset(random);
-    starts_.insert({robot_.state().begin(), robot_.state().end()});
-    rewarded_.assign(spec_->rewards.size(), false);
     const auto actions = static_cast<double>(robot_.task().actions.size());
-    int episodes = 0, inEpisode = 0;
-    for (int step = 0; step < kSteps; ++step) {
+    rewarded_.assign(spec_->rewards.size(), false);
+    std::vector<double> toFall;
+    std::vector<int> atLimit(spec_->joints.size(), 0);
+    begin(random, 0);
+    int begun = 0;
+    for (int step = 1; step <= kSteps; ++step) {
       const Outcome outcome = robot_.step(static_cast<Action>(random.uniform() * actions));
-      ++inEpisode;
       note(robot_.state());
+      found_.trace.push_back(trace.body < 0 ? robot_.state()[static_cast<std::size_t>(trace.state)]
+                                            : robot_.world().placement(trace.body).at.y);
       found_.jointGap = std::max(found_.jointGap, robot_.world().jointSeparation());
+      for (std::size_t j = 0; j < atLimit.size(); ++j) atLimit[j] += isAtLimit(j);
       for (std::size_t r = 0; r < rewarded_.size(); ++r) rewarded_[r] = rewarded_[r] || outcome.terms[r] != 0.0;
+      if (outcome.event == Event::Fall) found_.falls.push_back(step);
       if (outcome.ending == Ending::None) continue;
-      ++found_
-            .endings[static_cast<std::size_t>(robot_.lastEnding() < 0 ? static_cast<int>(spec_->endings.size())
-                                                                      : robot_.lastEnding())]
-            .second;
-      atOnce_ += inEpisode == 1;
-      ++episodes, inEpisode = 0;
-      robot_.reset(random);
-      starts_.insert({robot_.state().begin(), robot_.state().end()});
+      const int which = robot_.lastEnding() < 0 ? static_cast<int>(spec_->endings.size()) : robot_.lastEnding();
+      ++found_.endings[static_cast<std::size_t>(which)].count;
+      if (outcome.event == Event::Fall) toFall.push_back((step - begun) * found_.stepTime);
+      found_.longest = std::max(found_.longest, (step - begun) * found_.stepTime);
+      atOnce_ += step - begun == 1;
+      begin(random, begun = step);
     }
-    found_.meanSteps = static_cast<double>(kSteps) / std::max(1, episodes);
+    episodes_ = static_cast<int>(found_.begins.size());
+    found_.meanSteps = static_cast<double>(kSteps) / episodes_;
     found_.flewApart = robot_.flewApart();
-    episodes_ = episodes;
+    for (std::size_t j = 0; j < atLimit.size(); ++j)
+      if (robot_.numbers().joints[j].limits)
+        found_.atLimits.emplace_back(spec_->joints[j].name, atLimit[j] / static_cast<double>(kSteps));
+    std::sort(toFall.begin(), toFall.end());
+    if (!toFall.empty()) found_.medianToFall = toFall[toFall.size() / 2];
+    found_.verdict = verdict();
+  }
+  void begin(Random& random, int step) {
+    robot_.reset(random);
+    found_.begins.push_back(step);
+    starts_.insert({robot_.state().begin(), robot_.state().end()});
+  }
+  bool isAtLimit(std::size_t j) {
+    const auto& limits = robot_.numbers().joints[j].limits;
+    if (!limits) return false;
+    const double near = 0.01 * (limits->second - limits->first);
+    const double q = robot_.world().jointPosition(static_cast<int>(j));
+    return q <= limits->first + near || q >= limits->second - near;
+  }
+  std::string verdict() const {
+    if (!robot_.task().canFall) return "no ending is a fall";
+    if (found_.falls.empty()) return "never falls: nothing to avoid";
+    if (found_.meanSteps < 5) return "falls at once: hardly anything to learn from";
+    return "falls soon, but not at once: it can learn";
   }
 
   /// Outwards to two digits.
@@ -160,7 +198,7 @@ class Inspection {
     if (atOnce_ > 0) warn(top, fmt::format("{} of {} episodes end in their first step.", atOnce_, episodes_));
     for (std::size_t r = 0; r < rewarded_.size(); ++r) {
       const RewardSpec& reward = spec_->rewards[r];
-      const bool rare = reward.ending && found_.endings[static_cast<std::size_t>(*reward.ending)].second == 0;
+      const bool rare = reward.ending && found_.endings[static_cast<std::size_t>(*reward.ending)].count == 0;
       if (!rewarded_[r] && !rare)
         warn(reward.value.at, fmt::format("the reward {} was never other than 0.", reward.name));
     }
@@ -197,7 +235,7 @@ class Inspection {
 
   std::shared_ptr<const RobotSpec> spec_;
   Robot robot_;
-  RobotInspection found_;
+  EnvironmentInspection found_;
   std::vector<std::vector<double>> states_;
   std::set<std::vector<double>> starts_;
   std::vector<bool> rewarded_;
@@ -206,7 +244,7 @@ class Inspection {
 
 }  // namespace
 
-RobotInspection inspectRobot(const std::shared_ptr<const RobotSpec>& spec) {
+EnvironmentInspection inspectRobot(const std::shared_ptr<const RobotSpec>& spec) {
   return Inspection(spec).all();
 }
 

@@ -6,10 +6,6 @@
 
 namespace surefoot {
 
-double PassiveEnergy::lossPerSecond() const {
-  return seconds > 0.0 && largestMotion > 0.0 ? (begins - ends) / (largestMotion * seconds) : 0.0;
-}
-
 std::shared_ptr<const RobotSpec> passiveRobot(const RobotSpec& spec, int finer) {
   auto passive = std::make_shared<RobotSpec>(spec);
   for (JointSpec& joint : passive->joints) {

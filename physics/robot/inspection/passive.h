@@ -2,7 +2,8 @@
 // A robot left to itself.
 #pragma once
 
-#include "physics/robot/inspection/inspection.h"
+#include "core/environment_inspection.h"
+#include "physics/robot/robot.h"
 
 namespace surefoot {
 

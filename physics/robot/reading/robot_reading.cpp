@@ -150,11 +150,4 @@ std::shared_ptr<const RobotSpec> readRobot(std::string_view text, std::vector<Co
   return spec;
 }
 
-std::string robotComplaint(const std::string& file, const Complaint& complaint) {
-  std::string place = file;
-  if (complaint.at.line > 0) place += fmt::format(":{}", complaint.at.line);
-  if (complaint.at.column > 0) place += fmt::format(":{}", complaint.at.column);
-  return fmt::format("{}: {}", place, complaint.sentence);
-}
-
 }  // namespace surefoot

@@ -15,7 +15,4 @@ inline constexpr std::size_t kMostComplaints = 20;
 /// What depends on the values of parameters (a mass that becomes negative) is not looked at: see checkRobot().
 std::shared_ptr<const RobotSpec> readRobot(std::string_view text, std::vector<Complaint>& complaints);
 
-/// "hopper.toml:121:10: value: …"; without a column, or a line, where there is none.
-std::string robotComplaint(const std::string& file, const Complaint& complaint);
-
 }  // namespace surefoot

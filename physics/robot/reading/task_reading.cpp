@@ -45,6 +45,7 @@ EndingSpec readEnding(const TomlNode& node, RobotReader& in, bool ends) {
   reader.need("kind");
   ending.kind = in.choice(reader, "kind", kKinds, Ends::Fall);
   ending.name = reader.text("name", reader.text("kind"));
+  if (const TomlNode* when = reader.find("when")) ending.text = when->text;
   ending.when = in.needed(reader, "when", Where::Moving, ValueKind::Condition);
   reader.end();
   if (!ends && ending.kind != Ends::Fall && ending.kind != Ends::Goal)

@@ -49,6 +49,7 @@ struct EndingSpec {
   Kind kind = Kind::Fall;
   std::string name{};
   Formula when{};
+  std::string text{};  ///< of the condition
 };
 
 struct RewardSpec {

@@ -39,9 +39,9 @@ inline std::string robotText(const std::string& name) {
 inline std::shared_ptr<const RobotSpec> robotOf(const std::string& text) {
   std::vector<Complaint> complaints;
   auto spec = readRobot(text, complaints);
-  for (const Complaint& c : complaints) ADD_FAILURE() << robotComplaint("text", c);
+  for (const Complaint& c : complaints) ADD_FAILURE() << complaintLine("text", c);
   if (!spec) return nullptr;
-  for (const Complaint& c : checkRobot(*spec)) ADD_FAILURE() << robotComplaint("text", c);
+  for (const Complaint& c : checkRobot(*spec)) ADD_FAILURE() << complaintLine("text", c);
   return spec;
 }
 

@@ -15,7 +15,7 @@ std::string firstComplaint(const std::string& text) {
   std::vector<Complaint> complaints;
   const auto spec = readRobot(text, complaints);
   if (spec) complaints = checkRobot(*spec);
-  return complaints.empty() ? "" : robotComplaint("p", complaints.front());
+  return complaints.empty() ? "" : complaintLine("p", complaints.front());
 }
 
 /// The pendulum with one place changed, and the line of this place.
@@ -50,8 +50,7 @@ TEST(WrongRobots, TellThePlaceAndTheReason) {
       {"mass = \"pole_mass\"", "mass = \"pole.angle\"",
        ":9: mass: \"pole.angle\" changes while the robot moves; here only parameters and constants can stand."},
       {"value = \"-pole.angle\"", "value = \"-pole.angle + uniform(0,1)\"", ":24: value: there is no chance here."},
-      {when, "when = \"0 <= pole_angle <= fall_angle\"",
-       ":25: when: comparisons do not chain; write a < b and b < c."},
+      {when, "when = \"0 <= pole_angle <= fall_angle\"", ":25: when: comparisons do not chain; write a < b and b < c."},
       {when, "when = \"pole_angle = 1\"", ":20: when: compare with ==."},
       {when, "when = \"abs(pole_angle >= fall_angle\"", ":37: when: the parenthesis of abs… is not closed."},
       {when, nested.c_str(), ":87: when: this is nested too deep."},
@@ -70,8 +69,9 @@ TEST(WrongRobots, TellThePlaceAndTheReason) {
        ":14: per_torque: it comes to inf, which is no finite number."},
       {"[body.pole]", "[body.pole", ":11: this is no TOML: table header: expected ']', saw '\\n'."},
       {"[joint.rail]", "[[joint]]", ":3: it is written [joint.NAME]."},
-      {"[point.tip]", "[point.pole]", ":8: there is another \"pole\" already; bodies, points, joints, actuators, "
-                                      "states and constants share one space of names."},
+      {"[point.tip]", "[point.pole]",
+       ":8: there is another \"pole\" already; bodies, points, joints, actuators, "
+       "states and constants share one space of names."},
       {"name = \"pendulum-file\"", "name = \"../up\"",
        ":8: name: a robot's name has letters a to z, digits and hyphens only, at most 40."},
   };
