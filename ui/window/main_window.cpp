@@ -18,6 +18,7 @@
 #include "ui/lessons/lessons_page.h"
 #include "ui/live/live_page.h"
 #include "ui/live/world/world_view.h"
+#include "ui/robot/robot_page.h"
 #include "ui/session/session.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
@@ -68,6 +69,7 @@ MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent)
   experiment_ = new ExperimentPage(session_.life(), std::move(setup.plans), setup.folder);
   pages_->addWidget(experiment_);
   makeLessons(setup);
+  makeRobot(setup);
   column->addWidget(pages_, 1);
   status_ = new StatusLine(session_.life());
   column->addWidget(status_);
@@ -115,7 +117,7 @@ void MainWindow::setPage(int page) {
   tabs_[static_cast<std::size_t>(page)]->setChecked(true);
   placeMessages();
   for (QAction* action : liveActions_) action->setEnabled(page == 0);  // no key of one page works on another
-  undoOfPage_->setActiveStack(page == 2 ? nullptr : &session_.history().undo());
+  undoOfPage_->setActiveStack(page >= kLessonsPage ? nullptr : &session_.history().undo());
   if (page != 1) focusHome();
   refresh();
   refreshStatus();
@@ -126,6 +128,8 @@ void MainWindow::focusHome() {
     live_->world().setFocus(Qt::OtherFocusReason);
   else if (pages_->currentWidget() == lessons_)
     lessons_->focusHome();
+  else if (pages_->currentWidget() == robot_)
+    robot_->focusHome();
   else
     pages_->currentWidget()->setFocus(Qt::OtherFocusReason);
 }
@@ -135,6 +139,8 @@ void MainWindow::refreshStatus() {
     status_->say(experimentLeft_, experimentRight_);
   else if (pages_->currentWidget() == lessons_)
     status_->say(lessonsLeft_, lessonsRight_);
+  else if (pages_->currentWidget() == robot_)
+    status_->say(robotLeft_, robotRight_);
   else
     status_->follow();
 }

@@ -25,6 +25,7 @@ class Autosave;
 class ExperimentPage;
 class LessonsPage;
 class LivePage;
+class RobotPage;
 class MessageBar;
 struct KeptLife;
 class Session;
@@ -52,6 +53,7 @@ class MainWindow final : public QMainWindow {
   LivePage& livePage() { return *live_; }
   ExperimentPage& experimentPage() { return *experiment_; }
   LessonsPage& lessonsPage() { return *lessons_; }
+  RobotPage& robotPage() { return *robot_; }
   MessageBar& messages() { return *messages_; }
   void setPage(int page);
   /// Opens any kind of file: a session, a Q-function, a journal, a plan, results.
@@ -69,6 +71,8 @@ class MainWindow final : public QMainWindow {
   void dropEvent(QDropEvent* event) override;
 
  private:
+  static constexpr int kLessonsPage = 2, kRobotPage = 3;
+
   QAction* addAction(QMenu* menu, const QString& text, const QString& tip, const QKeySequence& key);
   void makeActions();
   void makeMenus();
@@ -109,6 +113,8 @@ class MainWindow final : public QMainWindow {
   void refreshName();
   QWidget* makeTabs();
   void makeLessons(const WindowSetup& setup);
+  void makeRobot(const WindowSetup& setup);
+  void openRobot(const QString& path);
   void usePreferences(const Preferences& preferences);
   void showPreferences();
   /// The focus goes where the page's single keys work.
@@ -132,9 +138,10 @@ class MainWindow final : public QMainWindow {
   LivePage* live_ = nullptr;
   ExperimentPage* experiment_ = nullptr;
   LessonsPage* lessons_ = nullptr;
+  RobotPage* robot_ = nullptr;
   StatusLine* status_ = nullptr;
   QUndoGroup* undoOfPage_ = nullptr;
-  QString experimentLeft_, experimentRight_, lessonsLeft_, lessonsRight_;
+  QString experimentLeft_, experimentRight_, lessonsLeft_, lessonsRight_, robotLeft_, robotRight_;
   std::vector<QAbstractButton*> tabs_;
   std::vector<QAction*> shortcuts_, liveActions_;
   QMenu *recent_ = nullptr, *ownLayouts_ = nullptr;

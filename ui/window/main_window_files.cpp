@@ -25,11 +25,17 @@ bool belongsToExperiments(const QString& path) {
   const auto head = readHead(path.toStdString(), 15);
   return path.endsWith(QStringLiteral(".toml")) || (head && *head == "SQLite format 3");
 }
-/// A plan has conditions, a lesson has steps.
-bool isLesson(const QString& path) {
+/// A plan has conditions, a lesson has steps, a robot says what it is.
+bool holds(const QString& path, std::string_view word) {
   constexpr std::size_t kMost = 256u << 10;
   const auto text = path.endsWith(QStringLiteral(".toml")) ? readHead(path.toStdString(), kMost) : Error{"none"};
-  return text && text->find("[[step]]") != std::string::npos;
+  return text && text->find(word) != std::string::npos;
+}
+bool isLesson(const QString& path) {
+  return holds(path, "[[step]]");
+}
+bool isRobot(const QString& path) {
+  return holds(path, "surefoot = \"robot");
 }
 }  // namespace
 
@@ -45,6 +51,10 @@ void MainWindow::openWithDialog() {
 }
 
 void MainWindow::openFile(const QString& path) {
+  if (isRobot(path)) {
+    openRobot(path);
+    return remember(path);
+  }
   if (isLesson(path)) {
     setPage(2);
     const Status s = lessons_->open(path);

@@ -244,7 +244,7 @@ QWidget* MainWindow::makeTabs() {
   row->setSpacing(0);
   name_ = new SessionName(box);
   row->addWidget(name_);
-  for (const QString& title : {tr("Live"), tr("Experiment"), tr("Lessons")}) {
+  for (const QString& title : {tr("Live"), tr("Experiment"), tr("Lessons"), tr("Robot")}) {
     auto* tab = new PageTab(title, box);
     const int page = static_cast<int>(tabs_.size());
     connect(tab, &QAbstractButton::clicked, this, [this, page] { setPage(page); });

@@ -41,8 +41,8 @@ QStringList keptLayouts() {
 
 void MainWindow::makeViewMenu() {
   QMenu* view = menuBar()->addMenu(tr("&View"));
-  const QString pages[] = {tr("&Live"), tr("&Experiment"), tr("Le&ssons")};
-  for (int page = 0; page < 3; ++page)
+  const QString pages[] = {tr("&Live"), tr("&Experiment"), tr("Le&ssons"), tr("&Robot")};
+  for (int page = 0; page <= kRobotPage; ++page)
     connect(addAction(view, pages[page], tr("The page %1").arg(QString(pages[page]).remove('&')),
                       QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + page))),
             &QAction::triggered, this, [this, page] { setPage(page); });

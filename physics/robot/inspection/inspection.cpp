@@ -66,7 +66,8 @@ class Inspection {
       seen.rangeAt = spec_->states[i].place;
       seen.width = v.span / v.resolution;
       seen.seenLow = kInfinity, seen.seenHigh = -kInfinity;
-      seen.tiles = static_cast<int>(std::ceil((v.high - v.low) / v.span * v.resolution - 1e-9)) + (v.period ? 0 : 1);
+      seen.tiles = static_cast<int>(std::min(1e9, std::ceil((v.high - v.low) / v.span * v.resolution - 1e-9))) +
+                   (v.period ? 0 : 1);
       found_.states.push_back(seen);
     }
   }

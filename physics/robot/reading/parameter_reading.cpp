@@ -55,6 +55,11 @@ void readParameter(const TomlNode& node, RobotReader& in) {
   const double value = known(reader, in, "value", 0);
   const auto range = knownPair(reader, in, "range");
   if (range) std::tie(p.low, p.high) = *range;
+  constexpr double kMostWhole = 2e9;
+  if (p.kind == Kind::Integer && (p.low < -kMostWhole || p.high > kMostWhole)) {
+    reader.complain("range", "whole numbers go to 2,000,000,000 at most.");
+    p.low = 0, p.high = 1;
+  }
   if (const auto slider = knownPair(reader, in, "slider")) {
     p.sliderLow = std::max(slider->first, p.low);
     p.sliderHigh = std::min(slider->second, p.high);
@@ -116,15 +121,29 @@ void readSettingsOf(const std::string& name, const TomlNode& node, RobotReader& 
   }
 }
 
-/// Short words for what every learning rule and every representation has.
-void addLearning(const std::string& key, double value, RobotReader& in) {
+/// Short words for what every learning rule and every representation has; other keys are given in full.
+void addLearning(const std::string& key, const TomlNode& node, double value, RobotReader& in) {
+  constexpr std::string_view kRule[] = {"step_size", "trace_decay"};
+  constexpr std::string_view kTable[] = {"tilings", "initial_high", "initial_low", "memory"};
+  constexpr std::string_view kFull[] = {"agent.", "features.", "positive.", "negative.", "policy."};
+  const auto isOne = [&](const auto& words) {
+    return std::find(std::begin(words), std::end(words), key) != std::end(words);
+  };
   auto& learning = in.spec().learning;
-  if (key == "step_size" || key == "trace_decay")
+  if (isOne(kRule)) {
     for (const char* estimate : {"agent.", "positive.", "negative."}) learning.emplace_back(estimate + key, value);
-  else if (key == "tilings" || key == "initial_high" || key == "initial_low" || key == "memory")
+  } else if (isOne(kTable)) {
     for (const char* part : {"features.", "positive.", "negative."}) learning.emplace_back(part + key, value);
-  else
-    learning.emplace_back(key == "discount" ? "agent.discount" : key, value);
+  } else if (key == "discount") {
+    learning.emplace_back("agent.discount", value);
+  } else if (std::any_of(std::begin(kFull), std::end(kFull), [&](std::string_view f) { return key.starts_with(f); })) {
+    learning.emplace_back(key, value);
+  } else {
+    in.complaints().push_back({node.keyAt, fmt::format("[learning] knows no \"{}\"; it takes step_size, trace_decay, "
+                                                       "discount, tilings, initial_high, initial_low, memory, or a "
+                                                       "key in full, such as \"agent.step_size\".",
+                                                       key)});
+  }
 }
 
 }  // namespace
@@ -138,7 +157,7 @@ void readSettings(const TomlNode& root, RobotReader& in) {
   }
   const TomlNode* learning = root.find("learning");
   for (const auto& [key, node] : learning ? learning->table : decltype(learning->table){})
-    if (const auto formula = in.formula(node, key, Where::Parameter)) addLearning(key, (*formula)({}), in);
+    if (const auto formula = in.formula(node, key, Where::Parameter)) addLearning(key, node, (*formula)({}), in);
 }
 
 }  // namespace surefoot

@@ -59,7 +59,7 @@ TEST(WindowSize, FitsTheScreenAtTheFirstStartAndWhenRestored) {
 
 TEST(WindowSize, AMessageHasARowOfItsOwnAndCoversNothing) {
   Window w;
-  for (int page = 0; page < 3; ++page) {
+  for (int page = 0; page < 4; ++page) {
     w.window->setPage(page);
     w.window->messages().say("Something that could not be done, and what is allowed.");
     QTest::qWait(50);

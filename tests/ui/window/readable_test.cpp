@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 #include <map>
 
+#include "core/environment_library.h"
 #include "core/files/whole_file.h"
 #include "tests/ui/window/size_setup.h"
 #include "tests/ui/window/text_recorder.h"
@@ -14,6 +15,7 @@
 #include "ui/lessons/lessons_page.h"
 #include "ui/lessons/taking/lesson_view.h"
 #include "ui/live/live_page.h"
+#include "ui/robot/robot_page.h"
 #include "ui/style/theme.h"
 #include "ui/window/main_window.h"
 
@@ -141,6 +143,11 @@ TEST(Readable, TheOtherPagesAtEverySize) {
   check("plan editor");
   w.window->setPage(2);
   check("lessons");
+  w.registry.files->setShelf(std::string(SUREFOOT_SOURCE) + "/resources/robots");
+  w.window->setPage(3);
+  w.window->robotPage().beginLike("biped");
+  QTest::qWait(500);
+  check("robot");
 }
 
 /// The Lessons page with its lessons: the list, and steps of several kinds.
@@ -203,7 +210,7 @@ TEST(Readable, ASizeAndBackLeavesEverythingWhereItWas) {
   const QTemporaryDir folder;
   ASSERT_NO_FATAL_FAILURE(openPlan(w, folder, twoWalks()));
   ASSERT_NO_FATAL_FAILURE(runToItsEnd(w));
-  for (const int page : {1, 2}) {  // on the first, panels give way to each other
+  for (const int page : {1, 2, 3}) {  // on the first, panels give way to each other
     w.window->setPage(page);
     QTest::qWait(100);
     const auto before = places(*w.window);

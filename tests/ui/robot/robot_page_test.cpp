@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/robot/robot_page.h"
+
+#include <QAbstractButton>
+#include <QTemporaryDir>
+#include <QTextBlock>
+
+#include "core/environment_library.h"
+#include "core/files/read_file.h"
+#include "core/files/whole_file.h"
+#include "tests/ui/window_setup.h"
+#include "ui/robot/random_life.h"
+#include "ui/robot/robot_picture.h"
+#include "ui/robot/robot_text.h"
+#include "ui/robot/state_table.h"
+#include "ui/style/symbol_text.h"
+
+namespace surefoot {
+
+namespace {
+
+const QString kRobots = QStringLiteral(SUREFOOT_SOURCE) + QStringLiteral("/resources/robots/");
+
+/// The Robot page with a copy of the hopper, and a folder of its own for drafts.
+struct RobotWindow : Window {
+  explicit RobotWindow(const QString& change = {}, const QString& to = {})
+      : page((registry.files->setShelf(kRobots.toStdString()), registry), folder.path()) {
+    path = folder.filePath("mine.toml");
+    QString text = toText(*readText((kRobots + "hopper.toml").toStdString()));
+    if (!change.isEmpty()) text.replace(change, to);
+    EXPECT_TRUE(writeWhole("robot", path.toStdString(), text.toStdString()));
+    page.resize(1280, 720);
+    page.show();
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(&page));
+    page.open(path);
+    EXPECT_TRUE(settled());
+  }
+  RobotText& text() { return *page.findChild<RobotText*>(); }
+  bool settled() {
+    QTest::qWait(20);
+    return waitFor([&] { return !busy(); });
+  }
+  bool busy() {
+    QTest::qWait(350);  // a pause in typing
+    return false;
+  }
+  bool has(const QString& words) { return find(words) != nullptr; }
+  QAbstractButton* button(const QString& words) {
+    EXPECT_TRUE(has(words)) << words.toStdString();
+    return find(words);
+  }
+  QAbstractButton* find(const QString& words) {
+    for (auto* b : page.findChildren<QAbstractButton*>())
+      if (b->text() == words) return b;
+    return nullptr;
+  }
+
+  QTemporaryDir folder;
+  QString path;
+  RobotPage page;
+};
+
+void press(QWidget& widget, int key, Qt::KeyboardModifiers with = Qt::NoModifier) {
+  QTest::keyClick(&widget, static_cast<Qt::Key>(key), with);
+}
+
+}  // namespace
+
+TEST(RobotPage, AMistakeIsToldUnderItsLineAndMendedByAKey) {
+  RobotWindow w("\"thigh\", \"foot\"", "\"thigh\", \"foott\"");
+  ASSERT_EQ(w.text().complaints().size(), 1u);
+  const int line = w.text().complaints()[0].at.line;
+  EXPECT_FALSE(w.button("Let it learn")->isEnabled());
+  press(w.text(), Qt::Key_F8);
+  EXPECT_EQ(w.text().textCursor().blockNumber() + 1, line);
+  press(w.text(), Qt::Key_Return, Qt::AltModifier);
+  ASSERT_TRUE(w.settled());
+  EXPECT_TRUE(w.text().complaints().empty());
+  EXPECT_TRUE(w.text().toPlainText().contains("[\"thigh\", \"foot\"]"));
+  EXPECT_TRUE(w.button("Let it learn")->isEnabled());
+  EXPECT_TRUE(w.page.isEdited());
+  w.text().undo();
+  EXPECT_FALSE(w.page.isEdited()) << "it is one step";
+}
+
+TEST(RobotPage, WhileTheTextIsWrongTheLastRobotIsShown) {
+  RobotWindow w;
+  auto* table = w.page.findChild<StateTable*>();
+  const int height = table->sizeHint().height();
+  w.text().moveCursor(QTextCursor::End);
+  w.text().insertPlainText("\nwhat = 1\n");
+  ASSERT_TRUE(w.settled());
+  EXPECT_FALSE(w.text().complaints().empty());
+  EXPECT_EQ(table->sizeHint().height(), height);
+  EXPECT_TRUE(w.button("Try")->isEnabled());
+}
+
+TEST(RobotPage, AProposedRangeWritesItselfIntoItsLine) {
+  RobotWindow w;
+  auto* table = w.page.findChild<StateTable*>();
+  press(*table, Qt::Key_Down), press(*table, Qt::Key_Down), press(*table, Qt::Key_Down);  // the leg's angle
+  const int line = w.text().textCursor().blockNumber();
+  EXPECT_TRUE(w.text().document()->findBlockByNumber(line).text().contains("range = [-0.8, 0.8]"));
+  press(*table, Qt::Key_Return);
+  ASSERT_TRUE(w.settled());
+  EXPECT_TRUE(w.text().document()->findBlockByNumber(line).text().contains("range = [-1.1, 1.1]"))
+      << w.text().document()->findBlockByNumber(line).text().toStdString();
+  EXPECT_TRUE(w.text().complaints().empty());
+}
+
+TEST(RobotPage, ALimitIsMovedByKeysAndWrittenIntoItsLine) {
+  RobotWindow w;
+  auto* picture = w.page.findChild<RobotPicture*>();
+  picture->setFocus();
+  press(*picture, Qt::Key_Tab);  // the lower limit of the hip
+  press(*picture, Qt::Key_Up, Qt::ShiftModifier);
+  ASSERT_TRUE(w.settled());
+  EXPECT_TRUE(w.text().toPlainText().contains("limits = [-0.6283, 0.8]")) << "−46° and 10° more are −36°";
+  EXPECT_TRUE(w.text().complaints().empty());
+}
+
+TEST(RobotPage, WhatAnotherEditorSavesIsShown) {
+  RobotWindow w;
+  std::string text = w.text().toPlainText().toStdString();
+  text.replace(text.find("mass = 3"), 8, "mass = 4");
+  ASSERT_TRUE(writeWhole("robot", w.path.toStdString(), text));
+  EXPECT_TRUE(w.waitFor([&] { return w.text().toPlainText().contains("mass = 4"); }));
+  EXPECT_FALSE(w.page.isEdited());
+  w.text().undo();
+  EXPECT_TRUE(w.text().toPlainText().contains("mass = 3"));
+}
+
+TEST(RobotPage, WhatIsNotSavedIsThereAtTheNextStart) {
+  RobotWindow w;
+  w.text().moveCursor(QTextCursor::End);
+  w.text().insertPlainText("# mine\n");
+  w.page.hide();
+  RobotPage next(w.registry, w.folder.path());
+  next.show();
+  EXPECT_TRUE(next.findChild<RobotText*>()->toPlainText().endsWith("# mine\n"));
+  EXPECT_EQ(next.fileName(), "mine.toml");
+  EXPECT_TRUE(next.isEdited());
+  EXPECT_TRUE(next.save());
+  EXPECT_TRUE(readText(w.path.toStdString())->ends_with("# mine\n"));
+  next.hide();
+  RobotPage later(w.registry, w.folder.path());
+  later.show();
+  EXPECT_FALSE(later.findChild<RobotText*>()->toPlainText().contains("# mine")) << "it is in its file";
+}
+
+TEST(RobotPage, ItMovesWhenItIsTried) {
+  RobotWindow w;
+  const QImage before = w.page.findChild<RobotPicture*>()->grab().toImage();
+  QTest::mouseClick(w.button("Try"), Qt::LeftButton);
+  EXPECT_TRUE(w.waitFor([&] { return w.page.findChild<RobotPicture*>()->grab().toImage() != before; }));
+  QTest::mouseClick(w.button("Stop"), Qt::LeftButton);
+  EXPECT_TRUE(w.has("Try"));
+  auto* life = w.page.findChild<RandomLife*>();
+  for (int x = 60; x < life->width() - 230 && !w.has("Stop"); x += 4)  // somewhere there is a fall
+    QTest::mouseClick(life, Qt::LeftButton, {}, QPoint(x, 60));
+  EXPECT_TRUE(w.has("Stop")) << "it is shown again";
+}
+
+TEST(RobotPage, LetItLearnBeginsALifeOfThisRobot) {
+  Window w;
+  w.registry.files->setShelf(kRobots.toStdString());
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("mine.toml");
+  ASSERT_TRUE(writeWhole("robot", path.toStdString(), *readText((kRobots + "segway.toml").toStdString())));
+  w.session->life().setTurbo(true);
+  w.session->life().setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().progress().episodes > 3; }));
+  w.window->openFile(path);
+  QTest::qWait(400);
+  for (auto* b : w.window->robotPage().findChildren<QAbstractButton*>())
+    if (b->text() == "Let it learn") QTest::mouseClick(b, Qt::LeftButton);
+  EXPECT_TRUE(w.waitFor([&] { return w.session->life().configuration().names.environment.starts_with("segway@"); }));
+  EXPECT_TRUE(w.waitFor([&] { return w.session->life().running() && w.session->life().progress().steps > 10; }));
+  EXPECT_TRUE(w.session->history().undo().canUndo()) << "the life before is kept";
+}
+
+}  // namespace surefoot

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/robot/robot_text.h"
+
+#include <QFontDatabase>
+#include <QKeyEvent>
+#include <QPainter>
+#include <QPlainTextDocumentLayout>
+#include <QRegularExpression>
+#include <QScrollBar>
+#include <QTextBlock>
+#include <algorithm>
+#include <map>
+
+#include "ui/robot/toml_highlighter.h"
+#include "ui/style/scale.h"
+#include "ui/style/symbol_text.h"
+#include "ui/style/theme.h"
+
+namespace surefoot {
+
+/// Leaves room under lines that have a sentence.
+class RobotText::Roomy final : public QPlainTextDocumentLayout {
+ public:
+  using QPlainTextDocumentLayout::QPlainTextDocumentLayout;
+  QRectF blockBoundingRect(const QTextBlock& block) const override {
+    QRectF r = QPlainTextDocumentLayout::blockBoundingRect(block);
+    const auto extra = extra_.find(block.blockNumber());
+    if (extra != extra_.end() && r.isValid()) r.setHeight(r.height() + extra->second);
+    return r;
+  }
+  void setExtra(std::map<int, int> extra) {
+    extra_ = std::move(extra);
+    requestUpdate();
+    Q_EMIT documentSizeChanged(documentSize());
+  }
+
+ private:
+  std::map<int, int> extra_;  // [px] by block
+};
+
+class LineNumbers final : public QWidget {
+ public:
+  explicit LineNumbers(RobotText& text) : QWidget(&text), text_(text) {}
+
+ protected:
+  void paintEvent(QPaintEvent* event) override {
+    QPainter painter(this);
+    text_.paintNumbers(painter, event->rect());
+  }
+
+ private:
+  RobotText& text_;
+};
+
+RobotText::RobotText(QWidget* parent) : QPlainTextEdit(parent), roomy_(nullptr), numbers_(new LineNumbers(*this)) {
+  auto* document = new QTextDocument(this);
+  roomy_ = new Roomy(document);
+  document->setDocumentLayout(roomy_);
+  setDocument(document);
+  setFrameShape(QFrame::NoFrame);
+  setLineWrapMode(NoWrap);
+  setTabChangesFocus(true);
+  setAccessibleName(tr("Description of the robot"));
+  auto* highlighter = new TomlHighlighter(document);
+  whenScaled(this, [this, highlighter] {
+    QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+    fixed.setPixelSize(scaled(12));
+    setFont(fixed);
+    placeNumbers();
+    refresh();
+    highlighter->setQuiet(themeOf(*this).quiet);
+  });
+  connect(this, &QPlainTextEdit::updateRequest, this, [this] { numbers_->update(); });
+  connect(this, &QPlainTextEdit::cursorPositionChanged, this, [this] {
+    numbers_->update();
+    viewport()->update();
+    Q_EMIT lineChanged(textCursor().blockNumber() + 1);
+  });
+}
+
+void RobotText::placeNumbers() {
+  setViewportMargins(scaled(48), 0, 0, 0);
+  const QRect r = contentsRect();
+  numbers_->setGeometry(r.left(), r.top(), scaled(44), r.height());
+}
+
+void RobotText::resizeEvent(QResizeEvent* event) {
+  QPlainTextEdit::resizeEvent(event);
+  placeNumbers();
+  refresh();
+}
+
+void RobotText::changeEvent(QEvent* event) {
+  QPlainTextEdit::changeEvent(event);
+  if (event->type() != QEvent::PaletteChange) return;
+  for (auto* highlighter : document()->findChildren<QSyntaxHighlighter*>())
+    static_cast<TomlHighlighter*>(highlighter)->setQuiet(themeOf(*this).quiet);
+}
+
+std::vector<const Complaint*> RobotText::at(int line) const {
+  std::vector<const Complaint*> own;
+  for (const Complaint& c : complaints_)
+    if (std::max(1, c.at.line) == line) own.push_back(&c);
+  return own;
+}
+
+QString RobotText::sentenceOf(const Complaint& complaint) const {
+  return toText(complaint.sentence);
+}
+
+int RobotText::gapHeight(int line) const {
+  const QFontMetrics words(scaledFont(12));
+  int height = 0;
+  for (const Complaint* c : at(line)) {
+    const QRect room(0, 0, std::max(scaled(120), viewport()->width() - scaled(16)), 10'000);
+    height += words.boundingRect(room, Qt::TextWordWrap, sentenceOf(*c)).height() + scaled(4);
+    if (proposalOf(*c)) height += QFontMetrics(scaledFont(11)).height() + scaled(4);
+  }
+  return height;
+}
+
+void RobotText::setComplaints(std::vector<Complaint> complaints) {
+  complaints_ = std::move(complaints);
+  refresh();
+}
+
+void RobotText::refresh() {
+  std::map<int, int> extra;
+  for (const Complaint& c : complaints_) extra[std::max(1, c.at.line) - 1] = gapHeight(std::max(1, c.at.line));
+  roomy_->setExtra(std::move(extra));
+  QList<QTextEdit::ExtraSelection> marks;
+  for (const Complaint& c : complaints_) {
+    if (c.at.column < 1) continue;
+    QTextEdit::ExtraSelection mark;
+    mark.cursor = cursorAt(c.at);
+    static const QRegularExpression kWord(QStringLiteral("^\"?[\\w.]+|^."));
+    const auto word = kWord.match(lineFrom(c.at));
+    mark.cursor.movePosition(QTextCursor::NextCharacter, QTextCursor::KeepAnchor,
+                             std::max(1, static_cast<int>(word.capturedLength())));
+    mark.format.setUnderlineStyle(QTextCharFormat::WaveUnderline);
+    mark.format.setUnderlineColor(themeOf(*this).caution);
+    marks.append(mark);
+  }
+  setExtraSelections(marks);
+  viewport()->update();
+  numbers_->update();
+}
+
+QTextCursor RobotText::cursorAt(TextPlace place) const {
+  const QTextBlock block = document()->findBlockByNumber(std::max(1, place.line) - 1);
+  QTextCursor cursor(document());
+  if (!block.isValid()) return cursor;
+  // Columns count characters; Qt's positions count UTF-16 units.
+  const QString text = block.text();
+  int position = 0;
+  for (int column = 1; column < place.column && position < text.size(); ++column)
+    position += text.at(position).isHighSurrogate() ? 2 : 1;
+  cursor.setPosition(block.position() + std::min<int>(position, static_cast<int>(text.size())));
+  return cursor;
+}
+
+QString RobotText::lineFrom(TextPlace place) const {
+  const QTextCursor cursor = cursorAt(place);
+  return cursor.block().text().mid(cursor.positionInBlock());
+}
+
+void RobotText::goTo(TextPlace place) {
+  setTextCursor(cursorAt(place));
+  const double bottom = blockBoundingGeometry(textCursor().block()).translated(contentOffset()).bottom();
+  if (bottom > viewport()->height()) centerCursor();  // with the sentence under it
+  ensureCursorVisible();
+}
+
+void RobotText::goToNextComplaint() {
+  if (complaints_.empty()) return;
+  const int line = textCursor().blockNumber() + 1;
+  const auto next =
+      std::find_if(complaints_.begin(), complaints_.end(), [line](const Complaint& c) { return c.at.line > line; });
+  goTo((next == complaints_.end() ? complaints_.front() : *next).at);
+  setFocus(Qt::OtherFocusReason);
+}
+
+void RobotText::write(TextPlace place, int length, const QString& text) {
+  QTextCursor cursor = cursorAt(place);
+  cursor.movePosition(QTextCursor::NextCharacter, QTextCursor::KeepAnchor, length);
+  cursor.insertText(text);
+}
+
+void RobotText::replaceAll(const QString& text) {
+  if (toPlainText() == text) return;
+  const int position = textCursor().position();
+  QTextCursor cursor(document());
+  cursor.select(QTextCursor::Document);
+  cursor.insertText(text);
+  cursor.setPosition(std::min<int>(position, static_cast<int>(text.size())));
+  setTextCursor(cursor);
+}
+
+std::optional<RobotText::Proposal> RobotText::proposalOf(const Complaint& complaint) {
+  static const QRegularExpression kWrong(QStringLiteral("\"([^\"]+)\"")),
+      kRight(QStringLiteral("did you mean ([\\w-]+)"));
+  const QString sentence = toText(complaint.sentence);
+  const auto right = kRight.match(sentence);
+  if (!right.hasMatch()) return std::nullopt;
+  // The last word in quotes before the proposal: "pole" has no "angel".
+  QString wrong;
+  for (auto all = kWrong.globalMatch(sentence.left(right.capturedStart())); all.hasNext();)
+    wrong = all.next().captured(1);
+  if (wrong.isEmpty()) return std::nullopt;
+  return Proposal{wrong, right.captured(1)};
+}
+
+bool RobotText::repair(const Complaint& complaint) {
+  const auto proposal = proposalOf(complaint);
+  if (!proposal) return false;
+  const QTextBlock block = document()->findBlockByNumber(std::max(1, complaint.at.line) - 1);
+  const QTextCursor from = cursorAt(complaint.at);
+  auto found = block.text().indexOf(proposal->wrong, from.positionInBlock());
+  if (found < 0) found = block.text().indexOf(proposal->wrong);
+  if (found < 0) return false;
+  QTextCursor cursor(block);
+  cursor.setPosition(block.position() + static_cast<int>(found));
+  cursor.movePosition(QTextCursor::NextCharacter, QTextCursor::KeepAnchor, static_cast<int>(proposal->wrong.size()));
+  cursor.insertText(proposal->right);
+  return true;
+}
+
+bool RobotText::repair() {
+  const int line = textCursor().blockNumber() + 1;
+  for (const bool behind : {true, false})
+    for (const Complaint& c : complaints_)
+      if ((c.at.line >= line) == behind && repair(Complaint(c))) return true;
+  return false;
+}
+
+void RobotText::keyPressEvent(QKeyEvent* event) {
+  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (enter && event->modifiers() == Qt::AltModifier) {
+    repair();
+    return;
+  }
+  if (event->key() == Qt::Key_F8) return goToNextComplaint();
+  QPlainTextEdit::keyPressEvent(event);
+}
+
+void RobotText::mouseReleaseEvent(QMouseEvent* event) {
+  for (const auto& [where, complaint] : links_)
+    if (where.contains(event->position()) && complaint < complaints_.size()) {
+      repair(Complaint(complaints_[complaint]));
+      return;
+    }
+  QPlainTextEdit::mouseReleaseEvent(event);
+}
+
+void RobotText::paintEvent(QPaintEvent* event) {
+  const Theme& t = themeOf(*this);
+  {
+    QPainter painter(viewport());  // the caret's line on fill
+    const QRectF line = blockBoundingGeometry(textCursor().block()).translated(contentOffset());
+    painter.fillRect(QRectF(0, line.top(), viewport()->width(), QFontMetrics(font()).height()), t.fill);
+  }
+  QPlainTextEdit::paintEvent(event);
+  QPainter painter(viewport());
+  links_.clear();
+  for (QTextBlock block = firstVisibleBlock(); block.isValid(); block = block.next()) {
+    const QRectF r = blockBoundingGeometry(block).translated(contentOffset());
+    if (r.top() > viewport()->height()) break;
+    double y = r.top() + QFontMetrics(font()).height() + scaled(2);
+    for (const Complaint* c : at(block.blockNumber() + 1)) {
+      const QFontMetrics words(scaledFont(12)), small(scaledFont(11));
+      const QRect room(scaled(4), static_cast<int>(y), viewport()->width() - scaled(16), 10'000);
+      const QRect text = words.boundingRect(room, Qt::TextWordWrap, sentenceOf(*c));
+      painter.setFont(scaledFont(12));
+      painter.setPen(t.ink);
+      painter.drawText(room, Qt::TextWordWrap, sentenceOf(*c));
+      y += text.height() + scaled(4);
+      const auto proposal = proposalOf(*c);
+      if (!proposal) continue;
+      const QString write = tr("Write “%1”").arg(proposal->right), key = tr("Alt+Enter");
+      QFont strong = scaledFont(11, 500);
+      strong.setUnderline(true);
+      painter.setFont(strong);
+      const double width = QFontMetricsF(strong).horizontalAdvance(write);
+      painter.drawText(QPointF(scaled(4), y + small.ascent()), write);
+      links_.emplace_back(QRectF(scaled(4), y, width, small.height()),
+                          static_cast<std::size_t>(c - complaints_.data()));
+      painter.setFont(scaledFont(11));
+      painter.setPen(t.quiet);
+      painter.drawText(QPointF(scaled(16) + width, y + small.ascent()), key);
+      y += small.height() + scaled(4);
+    }
+  }
+}
+
+void RobotText::paintNumbers(QPainter& painter, const QRect& dirty) {
+  const Theme& t = themeOf(*this);
+  painter.fillRect(dirty, t.panel);
+  painter.setFont(font());
+  const int height = QFontMetrics(font()).height();
+  for (QTextBlock block = firstVisibleBlock(); block.isValid(); block = block.next()) {
+    const QRectF r = blockBoundingGeometry(block).translated(contentOffset());
+    if (r.top() > dirty.bottom()) break;
+    const bool wrong = !at(block.blockNumber() + 1).empty();
+    if (wrong) painter.fillRect(QRectF(0, r.top(), scaled(3), r.height()), t.caution);
+    const bool here = textCursor().blockNumber() == block.blockNumber();
+    painter.setPen(wrong ? t.caution : here ? t.ink : t.quiet);
+    painter.drawText(QRectF(0, r.top(), numbers_->width() - scaled(8), height), Qt::AlignRight,
+                     QString::number(block.blockNumber() + 1));
+  }
+}
+
+}  // namespace surefoot
+
+#include "moc_robot_text.cpp"
