@@ -106,6 +106,12 @@ class Environment : public Configurable {
   /// and place(). Valid until the next call.
   virtual std::span<const double> measures() const { return {}; }
 
+  /// Why no further episode is possible, in one sentence; empty: it is. Asked when an episode has ended.
+  virtual std::string failure() const { return {}; }
+  /// Episodes since the environment was made that were cut off because the world came to numbers that are none, or are
+  /// beyond all bounds.
+  virtual std::int64_t flewApart() const { return 0; }
+
   /// Pushes the body to the right by an impulse [N s], between two steps; false: there is no body to push.
   virtual bool push(double impulse) {
     static_cast<void>(impulse);

@@ -99,6 +99,7 @@ std::string resultAsJson(const Configuration& configuration, const std::vector<L
     for (const NamedValue& m : measuresOf(r)) life[m.name] = finite(m.value);
     if (!r.greedyTests.empty()) life["test_seconds"] = finite(r.testSeconds);
     if (!r.greedyTests.empty()) life["greedy_tests"] = testsAsJson(r);
+    if (r.flewApart > 0) life["flew_apart"] = r.flewApart;
     if (!r.divergence.empty()) life["diverged"] = r.divergence;
     for (const Change& change : r.changes)
       life["changes"].push_back(
@@ -174,6 +175,8 @@ std::string resultAsTable(const Configuration& c, const std::vector<LifeResult>&
                                          return std::nan("");
                                        },
                                        1));
+  if (std::any_of(lives.begin(), lives.end(), [](const LifeResult& r) { return r.flewApart > 0; }))
+    row("episodes that flew apart", column([](const LifeResult& r) { return static_cast<double>(r.flewApart); }, 1));
   row("simulated minutes", column([](const LifeResult& r) { return r.simulatedSeconds / 60.0; }, 2));
   row("steps per CPU-second",
       column([](const LifeResult& r) { return static_cast<double>(r.steps) / r.cpuSeconds; }, 0));

@@ -48,13 +48,14 @@ inline double portableExp(double x) {
   return sum * powerOfTwo(k);
 }
 
-/// cos(x + quarters·½π) for abs(x) up to a thousand or so, to about 1e-15: x reduced by multiples of ½π in two pieces,
-/// then the Taylor polynomials of degree 16 and 17 on ± ¼π (remainder < 1e-18). Near a zero at x = 0 the relative error
-/// is as small, because the first piece is x itself.
+/// cos(x + quarters·½π) for abs(x) up to a thousand or so, to about 1e-15; beyond that it is less exact, and from 1e9
+/// on no number. Method: x reduced by multiples of ½π in two pieces, then the Taylor polynomials of degree 16 and 17 on
+/// ± ¼π (remainder < 1e-18). Near a zero at x = 0 the relative error is as small, because the first piece is x itself.
 inline double portableCosTurned(double x, std::int64_t quarters) {
   constexpr double kTwoOverPi = 0.63661977236758134308;
   constexpr double kHalfPiHigh = 1.57079632673412561417e+00;  // 33 bits, so that k·kHalfPiHigh is exact
   constexpr double kHalfPiLow = 6.07710050650619224932e-11;
+  if (!(x > -1e9 && x < 1e9)) return std::numeric_limits<double>::quiet_NaN();
   const auto k = static_cast<std::int64_t>(x * kTwoOverPi + (x < 0.0 ? -0.5 : 0.5));
   const auto kReal = static_cast<double>(k);
   const double r = (x - kReal * kHalfPiHigh) - kReal * kHalfPiLow;

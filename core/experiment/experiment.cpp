@@ -19,6 +19,7 @@ LifeResult summarise(const Life& life, int index, double cpuSeconds) {
   r.simulatedSeconds = life.simulatedSeconds();
   r.averageReward = life.log().averageReward();
   r.statesOutside = life.agent().statesOutside();
+  r.flewApart = life.environment().flewApart();
   r.testSeconds = life.testSeconds();
   r.cpuSeconds = std::max(0.0, cpuSeconds - r.testSeconds);
   r.hash = life.hash();

@@ -79,6 +79,7 @@ void Life::step() {
       break;
     case Ending::Truncated:
       agent_->truncate(outcome, environment_->state(), policyRandom_);
+      failure_ = environment_->failure();
       break;
   }
   log_.finish(outcome.ending, steps_, environment_->task().highestReturn, environment_->measures());
@@ -166,6 +167,7 @@ void Life::setPolicy(const std::string& name, std::unique_ptr<Policy> policy) {
 }
 
 std::string Life::divergence() const {
+  if (!failure_.empty()) return failure_;
   // The largest step size is the likeliest cause; accumulating traces make any of them larger.
   const Parameters::Entry* largest = nullptr;
   const bool shaped = parameters_.find("shaping.rewards") && parameters_.get("shaping.rewards") != 0.0;

@@ -74,8 +74,9 @@ class Life {
   bool finished() const {
     return steps_ >= limits_.steps || log_.totals().episodes >= limits_.episodes || reachedAverage() || diverged();
   }
-  bool diverged() const { return agent_->diverged(); }
-  /// One sentence naming the parameter that most likely made the values diverge.
+  /// The values diverged, or the environment can not go on.
+  bool diverged() const { return agent_->diverged() || !failure_.empty(); }
+  /// One sentence naming the parameter that most likely made the values diverge, or what the environment says.
   std::string divergence() const;
 
   /// Changes one parameter: at once, or at the next episode, as it declares. A parameter that needs a new table is
@@ -155,6 +156,7 @@ class Life {
   Action action_ = 0;
   bool inEpisode_ = false;
   bool environmentChanged_ = false;
+  std::string failure_;  // of the environment: it can not go on
   GreedyTester tester_;
   std::optional<double> rule_;  // threshold by the rule of thumb, after the last episode
   bool everyStep_ = false;      // a schedule changes with every step

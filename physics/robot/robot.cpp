@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "physics/robot/robot.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -70,7 +72,9 @@ void Robot::computeConstants() {
 void Robot::rebuild() {
   computeConstants();
   std::vector<Complaint> complaints;
-  numbers_ = numbersOf(*spec_, values_, complaints);
+  RobotNumbers numbers = numbersOf(*spec_, values_, complaints);
+  if (!complaints.empty()) return;  // check() tells it; what was possible before stays
+  numbers_ = std::move(numbers);
   task_ = robotTask(*spec_, values_);
   maxSteps_ = static_cast<int>(std::clamp(spec_->maxSteps(values_), 1.0, 1e9));
   state_.assign(spec_->states.size(), 0.0);
@@ -79,7 +83,7 @@ void Robot::rebuild() {
   u_.assign(spec_->actuators.size(), 0.0);
   assembly_ = std::make_unique<Assembly>(*spec_, numbers_);
   world_.reset();
-  if (complaints.empty()) begin(assembly_->settled(assembly_->drawing()));
+  begin(assembly_->settled(assembly_->drawing()));
 }
 
 void Robot::parametersChanged() {
@@ -188,6 +192,7 @@ Outcome Robot::step(Action action) {
   values_[stepAt_ + 1] = steps_ * numbers_.stepTime;
   if (!whole) {
     ++flewApart_;
+    ++inARow_;
     lastEnding_ = -1;
     const std::vector<double> last = state_;
     world_.reset();  // it holds numbers that are none
@@ -223,6 +228,7 @@ Outcome Robot::judged() {
   } else if (steps_ >= maxSteps_) {
     outcome.ending = Ending::Truncated;
   }
+  if (outcome.ending != Ending::None) inARow_ = 0;
   for (std::size_t r = 0; r < spec_->rewards.size(); ++r) {
     const RewardSpec& reward = spec_->rewards[r];
     const bool here =
@@ -239,6 +245,18 @@ double Robot::valueOf(std::size_t reward) {
   const RewardSpec& spec = spec_->rewards[reward];
   const double value = spec.value(values_);
   return spec.potential ? value - std::exchange(potentials_[reward], value) : value;
+}
+
+std::string Robot::failure() const {
+  if (inARow_ < kMostInARow) return {};
+  std::string changed;
+  for (std::size_t p = 0; p < whole_.size(); ++p)
+    if (values_[p] != spec_->defaults[p])
+      changed +=
+          fmt::format("{}environment.{} = {}", changed.empty() ? "" : ", ", spec_->parameters[p].key, values_[p]);
+  return fmt::format("The robot {} flew apart in {} episodes in a row: {}.", spec_->name, kMostInARow,
+                     changed.empty() ? "more substeps, weaker springs or smaller efforts may hold it together"
+                                     : changed + " may be the cause");
 }
 
 bool Robot::push(double impulse) {

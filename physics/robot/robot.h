@@ -39,8 +39,9 @@ class Robot final : public Environment {
   const RobotNumbers& numbers() const { return numbers_; }
   RobotWorld& world() { return *world_; }
   std::span<const double> values() const { return values_; }
-  /// Episodes that ended because a number was none, or beyond all bounds.
-  std::int64_t flewApart() const { return flewApart_; }
+  std::int64_t flewApart() const override { return flewApart_; }
+  /// kMostInARow episodes flew apart, one after the other.
+  std::string failure() const override;
   /// The ending of the last step, by its number in the file; −1: none of them.
   int lastEnding() const { return lastEnding_; }
   int stepLimit() const { return maxSteps_; }
@@ -70,7 +71,9 @@ class Robot final : public Environment {
   std::vector<double> u_, potentials_, state_, measures_;
   bool inSubsteps_ = false;  ///< some memories are of a substep
   int steps_ = 0, maxSteps_ = 0, lastEnding_ = -1;
+  static constexpr int kMostInARow = 100;
   std::int64_t flewApart_ = 0;
+  int inARow_ = 0;  ///< episodes that flew apart
 };
 
 /// What is wrong with a robot at its parameters' own values, its presets and scenarios; empty: nothing.

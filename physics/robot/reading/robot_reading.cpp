@@ -25,7 +25,8 @@ void fillLike(TomlNode& tables, std::vector<Complaint>& complaints) {
     whole.at = node.at, whole.keyAt = node.keyAt;
     for (auto& [key, own] : node.table) {
       if (key == "like") continue;
-      const auto same = std::find_if(whole.table.begin(), whole.table.end(), [&](auto& w) { return w.first == key; });
+      const auto same =
+          std::find_if(whole.table.begin(), whole.table.end(), [&k = key](auto& w) { return w.first == k; });
       if (same == whole.table.end())
         whole.table.emplace_back(key, std::move(own));
       else

@@ -80,12 +80,39 @@ void weigh(const BodySpec& spec, const std::string& where, CheckedNumbers& numbe
                                 where, about));
 }
 
-BodyNumbers bodyOf(const BodySpec& spec, CheckedNumbers& number) {
+/// Box2D takes corners that are nearer than half its slop for one, and wants three of them.
+void checkSize(const ShapeSpec& spec, const ShapeNumbers& shape, double scale, const std::string& where,
+               CheckedNumbers& number) {
+  constexpr double kNearest = 0.003, kSmallestArea = 1e-6, kLargest = 1e5;  // in Box2D's units
+  if (shape.meets == Meets::Nothing) return;
+  if (shape.kind == ShapeSpec::Kind::Circle) {
+    if (!(shape.radius * scale < kLargest)) number.complain(spec.place, where + ": the shape is too large for scale.");
+    return;
+  }
+  const std::vector<Point> corners = cornersOf(shape);
+  bool fine = std::abs(signedArea(corners)) * scale * scale > kSmallestArea;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    fine &= std::abs(corners[i].x) * scale < kLargest && std::abs(corners[i].y) * scale < kLargest;
+    for (std::size_t k = 0; k < i; ++k)
+      fine &= length({corners[i].x - corners[k].x, corners[i].y - corners[k].y}) * scale > kNearest;
+  }
+  if (!fine)
+    number.complain(spec.place,
+                    fmt::format("{}: two corners of a shape that meets something must be {} m apart, and none "
+                                "be farther than {} m (with a larger scale they may be nearer).",
+                                where, kNearest / scale, kLargest / scale));
+}
+
+BodyNumbers bodyOf(const BodySpec& spec, double scale, CheckedNumbers& number) {
   const std::string where = fmt::format("[body.{}]", spec.name);
   BodyNumbers body{.rotates = spec.rotates, .still = spec.still};
   body.at = number.at(spec.at, where, "at");
   body.angle = number(spec.angle, where, "angle", -100, 100, "rad");
-  for (const ShapeSpec& shape : spec.shapes) body.shapes.push_back(shapeOf(shape, where, number));
+  for (const ShapeSpec& shape : spec.shapes) {
+    const std::size_t wrong = number.wrong();
+    body.shapes.push_back(shapeOf(shape, where, number));
+    if (number.wrong() == wrong) checkSize(shape, body.shapes.back(), scale, where, number);
+  }
   weigh(spec, where, number, body);
   return body;
 }
@@ -235,7 +262,7 @@ RobotNumbers numbersOf(const RobotSpec& robot, std::span<const double> values, s
   RobotNumbers numbers;
   CheckedNumbers number(values, complaints);
   readTimes(robot, numbers, number);
-  for (const BodySpec& body : robot.bodies) numbers.bodies.push_back(bodyOf(body, number));
+  for (const BodySpec& body : robot.bodies) numbers.bodies.push_back(bodyOf(body, numbers.scale, number));
   for (const JointSpec& joint : robot.joints) numbers.joints.push_back(jointOf(joint, numbers, number));
   for (const ActuatorSpec& actuator : robot.actuators) numbers.actuators.push_back(actuatorOf(actuator, number));
   for (const PointSpec& point : robot.points) numbers.points.push_back(number.at(point.at, "[point]", "at"));

@@ -137,6 +137,56 @@ TEST(RobotWorlds, LeoWalksWithItsHandMadeController) {
   EXPECT_LT(robot.world().jointSeparation(), 1e-4);
 }
 
+TEST(RobotWorlds, RaysEventsAndMemoriesDoWhatTheyAreFor) {
+  const auto spec = robotOf(
+      "surefoot = \"robot 1\"\nname = \"faller\"\nstep_time = 0.1\nsubsteps = 10\n[body.ball]\nat = [0, 2]\nmass = "
+      "1\ninertia = 0.1\nshape = [{ circle = 0.1 }]\n[point.centre]\non = \"ball\"\n[ray.down]\nfrom = "
+      "\"centre\"\nangle = \"-pi / 2\"\nlength = 5\n[actuator.lift]\ntype = \"force\"\npoint = "
+      "\"centre\"\ndirection = [0, 1]\nlevels = [0, 9.81]\n[[memory]]\nkey = \"hits\"\nstart = 0\neach = \"hits + "
+      "ball.touches\"\n[[state]]\nkey = \"gap\"\nvalue = \"down.distance\"\nrange = [0, 5]\n[[state]]\nkey = "
+      "\"count\"\nvalue = \"hits\"\nrange = [0, 100]\n[[event]]\nkind = \"fall\"\nwhen = \"ball.touches && hits == "
+      "1\"\n[[reward]]\nname = \"gap\"\npotential = \"gap\"\n");
+  ASSERT_TRUE(spec);
+  Robot robot(spec);
+  Random random(1);
+  robot.reset(random);
+  EXPECT_NEAR(robot.state()[0], 2.0, 1e-3);
+  for (int step = 0; step < 5; ++step) EXPECT_NEAR(robot.step(1).reward, 0.0, 1e-3) << "it hovers";
+  int falls = 0;
+  double reward = 0.0;
+  for (int step = 0; step < 20; ++step) {
+    const Outcome outcome = robot.step(0);
+    falls += outcome.event == Event::Fall;
+    reward += outcome.reward;
+    EXPECT_EQ(outcome.ending, Ending::None) << "an event ends nothing";
+  }
+  EXPECT_EQ(falls, 1);
+  EXPECT_NEAR(robot.state()[0], 0.1, 0.02);
+  EXPECT_NEAR(reward, -1.9, 0.02) << "a potential pays its change";
+  EXPECT_GT(robot.state()[1], 5);
+}
+
+TEST(RobotWorlds, WhatAlwaysFliesApartStopsTheLifeWithItsParameter) {
+  Registry registry;
+  registerCore(registry);
+  registerPhysics(registry);
+  const auto file = registry.files->add(text("[[parameter]]\nkey = \"slip\"\nvalue = 0\nrange = [0, 1]\n" + kPendulum,
+                                             "effort = \"slip > 0 ? 1 / (hinge.angle - hinge.angle) : u\"\n" + kAngles),
+                                        "test.toml");
+  ASSERT_TRUE(file) << file.error().message;
+  Names names;
+  names.environment = (*file)->entry.name;
+  auto configuration = configure(registry, names, {{"environment.slip", "0.5"}});
+  ASSERT_TRUE(configuration) << configuration.error().message;
+  configuration->episodes = 1000;
+  const auto life = makeLife(registry, *configuration, 0, false);
+  ASSERT_TRUE(life) << life.error().message;
+  while (!(*life)->finished()) (*life)->step();
+  EXPECT_TRUE((*life)->diverged());
+  EXPECT_EQ((*life)->environment().flewApart(), 100);
+  EXPECT_NE((*life)->divergence().find("environment.slip = 0.5"), std::string::npos) << (*life)->divergence();
+}
+
 TEST(RobotWorlds, WhatFliesApartIsCutOffAndCounted) {
   const auto spec = robotOf(text(kPendulum, "effort = \"1 / (hinge.angle - hinge.angle)\"\n" + kAngles));
   ASSERT_TRUE(spec);
