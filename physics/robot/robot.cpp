@@ -12,6 +12,14 @@ namespace surefoot {
 
 namespace {
 
+/// Where a start has no numbers, or is beyond all bounds, Box2D is not asked.
+bool isSomewhere(const BodyPlacement& body) {
+  constexpr double kFarthest = 1e5;  // [m], [rad], [m/s], [rad/s]
+  for (const double x : {body.at.x, body.at.y, body.angle, body.velocity.x, body.velocity.y, body.rate})
+    if (!(std::abs(x) < kFarthest)) return false;
+  return true;
+}
+
 std::size_t placeOf(const RobotSpec& spec, NameKind kind) {
   return static_cast<std::size_t>(spec.names.placeOf(kind, 0));
 }
@@ -108,8 +116,10 @@ void Robot::reset(Random& random) {
 
 // Where nothing meets anything, bodies are put back, and the next substep begins without impulses of the past: the same
 // bits as in a new world. Contacts keep more of the past, so there every episode has a new world.
-void Robot::begin(const std::vector<BodyPlacement>& bodies) {
-  if (!world_ || numbers_.anythingMeets) {
+void Robot::begin(const std::vector<BodyPlacement>& wanted) {
+  nowhere_ = !std::all_of(wanted.begin(), wanted.end(), isSomewhere);
+  const std::vector<BodyPlacement> bodies = nowhere_ ? assembly_->settled(assembly_->drawing()) : wanted;
+  if (!world_ || (numbers_.anythingMeets && !nowhere_)) {
     world_ = std::make_unique<RobotWorld>(*spec_, numbers_);
     for (const MemorySpec& memory : spec_->memories)
       if (memory.substep) world_->alsoInSubstep(memory.each.expression);
@@ -186,7 +196,7 @@ bool Robot::substeps() {
 Outcome Robot::step(Action action) {
   for (const std::size_t c : live_) values_[constantsAt_ + c] = spec_->constants[c].value(values_);
   decide(action);
-  const bool whole = substeps();
+  const bool whole = !nowhere_ && substeps();
   ++steps_;
   values_[stepAt_] = steps_;
   values_[stepAt_ + 1] = steps_ * numbers_.stepTime;
@@ -195,7 +205,7 @@ Outcome Robot::step(Action action) {
     ++inARow_;
     lastEnding_ = -1;
     const std::vector<double> last = state_;
-    world_.reset();  // it holds numbers that are none
+    if (!nowhere_) world_.reset();  // it holds numbers that are none
     begin(assembly_->settled(assembly_->drawing()));
     state_ = last;
     Outcome outcome;

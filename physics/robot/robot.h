@@ -49,7 +49,7 @@ class Robot final : public Environment {
  private:
   void computeConstants();
   void rebuild();
-  void begin(const std::vector<BodyPlacement>& bodies);
+  void begin(const std::vector<BodyPlacement>& wanted);
   void observe();
   void decide(Action action);
   bool substeps();
@@ -69,6 +69,7 @@ class Robot final : public Environment {
   std::vector<std::size_t> driven_;  ///< the actuators with levels, in the order of the task's action variables
   std::vector<std::size_t> live_;    ///< constants of rewards: they follow a change at once
   std::vector<double> u_, potentials_, state_, measures_;
+  bool nowhere_ = false;     ///< the start of this episode had no numbers: its first step cuts it off
   bool inSubsteps_ = false;  ///< some memories are of a substep
   int steps_ = 0, maxSteps_ = 0, lastEnding_ = -1;
   static constexpr int kMostInARow = 100;

@@ -13,7 +13,7 @@ const std::string kRobotFolder = std::string(SUREFOOT_SOURCE) + "/resources/robo
 TEST(RobotsCommand, CheckTellsRangesEnergyAndWhatIsDoubtful) {
   const Finished run = surefoot("check " + kRobotFolder + "hopper.toml");
   EXPECT_EQ(run.code, 0);
-  for (const char* words : {"Hopper, 3 bodies, 2 joints, 7 state variables, 6 actions", "leg_angle", "endings: fall",
+  for (const char* words : {"Hopper, 3 bodies, 2 joints, 7 state variables, 10 actions", "leg_angle", "endings: fall",
                             "loses", "(soft)", "scale = 10"})
     EXPECT_NE(run.out.find(words), std::string::npos) << words << run.out;
   const auto json = nlohmann::json::parse(surefoot("check " + kRobotFolder + "acrobot.toml --json").out);

@@ -36,6 +36,8 @@ class RobotPage final : public QWidget {
   /// A robot that comes with the program, as the beginning of one's own.
   void beginLike(const QString& name);
   bool isEdited() const;
+  /// What is shown is not yet what the text says.
+  bool isChecking() const { return pause_.isActive() || checking_.busy(); }
   QString fileName() const;
   void focusHome();
   /// False: it was not saved.
