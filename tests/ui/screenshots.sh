@@ -84,7 +84,7 @@ animation() {
 # experiment NAME: the Experiment page with the shipped plan, run to its end.
 experiment() {
   begin
-  "${environment[@]}" xdotool key space mousemove 1163 12 click 1
+  "${environment[@]}" xdotool key space ctrl+2
   sleep 1
   "${environment[@]}" xdotool mousemove 24 48 click 1 mousemove 640 20
   sleep 75
@@ -124,6 +124,20 @@ lessons() {
   end
 }
 
+# robot NAME: the Robot page with the hopper, the pointer on its trunk.
+robot() {
+  begin --environment hopper
+  "${environment[@]}" xdotool key space ctrl+o
+  sleep 1
+  "${environment[@]}" xdotool type "$PWD/resources/robots/hopper.toml"
+  "${environment[@]}" xdotool key Return
+  sleep 2
+  "${environment[@]}" xdotool mousemove 640 270
+  sleep 1
+  "${environment[@]}" import -window root "$out/$1.png"
+  end
+}
+
 # Only those that are named, as in ONLY="lesson lessons" screenshots.sh …
 wanted() {
   case " ${ONLY:-$1} " in *" $1 "*) "$@" ;; esac
@@ -131,9 +145,10 @@ wanted() {
 
 wanted lessons lessons
 wanted lesson lesson
+wanted robot robot
+wanted experiment experiment
 [ -z "${ONLY:-}" ] || exit 0
 shot window-light 1280 800 1
 shot window-dark 1280 800 2
 animation window
-experiment experiment
 walker walker

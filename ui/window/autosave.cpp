@@ -215,6 +215,8 @@ void Autosave::finish() {
   timer_.stop();
   if (!leaving_ && !unwritten_) {
     QFile::remove(path_);
+    // A file in writing appears after this: what the learner's thread writes it removes again.
+    if (writing_) life_.visit([path = path_](const Life&) { QFile::remove(path); });
     for (const Before& b : before_) QFile::remove(b.path);
   }
   lock_.release();

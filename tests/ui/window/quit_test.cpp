@@ -150,6 +150,8 @@ TEST(Autosave, ALifeThatGaveWayStaysOnTheDiskUntilItIsSaved) {
   autosave.save();
   EXPECT_TRUE(w.waitFor([&] { return files() == 2; })) << "the other way round";
   autosave.finish();
+  EXPECT_TRUE(w.waitFor([&] { return files() == 0; })) << "the one in writing, too";
+  QTest::qWait(50);
   EXPECT_EQ(files(), 0);
 }
 
