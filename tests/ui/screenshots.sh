@@ -129,7 +129,8 @@ robot() {
   begin --environment hopper
   "${environment[@]}" xdotool key space ctrl+o
   sleep 1
-  "${environment[@]}" xdotool type "$PWD/resources/robots/hopper.toml"
+  mkdir "$home/robots" && cp resources/robots/hopper.toml "$home/robots"
+  "${environment[@]}" xdotool type "$home/robots/hopper.toml"
   "${environment[@]}" xdotool key Return
   sleep 2
   "${environment[@]}" xdotool mousemove 640 270

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -31,6 +32,12 @@
 namespace surefoot {
 
 namespace {
+
+/// "~/robots/hopper.toml".
+QString shortPath(const QString& path) {
+  const QString home = QDir::homePath() + QLatin1Char('/');
+  return path.startsWith(home) ? QStringLiteral("~/") + path.mid(home.size()) : path;
+}
 
 constexpr int kCheckAfter = 300, kKeepAfter = 1000;  // [ms] of no typing
 constexpr std::chrono::milliseconds kPatience(95);
@@ -158,6 +165,7 @@ QWidget* RobotPage::makeDescription() {
   textHead_ = head;
   text_ = new RobotText;
   lines_ = makeText(QString(), 11, 400, true, box);
+  lines_->setWordWrap(false);
   column->addWidget(head);
   column->addWidget(text_, 1);
   column->addWidget(new Hairline(Qt::Horizontal));
@@ -374,8 +382,7 @@ void RobotPage::refresh() {
       all << tr("line %1: %2").arg(QString::number(w.at.line), toText(w.sentence));
     lines_->setToolTip(tipText(all.join(u'\n')));
   }
-  lines_->setWordWrap(true);
-  lines_->setText(foot);
+  lines_->setText(QFontMetrics(lines_->font()).elidedText(foot, Qt::ElideRight, text_->width() - scaled(24)));
   save_->setEnabled(isEdited() || source_.path().isEmpty());
   for (QAbstractButton* button : std::initializer_list<QAbstractButton*>{try_, random_, still_})
     button->setEnabled(checked_ != nullptr);
@@ -386,7 +393,7 @@ void RobotPage::refresh() {
                                          : tr("names and limits under the pointer; a click goes to the line"));
   worldHead_->layOutExtra();
   Q_EMIT statusChanged(
-      source_.path().isEmpty() ? tr("a robot that is not saved yet") : source_.path(),
+      source_.path().isEmpty() ? tr("a robot that is not saved yet") : shortPath(source_.path()),
       checked_ ? tr("%1 tiles a tiling").arg(toText(countText(checked_->inspection.tiles))) : QString());
 }
 
