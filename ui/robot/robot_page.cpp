@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <QDir>
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -20,6 +19,7 @@
 #include "ui/controls/panel.h"
 #include "ui/controls/text_button.h"
 #include "ui/robot/random_life.h"
+#include "ui/robot/robot_checked.h"
 #include "ui/robot/robot_picture.h"
 #include "ui/robot/robot_text.h"
 #include "ui/robot/state_table.h"
@@ -33,24 +33,10 @@ namespace surefoot {
 
 namespace {
 
-/// "~/robots/hopper.toml".
-QString shortPath(const QString& path) {
-  const QString home = QDir::homePath() + QLatin1Char('/');
-  return path.startsWith(home) ? QStringLiteral("~/") + path.mid(home.size()) : path;
-}
-
 constexpr int kCheckAfter = 300, kKeepAfter = 1000;  // [ms] of no typing
 constexpr std::chrono::milliseconds kPatience(95);
 
 }  // namespace
-
-/// What a text came to.
-struct RobotPage::Checked {
-  QString text;
-  std::vector<Complaint> complaints;
-  std::optional<EnvironmentFile> file;
-  EnvironmentInspection inspection;
-};
 
 RobotPage::RobotPage(const Registry& registry, const QString& folder, QWidget* parent)
     : QWidget(parent),
@@ -113,204 +99,13 @@ RobotPage::RobotPage(const Registry& registry, const QString& folder, QWidget* p
     picture_->setMoving(std::nullopt);
     refresh();
   });
-  connect(&source_, &RobotSource::changedOnDisk, this, [this](const QString& text) {
+  connect(&source_, &RobotSource::changedOnDisk, this, [this](const QString& text, const QString& before) {
+    if (text_->toPlainText() != before) setAside();
     text_->replaceAll(text);
     Q_EMIT told(tr("%1 was saved by another program, and is shown as it is now; undo brings back what was here.")
                     .arg(fileName()));
   });
   refresh();
-}
-
-QWidget* RobotPage::makeBar() {
-  auto* bar = new QWidget;
-  auto* row = new QHBoxLayout(bar);
-  file_ = new TextButton(QString(), TextButton::Look::Framed);
-  files_ = new QMenu(file_);
-  connect(file_, &QAbstractButton::clicked, this, [this] {
-    fillFiles();
-    files_->popup(file_->mapToGlobal(QPoint(0, file_->QWidget::height())));
-  });
-  state_ = makeText(QString(), 11, 400, true, bar);
-  note_ = makeText(QString(), 11, 400, true, bar);
-  save_ = new TextButton(tr("Save"), TextButton::Look::Framed);
-  try_ = new TextButton(tr("Try"), TextButton::Look::Framed);
-  learn_ = new TextButton(tr("Let it learn"), TextButton::Look::Main);
-  try_->setStarts(true);
-  connect(save_, &QAbstractButton::clicked, this, &RobotPage::save);
-  connect(try_, &QAbstractButton::clicked, this, &RobotPage::tryOut);
-  connect(learn_, &QAbstractButton::clicked, this, &RobotPage::learn);
-  row->addWidget(file_);
-  row->addWidget(state_);
-  row->addStretch(1);
-  row->addWidget(note_);
-  for (QWidget* button : {save_, try_, learn_}) row->addWidget(button);
-  whenScaled(bar, [this, bar, row] {
-    bar->setFixedHeight(scaled(48));
-    row->setContentsMargins(scaled({12, 0, 12, 0}));
-    row->setSpacing(scaled(8));
-    for (TextButton* button : {file_, save_, try_, learn_}) button->setFixedHeight(scaled(32));
-  });
-  return bar;
-}
-
-QWidget* RobotPage::makeDescription() {
-  auto* box = new QWidget;
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  auto* head = new PanelHeader(tr("Description"), false, box);
-  head->setNote(tr("TOML, checked while you type"));
-  errors_ = makeText(QString(), 11, 500, false, box);
-  head->addWidget(errors_);
-  textHead_ = head;
-  text_ = new RobotText;
-  lines_ = makeText(QString(), 11, 400, true, box);
-  lines_->setWordWrap(false);
-  column->addWidget(head);
-  column->addWidget(text_, 1);
-  column->addWidget(new Hairline(Qt::Horizontal));
-  column->addWidget(lines_);
-  whenScaled(box, [this] { lines_->setContentsMargins(scaled({12, 6, 12, 6})); });
-  return box;
-}
-
-QWidget* RobotPage::makeWorld() {
-  auto* box = new QWidget;
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(0);
-  auto* left = new QVBoxLayout;
-  left->setSpacing(0);
-  worldHead_ = new PanelHeader(tr("World"), false, box);
-  worldHead_->setOnPaper(true);
-  auto* modes = new QWidget;
-  auto* modesRow = new QHBoxLayout(modes);
-  modesRow->setContentsMargins(0, 0, 0, 0);
-  const auto mode = [&](const QString& text, RobotTrial::Mode which) {
-    auto* button = new LinkButton(text, modes);
-    connect(button, &QAbstractButton::clicked, this, [this, which] {
-      trial_.start(*checked_->file, which);
-      picture_->setFocus(Qt::OtherFocusReason);
-      refresh();
-    });
-    modesRow->addWidget(button);
-    return button;
-  };
-  random_ = mode(tr("Random"), RobotTrial::Mode::Random);
-  still_ = mode(tr("Motors off"), RobotTrial::Mode::Still);
-  handMade_ = mode(tr("Hand-made"), RobotTrial::Mode::HandMade);
-  worldHead_->addWidget(modes);
-  picture_ = new RobotPicture;
-  left->addWidget(worldHead_);
-  left->addWidget(picture_, 1);
-  row->addLayout(left, 439);
-  row->addWidget(new Hairline(Qt::Vertical));
-  auto* right = new QVBoxLayout;
-  right->setSpacing(0);
-  auto* head = new PanelHeader(tr("State"), false, box);
-  head->setNote(tr("seen in 4,000 random steps"));
-  table_ = new StateTable;
-  auto* scroll = new QScrollArea;
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setFocusPolicy(Qt::NoFocus);
-  scroll->setWidget(table_);
-  right->addWidget(head);
-  right->addWidget(scroll, 1);
-  row->addLayout(right, 424);
-  return box;
-}
-
-QWidget* RobotPage::makeLife() {
-  auto* box = new QWidget;
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  auto* head = new PanelHeader(tr("What a random life looks like"), false, box);
-  head->setNote(tr("a click on a mark shows the fall"));
-  life_ = new RandomLife;
-  column->addWidget(head);
-  column->addWidget(life_, 1);
-  return box;
-}
-
-void RobotPage::fillFiles() {
-  files_->clear();
-  connect(files_->addAction(tr("Open…")), &QAction::triggered, this, &RobotPage::openWithDialog);
-  connect(files_->addAction(tr("Save as…")), &QAction::triggered, this, &RobotPage::saveAs);
-  files_->addSeparator();
-  files_->addSection(tr("A new robot, like"));
-  if (!registry_.files) return;
-  for (const std::string& name : registry_.files->shelved())
-    connect(files_->addAction(toText(name)), &QAction::triggered, this, [this, name] { beginLike(toText(name)); });
-}
-
-void RobotPage::openWithDialog() {
-  askForFile(this, tr("Open a robot"), tr("Robots (*.toml)"), [this](const QString& path) { open(path); });
-}
-
-void RobotPage::open(const QString& path) {
-  everShown_ = true;
-  const auto text = source_.open(QFileInfo(path).absoluteFilePath());
-  if (!text) return Q_EMIT refused(toText(text.error().message));
-  begin(*text);
-}
-
-/// Another robot: nothing of the one before is shown any more.
-void RobotPage::begin(const QString& text) {
-  trial_.stop();
-  checked_.reset();
-  showInspection(nullptr);
-  text_->replaceAll(text);
-  text_->moveCursor(QTextCursor::Start);
-  check();
-}
-
-void RobotPage::showInspection(const EnvironmentInspection* inspection) {
-  picture_->setInspection(inspection);
-  table_->setInspection(inspection);
-  life_->setInspection(inspection);
-}
-
-void RobotPage::beginLike(const QString& name) {
-  everShown_ = true;
-  if (!registry_.files) return;
-  RobotSource shelf{QString()};
-  const auto text = shelf.open(toText(registry_.files->shelvedPath(name.toStdString())));
-  if (!text) return Q_EMIT refused(toText(text.error().message));
-  source_.begin(*text);
-  begin(*text);
-}
-
-bool RobotPage::isEdited() const {
-  return source_.isEdited(text_->toPlainText());
-}
-
-QString RobotPage::fileName() const {
-  return source_.path().isEmpty() ? tr("a new robot") : QFileInfo(source_.path()).fileName();
-}
-
-void RobotPage::focusHome() {
-  text_->setFocus(Qt::OtherFocusReason);
-}
-
-bool RobotPage::save() {
-  if (source_.path().isEmpty()) return saveAs();
-  const Status s = source_.saveTo(source_.path(), text_->toPlainText());
-  if (!s) Q_EMIT refused(toText(s.error().message));
-  refresh();
-  return static_cast<bool>(s);
-}
-
-bool RobotPage::saveAs() {
-  const QString name = checked_ ? toText(checked_->inspection.name) : QStringLiteral("robot");
-  askForNewFile(this, tr("Save the robot"), name + QStringLiteral(".toml"), tr("Robots (*.toml)"),
-                QStringLiteral(".toml"), [this](const QString& path) {
-                  if (const Status s = source_.saveTo(path, text_->toPlainText()); !s)
-                    Q_EMIT refused(toText(s.error().message));
-                  refresh();
-                });
-  return !isEdited();
 }
 
 void RobotPage::showEvent(QShowEvent* event) {

@@ -64,6 +64,8 @@ class RobotPage final : public QWidget {
   QWidget* makeWorld();
   QWidget* makeLife();
   void begin(const QString& text);
+  /// What is not saved is kept in a file before another robot takes its place.
+  void setAside();
   void showInspection(const EnvironmentInspection* inspection);
   void fillFiles();
   void openWithDialog();

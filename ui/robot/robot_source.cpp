@@ -46,8 +46,8 @@ void RobotSource::look() {
   if (!watcher_.files().contains(path_) && QFileInfo::exists(path_)) watcher_.addPath(path_);
   const auto text = readText(path_.toStdString());
   if (!text || toText(*text) == saved_) return;
-  saved_ = toText(*text);
-  Q_EMIT changedOnDisk(saved_);
+  const QString before = std::exchange(saved_, toText(*text));
+  Q_EMIT changedOnDisk(saved_, before);
 }
 
 Status RobotSource::saveTo(const QString& path, const QString& text) {
@@ -57,6 +57,16 @@ Status RobotSource::saveTo(const QString& path, const QString& text) {
   watch();
   keep(text);
   return Done{};
+}
+
+QString RobotSource::setAside(const QString& text) const {
+  if (!isEdited(text) || text.isEmpty() || !QDir().mkpath(folder_)) return {};
+  for (int i = 1; i < 1000; ++i) {
+    const QString path = QStringLiteral("%1/robot-unsaved-%2.toml").arg(folder_).arg(i);
+    if (QFile::exists(path)) continue;
+    return writeWhole("robot", path.toStdString(), text.toStdString()) ? path : QString();
+  }
+  return {};
 }
 
 QString RobotSource::draftFile() const {

@@ -27,6 +27,8 @@ class RobotSource final : public QObject {
   const QString& saved() const { return saved_; }
   bool isEdited(const QString& text) const { return text != saved_; }
 
+  /// Writes an edited text beside the drafts, because another takes its place; its path, or nothing.
+  QString setAside(const QString& text) const;
   /// Keeps a draft of an edited text, or takes the draft away.
   void keep(const QString& text);
   struct Draft {
@@ -35,8 +37,8 @@ class RobotSource final : public QObject {
   std::optional<Draft> draft() const;
 
  Q_SIGNALS:
-  /// Another program has written this into the file.
-  void changedOnDisk(const QString& text);
+  /// Another program has written `text` into the file, in which `before` was.
+  void changedOnDisk(const QString& text, const QString& before);
 
  private:
   void watch();

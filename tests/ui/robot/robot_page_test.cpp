@@ -143,6 +143,20 @@ TEST(RobotPage, WhatIsNotSavedIsThereAtTheNextStart) {
   EXPECT_FALSE(later.findChild<RobotText*>()->toPlainText().contains("# mine")) << "it is in its file";
 }
 
+TEST(RobotPage, AnotherRobotDoesNotDestroyWhatIsNotSaved) {
+  RobotWindow w;
+  w.text().moveCursor(QTextCursor::End);
+  w.text().insertPlainText("# mine\n");
+  w.page.beginLike("segway");
+  ASSERT_TRUE(w.settled());
+  EXPECT_FALSE(w.text().toPlainText().contains("# mine"));
+  const auto kept = readText(w.folder.filePath("robot-unsaved-1.toml").toStdString());
+  ASSERT_TRUE(kept);
+  EXPECT_TRUE(kept->ends_with("# mine\n"));
+  w.text().undo();
+  EXPECT_TRUE(w.text().toPlainText().endsWith("# mine\n"));
+}
+
 TEST(RobotPage, ItMovesWhenItIsTried) {
   RobotWindow w;
   const QImage before = w.page.findChild<RobotPicture*>()->grab().toImage();

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files on the Robot page: open, begin like another, save.
+#include <QFileInfo>
+#include <QMenu>
+
+#include "ui/robot/random_life.h"
+#include "ui/robot/robot_checked.h"
+#include "ui/robot/robot_picture.h"
+#include "ui/robot/robot_text.h"
+#include "ui/robot/state_table.h"
+#include "ui/style/symbol_text.h"
+#include "ui/support/ask_for_file.h"
+
+namespace surefoot {
+
+void RobotPage::fillFiles() {
+  files_->clear();
+  connect(files_->addAction(tr("Open…")), &QAction::triggered, this, &RobotPage::openWithDialog);
+  connect(files_->addAction(tr("Save as…")), &QAction::triggered, this, &RobotPage::saveAs);
+  files_->addSeparator();
+  files_->addSection(tr("A new robot, like"));
+  if (!registry_.files) return;
+  for (const std::string& name : registry_.files->shelved())
+    connect(files_->addAction(toText(name)), &QAction::triggered, this, [this, name] { beginLike(toText(name)); });
+}
+
+void RobotPage::openWithDialog() {
+  askForFile(this, tr("Open a robot"), tr("Robots (*.toml)"), [this](const QString& path) { open(path); });
+}
+
+void RobotPage::open(const QString& path) {
+  everShown_ = true;
+  setAside();
+  const auto text = source_.open(QFileInfo(path).absoluteFilePath());
+  if (!text) return Q_EMIT refused(toText(text.error().message));
+  begin(*text);
+}
+
+/// Another robot: nothing of the one before is shown any more.
+void RobotPage::begin(const QString& text) {
+  trial_.stop();
+  checked_.reset();
+  showInspection(nullptr);
+  text_->replaceAll(text);
+  text_->moveCursor(QTextCursor::Start);
+  check();
+}
+
+void RobotPage::showInspection(const EnvironmentInspection* inspection) {
+  picture_->setInspection(inspection);
+  table_->setInspection(inspection);
+  life_->setInspection(inspection);
+}
+
+void RobotPage::setAside() {
+  const QString name = fileName(), path = source_.setAside(text_->toPlainText());
+  if (!path.isEmpty())
+    Q_EMIT told(tr("What was not saved of %1 is in %2; undo brings it back, too.").arg(name, shortPath(path)));
+}
+
+void RobotPage::beginLike(const QString& name) {
+  everShown_ = true;
+  if (!registry_.files) return;
+  RobotSource shelf{QString()};
+  const auto text = shelf.open(toText(registry_.files->shelvedPath(name.toStdString())));
+  if (!text) return Q_EMIT refused(toText(text.error().message));
+  setAside();
+  source_.begin(*text);
+  begin(*text);
+}
+
+bool RobotPage::isEdited() const {
+  return source_.isEdited(text_->toPlainText());
+}
+
+QString RobotPage::fileName() const {
+  return source_.path().isEmpty() ? tr("a new robot") : QFileInfo(source_.path()).fileName();
+}
+
+void RobotPage::focusHome() {
+  text_->setFocus(Qt::OtherFocusReason);
+}
+
+bool RobotPage::save() {
+  if (source_.path().isEmpty()) return saveAs();
+  const Status s = source_.saveTo(source_.path(), text_->toPlainText());
+  if (!s) Q_EMIT refused(toText(s.error().message));
+  refresh();
+  return static_cast<bool>(s);
+}
+
+bool RobotPage::saveAs() {
+  const QString name = checked_ ? toText(checked_->inspection.name) : QStringLiteral("robot");
+  askForNewFile(this, tr("Save the robot"), name + QStringLiteral(".toml"), tr("Robots (*.toml)"),
+                QStringLiteral(".toml"), [this](const QString& path) {
+                  if (const Status s = source_.saveTo(path, text_->toPlainText()); !s)
+                    Q_EMIT refused(toText(s.error().message));
+                  refresh();
+                });
+  return !isEdited();
+}
+
+}  // namespace surefoot

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The parts of the Robot page, put together.
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QMenu>
+#include <QScrollArea>
+#include <QVBoxLayout>
+
+#include "ui/controls/hairline.h"
+#include "ui/controls/labels.h"
+#include "ui/controls/link_button.h"
+#include "ui/controls/panel.h"
+#include "ui/controls/text_button.h"
+#include "ui/robot/random_life.h"
+#include "ui/robot/robot_checked.h"
+#include "ui/robot/robot_picture.h"
+#include "ui/robot/robot_text.h"
+#include "ui/robot/state_table.h"
+#include "ui/style/scale.h"
+
+namespace surefoot {
+
+QWidget* RobotPage::makeBar() {
+  auto* bar = new QWidget;
+  auto* row = new QHBoxLayout(bar);
+  file_ = new TextButton(QString(), TextButton::Look::Framed);
+  files_ = new QMenu(file_);
+  connect(file_, &QAbstractButton::clicked, this, [this] {
+    fillFiles();
+    files_->popup(file_->mapToGlobal(QPoint(0, file_->QWidget::height())));
+  });
+  state_ = makeText(QString(), 11, 400, true, bar);
+  note_ = makeText(QString(), 11, 400, true, bar);
+  save_ = new TextButton(tr("Save"), TextButton::Look::Framed);
+  try_ = new TextButton(tr("Try"), TextButton::Look::Framed);
+  learn_ = new TextButton(tr("Let it learn"), TextButton::Look::Main);
+  try_->setStarts(true);
+  connect(save_, &QAbstractButton::clicked, this, &RobotPage::save);
+  connect(try_, &QAbstractButton::clicked, this, &RobotPage::tryOut);
+  connect(learn_, &QAbstractButton::clicked, this, &RobotPage::learn);
+  row->addWidget(file_);
+  row->addWidget(state_);
+  row->addStretch(1);
+  row->addWidget(note_);
+  for (QWidget* button : {save_, try_, learn_}) row->addWidget(button);
+  whenScaled(bar, [this, bar, row] {
+    bar->setFixedHeight(scaled(48));
+    row->setContentsMargins(scaled({12, 0, 12, 0}));
+    row->setSpacing(scaled(8));
+    for (TextButton* button : {file_, save_, try_, learn_}) button->setFixedHeight(scaled(32));
+  });
+  return bar;
+}
+
+QWidget* RobotPage::makeDescription() {
+  auto* box = new QWidget;
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  auto* head = new PanelHeader(tr("Description"), false, box);
+  head->setNote(tr("TOML, checked while you type"));
+  errors_ = makeText(QString(), 11, 500, false, box);
+  head->addWidget(errors_);
+  textHead_ = head;
+  text_ = new RobotText;
+  lines_ = makeText(QString(), 11, 400, true, box);
+  lines_->setWordWrap(false);
+  column->addWidget(head);
+  column->addWidget(text_, 1);
+  column->addWidget(new Hairline(Qt::Horizontal));
+  column->addWidget(lines_);
+  whenScaled(box, [this] { lines_->setContentsMargins(scaled({12, 6, 12, 6})); });
+  return box;
+}
+
+QWidget* RobotPage::makeWorld() {
+  auto* box = new QWidget;
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(0);
+  auto* left = new QVBoxLayout;
+  left->setSpacing(0);
+  worldHead_ = new PanelHeader(tr("World"), false, box);
+  worldHead_->setOnPaper(true);
+  auto* modes = new QWidget;
+  auto* modesRow = new QHBoxLayout(modes);
+  modesRow->setContentsMargins(0, 0, 0, 0);
+  const auto mode = [&](const QString& text, RobotTrial::Mode which) {
+    auto* button = new LinkButton(text, modes);
+    connect(button, &QAbstractButton::clicked, this, [this, which] {
+      trial_.start(*checked_->file, which);
+      picture_->setFocus(Qt::OtherFocusReason);
+      refresh();
+    });
+    modesRow->addWidget(button);
+    return button;
+  };
+  random_ = mode(tr("Random"), RobotTrial::Mode::Random);
+  still_ = mode(tr("Motors off"), RobotTrial::Mode::Still);
+  handMade_ = mode(tr("Hand-made"), RobotTrial::Mode::HandMade);
+  worldHead_->addWidget(modes);
+  picture_ = new RobotPicture;
+  left->addWidget(worldHead_);
+  left->addWidget(picture_, 1);
+  row->addLayout(left, 439);
+  row->addWidget(new Hairline(Qt::Vertical));
+  auto* right = new QVBoxLayout;
+  right->setSpacing(0);
+  auto* head = new PanelHeader(tr("State"), false, box);
+  head->setNote(tr("seen in 4,000 random steps"));
+  table_ = new StateTable;
+  auto* scroll = new QScrollArea;
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  scroll->setWidget(table_);
+  right->addWidget(head);
+  right->addWidget(scroll, 1);
+  row->addLayout(right, 424);
+  return box;
+}
+
+QWidget* RobotPage::makeLife() {
+  auto* box = new QWidget;
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  auto* head = new PanelHeader(tr("What a random life looks like"), false, box);
+  head->setNote(tr("a click on a mark shows the fall"));
+  life_ = new RandomLife;
+  column->addWidget(head);
+  column->addWidget(life_, 1);
+  return box;
+}
+
+}  // namespace surefoot
