@@ -19,9 +19,9 @@ std::size_t columnsOf(const std::string& line) {
   return line.size() - static_cast<std::size_t>(std::count_if(line.begin(), line.end(), inside));
 }
 
-/// Rows of tables, which Markdown cannot break, and RESULTS.md, which `reproduce` writes.
+/// Rows of tables, which Markdown cannot break.
 bool mayBeLong(const fs::path& file, const std::string& line) {
-  return file.filename() == "RESULTS.md" || (file.extension() == ".md" && line.starts_with("|"));
+  return file.extension() == ".md" && line.starts_with("|");
 }
 
 bool isText(const fs::path& file) {

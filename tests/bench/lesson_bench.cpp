@@ -8,8 +8,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/register/register.h"
-#include "physics/register.h"
+#include "tests/full_registry.h"
 #include "ui/lessons/lessons_page.h"
 #include "ui/lessons/taking/lesson_view.h"
 #include "ui/session/session.h"
@@ -33,9 +32,7 @@ bool opens(LessonDriver& driver, std::size_t step) {
 int main(int argc, char** argv) {
   QApplication application(argc, argv);
   applyAppearance(application, Appearance::Light);
-  Registry registry;
-  registerCore(registry);
-  registerPhysics(registry);
+  Registry registry = fullRegistry();
   auto configuration = configure(registry, {}, {});
   if (argc < 2 || !configuration) return 2;
   Session session(registry, *configuration, false);

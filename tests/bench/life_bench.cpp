@@ -2,21 +2,15 @@
 // The whole learning loop: environment, features, choice, update, log. The counter is steps per CPU-second.
 #include <benchmark/benchmark.h>
 
-#include "core/register/register.h"
-#include "physics/register.h"
 #include "tests/bench/living.h"
+#include "tests/full_registry.h"
 
 namespace surefoot {
 
 namespace {
 
 const Registry& registry() {
-  static const Registry filled = [] {
-    Registry r;
-    registerCore(r);
-    registerPhysics(r);
-    return r;
-  }();
+  static const Registry filled = fullRegistry();
   return filled;
 }
 

@@ -4,26 +4,18 @@
 
 #include "core/expression/compile.h"
 #include "core/features/tile_coder.h"
-#include "core/register/register.h"
 #include "core/saved/q_file.h"
 #include "core/values/deferred_trace.h"
 #include "core/values/eligibility_trace.h"
-#include "physics/register.h"
+#include "tests/full_registry.h"
 
 namespace surefoot {
 
 namespace {
 
-Registry filledRegistry() {
-  Registry r;
-  registerCore(r);
-  registerPhysics(r);
-  return r;
-}
-
 /// A pendulum that has learned for two minutes.
 struct Learned {
-  Registry registry = filledRegistry();
+  Registry registry = fullRegistry();
   Configuration configuration;
   std::unique_ptr<Life> life;
   Learned() {
@@ -35,7 +27,7 @@ struct Learned {
 };
 
 void tileCoder(benchmark::State& state) {
-  const Registry registry = filledRegistry();
+  const Registry registry = fullRegistry();
   const auto environment = (*findEntry(registry.environments, "environment", "pendulum"))->make();  // three variables
   const auto coder = TileCoder::create(environment->task(), TileSettings(environment->task()));
   Random random(1);
@@ -68,7 +60,7 @@ BENCHMARK(trace<EligibilityTrace>)->Arg(500)->Arg(900)->Arg(980);
 BENCHMARK(trace<DeferredTrace>)->Arg(500)->Arg(900)->Arg(980);
 
 void policy(benchmark::State& state, const char* name) {
-  const Registry registry = filledRegistry();
+  const Registry registry = fullRegistry();
   const auto entry = findEntry(registry.policies, "policy", name);
   const auto policy = (*entry)->make();
   const std::vector<double> q = {1.0, 60.0, 3.0, 70.0, 5.0};

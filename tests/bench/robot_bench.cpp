@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Robots from files beside the compiled worlds that they describe. The counter is steps per CPU-second.
 #include "core/environment_library.h"
-#include "core/register/register.h"
-#include "physics/register.h"
 #include "tests/bench/living.h"
+#include "tests/full_registry.h"
 
 namespace surefoot {
 
 namespace {
 
 const Registry& worlds() {
-  static const Registry filled = [] {
-    Registry r;
-    registerCore(r);
-    registerPhysics(r);
-    return r;
-  }();
+  static const Registry filled = fullRegistry();
   return filled;
 }
 

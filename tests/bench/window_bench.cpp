@@ -25,9 +25,8 @@
 
 #include <unistd.h>
 
-#include "core/register/register.h"
 #include "core/statistics/statistics.h"
-#include "physics/register.h"
+#include "tests/full_registry.h"
 #include "ui/controls/panel.h"
 #include "ui/live/live_page.h"
 #include "ui/live/world/world_view.h"
@@ -197,9 +196,7 @@ int main(int argc, char** argv) {
   const double minutes = everyPanel ? std::atof(argv[1]) : kMinutes;
   QApplication application(argc, argv);
   applyAppearance(application, Appearance{});
-  Registry registry;
-  registerCore(registry);
-  registerPhysics(registry);
+  Registry registry = fullRegistry();
   const auto configuration = configure(registry, {}, {});
   auto life = makeLife(registry, *configuration, 0, false);
   Headless headless(std::move(*life));

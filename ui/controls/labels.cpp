@@ -2,7 +2,9 @@
 #include "ui/controls/labels.h"
 
 #include <QEvent>
+#include <QPainter>
 #include <QRegularExpression>
+#include <QStyle>
 
 #include "ui/style/scale.h"
 #include "ui/style/theme.h"
@@ -25,6 +27,19 @@ QLabel* makeText(const QString& text, int pixels, int weight, bool quiet, QWidge
   if (quiet) label->setForegroundRole(QPalette::PlaceholderText);
   whenScaled(label, [label, pixels, weight] { label->setFont(scaledFont(pixels, weight)); });
   return label;
+}
+
+OneLine::OneLine(int pixels, QWidget* parent) : QLabel(parent) {
+  setTextFormat(Qt::PlainText);
+  setForegroundRole(QPalette::PlaceholderText);
+  whenScaled(this, [this, pixels] { setFont(scaledFont(pixels, 400)); });
+}
+
+void OneLine::paintEvent(QPaintEvent*) {
+  QPainter p(this);
+  const QRect room = contentsRect();
+  style()->drawItemText(&p, room, Qt::AlignLeft | Qt::AlignVCenter, palette(), isEnabled(),
+                        fontMetrics().elidedText(text(), Qt::ElideRight, room.width()), foregroundRole());
 }
 
 QLabel* makeHead(const QString& text, QWidget* parent) {

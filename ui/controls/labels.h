@@ -12,6 +12,16 @@ QString unbroken(QString text);
 /// A text of so many pixels [at the usual text size]; `quiet`: in the colour of notes.
 QLabel* makeText(const QString& text, int pixels, int weight, bool quiet, QWidget* parent);
 
+/// A quiet line that ends in "…" where there is no room for all of it.
+class OneLine final : public QLabel {
+ public:
+  OneLine(int pixels, QWidget* parent);
+  QSize minimumSizeHint() const override { return {0, QLabel::minimumSizeHint().height()}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+};
+
 /// "YOUR PREDICTION": a head in small capitals.
 QLabel* makeHead(const QString& text, QWidget* parent);
 

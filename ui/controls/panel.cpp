@@ -117,6 +117,11 @@ void PanelHeader::addWidget(QWidget* widget) {
   resizeEvent(nullptr);
 }
 
+bool PanelHeader::event(QEvent* event) {
+  if (event->type() == QEvent::LayoutRequest) resizeEvent(nullptr);  // of the widget, whose font may have changed
+  return Painted::event(event);
+}
+
 void PanelHeader::resizeEvent(QResizeEvent*) {
   int right = width() - 6;
   for (QAbstractButton* button : {close_, button_})

@@ -35,7 +35,7 @@ class PanelHeader final : public Painted<> {
   /// Puts a small widget at the right end, before the button.
   void addWidget(QWidget* widget);
   bool hasWidget() const { return extra_ != nullptr; }
-  /// Places that widget again, when its width has changed.
+  /// Places that widget again at once; without it, when it has told of its new size and the events are handled.
   void layOutExtra() { resizeEvent(nullptr); }
   QSize sizeHint() const override { return scaled({100, usualHeight()}); }
   QSize minimumSizeHint() const override { return scaled({60, usualHeight()}); }
@@ -45,6 +45,7 @@ class PanelHeader final : public Painted<> {
   void closeAsked();
 
  protected:
+  bool event(QEvent* event) override;
   void paintEvent(QPaintEvent*) override;
   void resizeEvent(QResizeEvent*) override;
 

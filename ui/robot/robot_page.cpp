@@ -23,7 +23,6 @@
 #include "ui/robot/robot_picture.h"
 #include "ui/robot/robot_text.h"
 #include "ui/robot/state_table.h"
-#include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
 #include "ui/support/ask_for_file.h"
@@ -177,7 +176,7 @@ void RobotPage::refresh() {
       all << tr("line %1: %2").arg(QString::number(w.at.line), toText(w.sentence));
     lines_->setToolTip(tipText(all.join(u'\n')));
   }
-  lines_->setText(QFontMetrics(lines_->font()).elidedText(foot, Qt::ElideRight, text_->width() - scaled(24)));
+  lines_->setText(foot);
   save_->setEnabled(isEdited() || source_.path().isEmpty());
   for (QAbstractButton* button : std::initializer_list<QAbstractButton*>{try_, random_, still_})
     button->setEnabled(checked_ != nullptr);

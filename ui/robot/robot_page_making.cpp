@@ -63,8 +63,7 @@ QWidget* RobotPage::makeDescription() {
   head->addWidget(errors_);
   textHead_ = head;
   text_ = new RobotText;
-  lines_ = makeText(QString(), 11, 400, true, box);
-  lines_->setWordWrap(false);
+  lines_ = new OneLine(11, box);
   column->addWidget(head);
   column->addWidget(text_, 1);
   column->addWidget(new Hairline(Qt::Horizontal));

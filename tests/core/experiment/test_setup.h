@@ -4,17 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "core/experiment/configuration.h"
-#include "core/register/register.h"
-#include "physics/register.h"
+#include "tests/full_registry.h"
 
 namespace surefoot {
-
-inline Registry fullRegistry() {
-  Registry registry;
-  registerCore(registry);
-  registerPhysics(registry);
-  return registry;
-}
 
 inline Configuration pendulumConfiguration(const Registry& registry, const std::string& policy = "epsilon-greedy",
                                            const std::vector<Assignment>& assignments = {}) {

@@ -6,19 +6,13 @@
 #include <set>
 
 #include "core/plans/plan.h"
-#include "core/register/register.h"
-#include "physics/register.h"
+#include "tests/full_registry.h"
 
 namespace surefoot {
 
 namespace {
 
-const Registry kPendulums = [] {
-  Registry registry;
-  registerCore(registry);
-  registerPhysics(registry);
-  return registry;
-}();
+const Registry kPendulums = fullRegistry();
 
 const std::string kSystems =
     "[systems]\ncount = 8\nset.environment.pole_length = [0.1, 0.4]\nset.environment.start_angle = [0, 0.2]\n";

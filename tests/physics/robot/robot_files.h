@@ -10,11 +10,10 @@
 #include <string>
 
 #include "core/experiment/configuration.h"
-#include "core/register/register.h"
-#include "physics/register.h"
 #include "physics/robot/reading/robot_reading.h"
 #include "physics/robot/robot.h"
 #include "physics/robot/robot_entry.h"
+#include "tests/full_registry.h"
 
 namespace surefoot {
 
@@ -46,9 +45,7 @@ inline std::shared_ptr<const RobotSpec> robotOf(const std::string& text) {
 }
 
 inline Registry registryWith(const std::string& robot) {
-  Registry registry;
-  registerCore(registry);
-  registerPhysics(registry);
+  Registry registry = fullRegistry();
   auto spec = robotOf(robotText(robot));
   if (spec) addRobot(registry, robotEntry(spec->name, spec));
   return registry;

@@ -2,6 +2,7 @@
 // Worlds of robots from files: the same bits fresh and used, mechanics by hand, LEO's own controller.
 #include <numbers>
 
+#include "tests/full_registry.h"
 #include "tests/physics/robot/robot_files.h"
 
 namespace surefoot {
@@ -167,9 +168,7 @@ TEST(RobotWorlds, RaysEventsAndMemoriesDoWhatTheyAreFor) {
 }
 
 TEST(RobotWorlds, WhatAlwaysFliesApartStopsTheLifeWithItsParameter) {
-  Registry registry;
-  registerCore(registry);
-  registerPhysics(registry);
+  Registry registry = fullRegistry();
   const auto file = registry.files->add(text("[[parameter]]\nkey = \"slip\"\nvalue = 0\nrange = [0, 1]\n" + kPendulum,
                                              "effort = \"slip > 0 ? 1 / (hinge.angle - hinge.angle) : u\"\n" + kAngles),
                                         "test.toml");

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is said of files that are wrong: each is the pendulum with one change.
+#include "tests/full_registry.h"
 #include "tests/physics/robot/robot_files.h"
 
 namespace surefoot {
@@ -100,9 +101,7 @@ TEST(WrongRobots, HaveAtMostTwentyComplaintsInTheOrderOfTheFile) {
 }
 
 TEST(WrongRobots, AreToldUnderTheValuesThatAPersonChose) {
-  Registry registry;
-  registerCore(registry);
-  registerPhysics(registry);
+  Registry registry = fullRegistry();
   std::string text = robotText("pendulum");
   text.replace(text.find("range = [0.001, 100]"), 20, "range = [0, 100]");
   const auto file = registry.files->add(text, "p.toml");

@@ -5,6 +5,7 @@
 #include <QAbstractButton>
 #include <QComboBox>
 #include <QImage>
+#include <QLabel>
 #include <QMenu>
 #include <QToolButton>
 
@@ -137,6 +138,21 @@ TEST(Panels, LessonsKnowEveryPanelOfTheLivePage) {
   for (const Panel* panel : w.window->findChildren<Panel*>())
     EXPECT_TRUE(std::find(known.begin(), known.end(), panel->objectName().toStdString()) != known.end())
         << panel->objectName().toStdString();
+}
+
+TEST(PanelHeader, FollowsAWidgetWhoseFontChanges) {
+  PanelHeader header(QStringLiteral("Description"), false);
+  auto* label = new QLabel(QStringLiteral("1 error"));
+  header.addWidget(label);
+  header.resize(400, 32);
+  header.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&header));
+  QFont font = label->font();
+  font.setPixelSize(24);
+  label->setFont(font);
+  QTest::qWait(20);
+  EXPECT_EQ(label->size(), label->sizeHint());
+  EXPECT_LE(label->geometry().right(), header.rect().right());
 }
 
 }  // namespace surefoot

@@ -19,6 +19,7 @@
 #include <QTreeView>
 
 #include "tests/ui/window/text_recorder.h"
+#include "ui/controls/labels.h"
 #include "ui/style/scale.h"
 
 namespace surefoot {
@@ -34,7 +35,8 @@ struct Need {
 void addLabel(const QLabel& label, std::vector<Need>& needs) {
   if (label.text().isEmpty()) return;
   const bool wraps = label.wordWrap();
-  if (!wraps) needs.push_back({label.text(), label.width(), label.sizeHint().width()});
+  const bool elided = dynamic_cast<const OneLine*>(&label) != nullptr;
+  if (!wraps && !elided) needs.push_back({label.text(), label.width(), label.sizeHint().width()});
   needs.push_back(
       {label.text(), label.height() + 1, wraps ? label.heightForWidth(label.width()) : label.sizeHint().height()});
 }

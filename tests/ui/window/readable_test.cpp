@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every page, in every task, at the sizes that people have: no text is cut, none lies over another.
+#include <fmt/format.h>
+
 #include <QApplication>
 #include <QLabel>
 #include <QPainter>
@@ -203,6 +205,10 @@ std::map<QString, QRect> places(const QWidget& window) {
   return all;
 }
 
+std::string wordsOf(const QRect& r) {
+  return fmt::format("{} × {} at ({}, {})", r.width(), r.height(), r.x(), r.y());
+}
+
 TEST(Readable, ASizeAndBackLeavesEverythingWhereItWas) {
   const UsualLook usual;
   Window w;
@@ -213,6 +219,8 @@ TEST(Readable, ASizeAndBackLeavesEverythingWhereItWas) {
   for (const int page : {1, 2, 3}) {  // on the first, panels give way to each other
     w.window->setPage(page);
     QTest::qWait(100);
+    ASSERT_TRUE(w.waitFor([&] { return !w.window->findChild<RobotPage*>()->isChecking(); }));
+    QTest::qWait(30);
     const auto before = places(*w.window);
     for (const double size : {kProjectorText, 1.0, kLargestText, kSmallestText, 1.0}) {
       applyTextSize(size);
@@ -220,7 +228,9 @@ TEST(Readable, ASizeAndBackLeavesEverythingWhereItWas) {
     }
     const auto after = places(*w.window);
     ASSERT_EQ(before.size(), after.size());
-    for (const auto& [name, place] : before) EXPECT_TRUE(place == after.at(name)) << page << " " << name.toStdString();
+    for (const auto& [name, place] : before)
+      EXPECT_TRUE(place == after.at(name))
+          << page << " " << name.toStdString() << ": " << wordsOf(place) << ", then " << wordsOf(after.at(name));
   }
 }
 
