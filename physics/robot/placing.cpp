@@ -9,10 +9,10 @@
 namespace surefoot {
 
 Placing::Placing(const RobotSpec& spec, const RobotNumbers& numbers, const Assembly& assembly,
-                 std::vector<double> values)
+                 std::span<const double> values)
     : spec_(spec),
       assembly_(assembly),
-      values_(std::move(values)),
+      values_(values.begin(), values.end()),
       u_(spec.actuators.size(), 0.0),
       world_(spec, numbers) {
   for (const StateSpec& state : spec.states) {

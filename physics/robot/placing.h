@@ -12,7 +12,7 @@ namespace surefoot {
 class Placing {
  public:
   /// `values`: the parameters and constants that hold.
-  Placing(const RobotSpec& spec, const RobotNumbers& numbers, const Assembly& assembly, std::vector<double> values);
+  Placing(const RobotSpec& spec, const RobotNumbers& numbers, const Assembly& assembly, std::span<const double> values);
 
   /// Nothing: no pose was found whose state is within kNear of its ranges. What no coordinate moves, such as whether a
   /// foot touches the ground, is left out.

@@ -127,9 +127,9 @@ class Drawing {
 void Robot::draw(std::span<const double> pose, Scene& scene) const {
   scene.clear();
   Drawing drawing(*this, pose, scene);
-  const PictureSpec& picture = spec_->picture;
-  scene.height = picture.height ? (*picture.height)(values_) : 1.0;
-  scene.width = picture.width ? (*picture.width)(values_) : 0.0;
+  const PictureSpec& picture = spec().picture;
+  scene.height = picture.height ? (*picture.height)(values_.row()) : 1.0;
+  scene.width = picture.width ? (*picture.width)(values_.row()) : 0.0;
   scene.metres = picture.metres;
   if (picture.follow >= 0) scene.focus = {drawing.point(picture.follow).x, 0.0};
   if (picture.tip >= 0) scene.tip = drawing.point(picture.tip);
@@ -139,13 +139,13 @@ void Robot::draw(std::span<const double> pose, Scene& scene) const {
 
 std::vector<ReadOut> Robot::readOuts(std::span<const double> pose) const {
   std::vector<ReadOut> all;
-  const std::size_t first = 3 * spec_->bodies.size() + spec_->actuators.size();
-  for (std::size_t s = 0; s < task_.state.size(); ++s)
-    all.push_back({task_.state[s].symbol, task_.state[s].unit, pose[first + s]});
-  for (const std::size_t a : driven_) {
-    const ActuatorSpec& actuator = spec_->actuators[a];
+  const std::size_t first = 3 * spec().bodies.size() + spec().actuators.size();
+  for (std::size_t s = 0; s < task().state.size(); ++s)
+    all.push_back({task().state[s].symbol, task().state[s].unit, pose[first + s]});
+  for (const std::size_t a : values_.driven()) {
+    const ActuatorSpec& actuator = spec().actuators[a];
     all.push_back({actuator.symbol.empty() ? actuator.title : actuator.symbol, actuator.unit,
-                   pose[3 * spec_->bodies.size() + a]});
+                   pose[3 * spec().bodies.size() + a]});
   }
   return all;
 }

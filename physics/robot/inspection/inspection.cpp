@@ -58,7 +58,7 @@ class Inspection {
     found_.endings.push_back({"step limit", "", false, 0});
     found_.name = spec_->name, found_.title = spec_->title;
     found_.stepTime = numbers.stepTime;
-    found_.stepLimit = robot_.stepLimit();
+    found_.stepLimit = robot_.values().stepLimit();
     describeParts(*spec_, robot_, found_);
     for (std::size_t i = 0; i < robot_.task().state.size(); ++i) {
       const StateVariable& v = robot_.task().state[i];
@@ -106,7 +106,8 @@ class Inspection {
       for (std::size_t r = 0; r < rewarded_.size(); ++r) rewarded_[r] = rewarded_[r] || outcome.terms[r] != 0.0;
       if (outcome.event == Event::Fall) found_.falls.push_back(step);
       if (outcome.ending == Ending::None) continue;
-      const int which = robot_.lastEnding() < 0 ? static_cast<int>(spec_->endings.size()) : robot_.lastEnding();
+      const int which =
+          robot_.values().lastEnding() < 0 ? static_cast<int>(spec_->endings.size()) : robot_.values().lastEnding();
       ++found_.endings[static_cast<std::size_t>(which)].count;
       if (outcome.event == Event::Fall) toFall.push_back((step - begun) * found_.stepTime);
       found_.longest = std::max(found_.longest, (step - begun) * found_.stepTime);

@@ -25,7 +25,7 @@ std::string motorOf(const RobotSpec& spec, const Robot& robot, int joint) {
     if (actuator.joint != joint || actuator.levels.empty()) continue;
     double low = kInfinity, high = -kInfinity;
     for (const Formula& level : actuator.levels)
-      low = std::min(low, level(robot.values())), high = std::max(high, level(robot.values()));
+      low = std::min(low, level(robot.values().row())), high = std::max(high, level(robot.values().row()));
     return fmt::format("; {} {} … {} {}, {} levels", actuator.title, fixedText(low, 2), fixedText(high, 2),
                        actuator.unit, actuator.levels.size());
   }

@@ -26,7 +26,7 @@ std::shared_ptr<const RobotSpec> passiveRobot(const RobotSpec& spec, int finer) 
     if (spec.joints[j].kind == JointSpec::Kind::Revolute && !spec.joints[j].limits)
       passive->start.push_back(
           {.ofBody = false, .index = static_cast<int>(j), .what = StartSpec::What::Position, .value = formulaOf(2.0)});
-  const double substeps = spec.substeps(Robot(std::make_shared<RobotSpec>(spec)).values());
+  const double substeps = spec.substeps(Robot(std::make_shared<RobotSpec>(spec)).values().row());
   passive->substeps = formulaOf(std::min(1000.0, substeps * finer));
   passive->onGround = false;
   passive->atRest = -1;

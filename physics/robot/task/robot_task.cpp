@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "physics/robot/robot.h"
+#include "physics/robot/task/robot_values.h"
 
 namespace surefoot {
 
