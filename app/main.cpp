@@ -12,6 +12,7 @@
 #include "app/process/interrupt.h"
 #include "app/process/resources.h"
 #include "core/environment_library.h"
+#include "core/environment_programs.h"
 #include "core/register/register.h"
 #include "core/text/printable.h"
 #include "physics/register.h"
@@ -65,6 +66,7 @@ int run(int argc, char** argv) {
   registerCore(registry);
   registerPhysics(registry);
   registry.files->setShelf(resourceFolder("robots"));
+  registry.programs->setModules(resourceFolder("robots/child"));
   if (const Status s = checkNoneIsEmpty(argc, argv); !s) return fail(s.error());
   const Result<Request> request = parseCommandLine(registry, argc, argv);
   if (!request) return fail(request.error());

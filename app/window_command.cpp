@@ -65,6 +65,7 @@ int report(const WindowRequest& request, const Configuration& configuration, con
   const int printed = request.json ? print(resultAsJson(configuration, lives)) : kDone;
   if (!logged) return fail(logged.error());
   if (printed != kDone) return printed;
+  if (!life.unanswered().empty()) return fail({life.unanswered(), ErrorKind::Unanswered});
   return life.diverged() ? fail({life.divergence(), ErrorKind::Diverged}) : kDone;
 }
 

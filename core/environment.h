@@ -108,6 +108,11 @@ class Environment : public Configurable {
 
   /// Why no further episode is possible, in one sentence; empty: it is. Asked when an episode has ended.
   virtual std::string failure() const { return {}; }
+  /// Whether reset() and step() take no time that a person would notice; false: a window waits for them elsewhere.
+  virtual bool answersAtOnce() const { return true; }
+  /// Why the last reset() or step() did not happen, in one sentence; empty: it did. It can be tried again; a reset()
+  /// that did not happen has left the generator as it was.
+  virtual std::string unanswered() const { return {}; }
   /// Episodes since the environment was made that were cut off because the world came to numbers that are none, or are
   /// beyond all bounds.
   virtual std::int64_t flewApart() const { return 0; }

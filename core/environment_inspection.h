@@ -86,6 +86,7 @@ struct EnvironmentInspection {
   std::vector<std::pair<std::string, double>> atLimits{};  ///< share of steps in which a joint was at a limit
   std::int64_t flewApart = 0;
   std::string verdict{};
+  std::string unanswered{};  ///< why its program did not answer; nothing was judged then
 
   double tiles = 0.0;                 ///< of a dense table of all actions, a tiling
   PassiveEnergy passive{}, halved{};  ///< with the file's substeps, and with twice as many

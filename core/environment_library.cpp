@@ -10,6 +10,18 @@
 
 namespace surefoot {
 
+namespace {
+
+/// Where a file lies, without symbolic links.
+std::string folderOf(const std::string& file) {
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::absolute(file, error).parent_path();
+  const std::filesystem::path real = std::filesystem::canonical(folder, error);
+  return (error ? folder : real).string();
+}
+
+}  // namespace
+
 using FileResult = Result<std::shared_ptr<const EnvironmentFile>>;
 
 FileResult EnvironmentLibrary::open(const std::string& path) {
@@ -27,7 +39,8 @@ FileResult EnvironmentLibrary::keep(std::string_view text, const std::string& fi
   for (const auto& [name, known] : files_)
     if (known->text == text && (path.empty() || known->path == path)) return known;
   std::vector<Complaint> complaints;
-  auto made = reader_(text, complaints);
+  const std::string folder = folderOf(path.empty() ? file : path);
+  auto made = reader_(text, folder, complaints);
   if (!made) {
     std::string first = complaintLine(file, complaints.front());
     if (complaints.size() > 1) first += fmt::format(" There are more: surefoot check {}", file);

@@ -23,7 +23,9 @@ struct EnvironmentFile {
   EnvironmentEntry entry;
   std::vector<AssignmentEntry> presets{}, scenarios{};
   std::string text{};
-  std::string path{};  ///< where it was read; empty: it came inside another file
+  std::string path{};     ///< where it was read; empty: it came inside another file
+  std::string starts{};   ///< the command of a program that moves it, "python3 hopper.py"; empty: it is data
+  std::string program{};  ///< the program for EnvironmentPrograms: command, folder and what its files hold
   /// Lets it move at random and tells what came of it; takes some tenths of a second.
   std::function<EnvironmentInspection()> inspect{};
 };
@@ -31,9 +33,10 @@ struct EnvironmentFile {
 /// Any thread. What was added stays: entries can be pointed to as long as the library lives.
 class EnvironmentLibrary {
  public:
-  /// Makes an environment from a text; nothing, with all complaints in the order of the text: something is wrong.
-  using Reader =
-      std::function<std::optional<EnvironmentFile>(std::string_view text, std::vector<Complaint>& complaints)>;
+  /// Makes an environment from a text; nothing, with all complaints in the order of the text: something is wrong. A
+  /// program that moves it is looked for in `folder`.
+  using Reader = std::function<std::optional<EnvironmentFile>(std::string_view text, const std::string& folder,
+                                                              std::vector<Complaint>& complaints)>;
 
   explicit EnvironmentLibrary(Reader reader) : reader_(std::move(reader)) {}
 
@@ -41,8 +44,9 @@ class EnvironmentLibrary {
   Result<std::shared_ptr<const EnvironmentFile>> open(const std::string& path);
   Result<std::shared_ptr<const EnvironmentFile>> add(std::string_view text, const std::string& file);
   /// Reads a text that is still being written: nothing is kept of it.
-  std::optional<EnvironmentFile> read(std::string_view text, std::vector<Complaint>& complaints) const {
-    return reader_(text, complaints);
+  std::optional<EnvironmentFile> read(std::string_view text, const std::string& folder,
+                                      std::vector<Complaint>& complaints) const {
+    return reader_(text, folder, complaints);
   }
   /// The folder of the files that come with the program: they are known by their file's names, and read when they are
   /// asked for.

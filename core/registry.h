@@ -59,6 +59,7 @@ struct AgentEntry : Named {
 };
 
 class EnvironmentLibrary;
+class EnvironmentPrograms;
 
 struct Registry {
   std::vector<EnvironmentEntry> environments;
@@ -68,6 +69,7 @@ struct Registry {
   std::vector<AssignmentEntry> presets;
   std::vector<AssignmentEntry> scenarios;
   std::shared_ptr<EnvironmentLibrary> files;  ///< environments from files; shared by all copies; null: there are none
+  std::shared_ptr<EnvironmentPrograms> programs{};  ///< which of these may start a program; null as above
 };
 
 /// "policy: there is no \"softmx\"; choose greedy, softmax or trl (did you mean softmax?)."

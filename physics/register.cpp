@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include "core/environment_programs.h"
 #include "physics/compass/compass.h"
 #include "physics/leo/leo.h"
 #include "physics/pendulum/pendulum.h"
@@ -60,9 +61,11 @@ AssignmentEntry leoPreset(const char* name, const char* title, const char* help,
 }  // namespace
 
 void registerPhysics(Registry& r) {
-  r.files = std::make_shared<EnvironmentLibrary>([](std::string_view text, std::vector<Complaint>& complaints) {
-    return readRobotEntry(text, complaints, inspectRobot);
-  });
+  r.programs = std::make_shared<EnvironmentPrograms>();
+  r.files = std::make_shared<EnvironmentLibrary>(
+      [programs = r.programs](std::string_view text, const std::string& folder, std::vector<Complaint>& complaints) {
+        return readRobotEntry(text, folder, complaints, inspectRobot, programs);
+      });
   r.environments.push_back({{kPendulum, "Pendulum", "The thesis's inverted pendulum on a cart, in Box2D."},
                             [] { return std::make_unique<Pendulum>(); }});
 

@@ -6,7 +6,15 @@
 
 namespace surefoot {
 
-enum ExitCode : int { kDone = 0, kUsage = 2, kFile = 3, kDiverged = 4, kMismatch = 5, kInterrupted = 130 };
+enum ExitCode : int {
+  kDone = 0,
+  kUsage = 2,
+  kFile = 3,
+  kDiverged = 4,
+  kMismatch = 5,
+  kUnanswered = 6,
+  kInterrupted = 130
+};
 
 constexpr ExitCode exitCode(ErrorKind kind) {
   switch (kind) {
@@ -16,6 +24,8 @@ constexpr ExitCode exitCode(ErrorKind kind) {
       return kDiverged;
     case ErrorKind::Mismatch:
       return kMismatch;
+    case ErrorKind::Unanswered:
+      return kUnanswered;
     case ErrorKind::Interrupted:
       return kInterrupted;
     case ErrorKind::Usage:

@@ -10,6 +10,7 @@
 #include "app/requests/lessons_line.h"
 #include "app/requests/requests.h"
 #include "app/requests/robots_line.h"
+#include "core/environment_programs.h"
 #include "core/text/text.h"
 #include "core/text/words.h"
 #include "core/version.h"
@@ -141,6 +142,8 @@ struct CommandLine {
 
   CommandLine() {
     app.require_subcommand(0, 1);
+    for (CLI::App* command : {train, window, replay, robots.check}) command->fallthrough();
+    for (CLI::App* command : laboratory.commands()) command->fallthrough();
     addTrainOptions(*train, trainOptions);
     addTrainOptions(*window, windowOptions);
     addFileOptions(*train, trainOptions);
@@ -222,6 +225,9 @@ Result<Request> any(Result<R> request) {
 
 Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv) {
   CommandLine line;
+  line.app.add_flag_callback(
+      "--allow-programs", [&] { registry.programs->allowAll(); },
+      "robots may start the programs that their files name");
   try {
     line.app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

@@ -10,7 +10,7 @@
 namespace surefoot {
 
 /// The kind of an error; the program's exit codes are made from it (app/exit_code.h).
-enum class ErrorKind { Usage, File, Diverged, Mismatch, Interrupted };
+enum class ErrorKind { Usage, File, Diverged, Mismatch, Unanswered, Interrupted };
 
 struct Error {
   std::string message;  ///< one sentence: the thing, the value given, the allowed values

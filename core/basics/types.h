@@ -29,8 +29,9 @@ using EpisodeMeasures = std::array<double, kMaxMeasures>;
 inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// How an episode ends. After Terminal the value of the next state is 0; after Truncated (a time limit) it is
-/// estimated, because the task would have gone on (Sutton & Barto 2018, section 3.3; Pardo et al. 2018).
-enum class Ending : std::uint8_t { None, Terminal, Truncated };
+/// estimated, because the task would have gone on (Sutton & Barto 2018, section 3.3; Pardo et al. 2018). Unanswered is
+/// none: the world did not answer, the step did not happen and can be tried again.
+enum class Ending : std::uint8_t { None, Terminal, Truncated, Unanswered };
 
 /// What happened in a step, in a person's words. A fall need not end the episode (the cliff sends the walker back).
 enum class Event : std::uint8_t { None, Success, Fall };

@@ -24,7 +24,8 @@ LifeResult summarise(const Life& life, int index, double cpuSeconds) {
   r.cpuSeconds = std::max(0.0, cpuSeconds - r.testSeconds);
   r.hash = life.hash();
   if (life.diverged()) r.divergence = life.divergence();
-  r.complete = life.finished() && !life.diverged();
+  r.unanswered = life.unanswered();
+  r.complete = life.finished() && !life.diverged() && r.unanswered.empty();
   r.changes = life.changes();
   r.changesLeftOut = life.changesLeftOut();
   r.memory = life.agent().values().memoryUse();

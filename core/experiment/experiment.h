@@ -30,6 +30,7 @@ struct LifeResult {
   std::optional<RuleOfThumb> ruleOfThumb;
   std::uint64_t hash = 0;
   std::string divergence;       ///< why it stopped, or empty
+  std::string unanswered{};     ///< Life::unanswered: it stopped, and can go on
   std::vector<Change> changes;  ///< the changes made while it went on
   bool changesLeftOut = false;  ///< there were more changes than these
   bool complete = false;        ///< a limit was reached; false: diverged or interrupted

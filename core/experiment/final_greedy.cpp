@@ -15,7 +15,8 @@ Result<FinalGreedy> finalGreedy(const Registry& registry, Configuration configur
   FinalGreedy final;
   double steps = 0;
   while (final.episodes < kMostEpisodes && (final.episodes < kLeastEpisodes || steps < most)) {
-    tester.test(life.agent().values(), ++final.episodes, life.steps());
+    const std::string why = tester.test(life.agent().values(), ++final.episodes, life.steps());
+    if (!why.empty()) return Error{why, ErrorKind::Unanswered};
     steps += static_cast<double>(tester.tests().back().steps);
   }
   for (const GreedyTest& t : tester.tests()) final.falls += t.falls, final.reward += t.reward;

@@ -138,6 +138,7 @@ class Laboratory {
       life->keepInputs();
     }
     liveOn(*life, meter, [&] { note(kept_.keep(name, checkpointOf(*life, c, false))); });
+    if (!life->unanswered().empty()) return Error{life->unanswered(), ErrorKind::Unanswered};
     if (life->diverged()) return Error{"pre-learning: " + life->divergence(), ErrorKind::Diverged};
     if (!life->finished()) return Done{};
     const EpisodeLog& log = life->log();
@@ -199,6 +200,7 @@ class Laboratory {
       note(kept_.keep(task.name, std::move(file)));
     };
     liveOn(*life, meter, keep);
+    if (!life->unanswered().empty()) return Error{life->unanswered(), ErrorKind::Unanswered};
     if (!life->finished()) return Done{};
     if (const Status s = save(task, *life, before); !s) return keep(), s;
     kept_.drop(task.name);

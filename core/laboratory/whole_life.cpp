@@ -50,6 +50,7 @@ void liveWhole(Life& life, Meter& meter, const WorkPool& pool, std::chrono::dura
   meter.update(life);
   while (!life.finished()) {
     live(life, life.steps() + kStretch, pool, meter);
+    if (!life.unanswered().empty()) return keeper.keepNow();
     if (life.finished()) return;
     if (pool.stopping()) return keeper.keepNow();
     keeper.keepIfDue();

@@ -23,11 +23,12 @@ void GreedyTester::follow(Environment& environment) {
   environment_->parametersChanged();
 }
 
-void GreedyTester::test(const ActionValueFunction& values, std::int64_t episode, std::int64_t lifeSteps) {
+std::string GreedyTester::test(const ActionValueFunction& values, std::int64_t episode, std::int64_t lifeSteps) {
   constexpr std::int64_t kLongest = 10'000;  // steps: a life that is to stop must first finish its test
   const double begin = threadCpuSeconds();
   Random random(mix64(seed_ ^ static_cast<std::uint64_t>(episode)));
   environment_->reset(random);
+  if (std::string why = environment_->unanswered(); !why.empty()) return why;
   GreedyTest test{.episode = episode, .lifeSteps = lifeSteps};
   Outcome outcome;
   do {
@@ -38,10 +39,12 @@ void GreedyTester::test(const ActionValueFunction& values, std::int64_t episode,
     test.reward += outcome.reward;
     test.falls += outcome.event == Event::Fall;
   } while (outcome.ending == Ending::None && test.steps < kLongest);
+  if (outcome.ending == Ending::Unanswered) return environment_->unanswered();
   const auto measures = environment_->measures();
   std::copy(measures.begin(), measures.end(), test.measures.begin());
   tests_.push_back(test);
   cpuSeconds_ += threadCpuSeconds() - begin;
+  return {};
 }
 
 void GreedyTester::transfer(Archive& archive) {

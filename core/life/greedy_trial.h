@@ -35,7 +35,8 @@ class GreedyTester {
   }
   /// Gives the test environment the parameters of the life's environment.
   void follow(Environment& environment);
-  void test(const ActionValueFunction& values, std::int64_t episode, std::int64_t lifeSteps);
+  /// A sentence if the environment did not answer: the test did not happen. Empty: it did.
+  std::string test(const ActionValueFunction& values, std::int64_t episode, std::int64_t lifeSteps);
 
   const std::vector<GreedyTest>& tests() const { return tests_; }
   /// CPU time of the tests made by this process [s].

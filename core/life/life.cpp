@@ -37,13 +37,22 @@ void Life::beginEpisode(const std::vector<double>& state) {
   inputs_.clear();
   inputs_.random = worldRandom_.state();
   environment_->reset(worldRandom_);
+  unanswered_ = environment_->unanswered();
+  inEpisode_ = unanswered_.empty();
+  if (!inEpisode_) return;
   inputs_.start = state;
   if (!state.empty()) environment_->place(state);
   tellTime();
   const std::int64_t explored = agent_->explored();
   action_ = agent_->start(environment_->state(), policyRandom_);
   explores_ = agent_->explored() != explored;
-  inEpisode_ = true;
+}
+
+void Life::test() {
+  const std::int64_t episodes = log_.totals().episodes;
+  const bool made = !tester_.tests().empty() && tester_.tests().back().episode == episodes;
+  if (action_ == kHandMade || episodes == 0 || made || !tester_.due(episodes)) return;
+  unanswered_ = tester_.test(agent_->values(), episodes, steps_);
 }
 
 void Life::tellTime(bool inTheMiddle) {
@@ -59,17 +68,29 @@ void Life::tellTime(bool inTheMiddle) {
 
 void Life::step() {
   while (nextCommand_ < commands_.size() && commands_[nextCommand_].step <= steps_) obey(commands_[nextCommand_++]);
-  if (!inEpisode_) beginEpisode();
+  unanswered_.clear();
+  if (away_ && !goBack()) return;
+  if (!inEpisode_) {
+    test();  // one that did not happen
+    if (unanswered_.empty()) beginEpisode();
+    if (!unanswered_.empty()) return;
+  }
   if (everyStep_) tellTime(true);
   const std::int64_t explored = keepInputs_ ? agent_->explored() : 0;
+  const Outcome outcome = environment_->step(action_);
+  if (outcome.ending == Ending::Unanswered) {
+    unanswered_ = environment_->unanswered();
+    return;
+  }
   if (keepInputs_) {
     inputs_.actions.push_back(static_cast<std::uint16_t>(action_));
     inputs_.explored.push_back(explores_);
   }
-  const Outcome outcome = environment_->step(action_);
   ++steps_;
   log_.add(outcome);
   switch (outcome.ending) {
+    case Ending::Unanswered:
+      return;  // as above
     case Ending::None:
       action_ = agent_->step(outcome, environment_->state(), policyRandom_);
       explores_ = keepInputs_ && agent_->explored() != explored;
@@ -84,8 +105,7 @@ void Life::step() {
   }
   log_.finish(outcome.ending, steps_, environment_->task().highestReturn, environment_->measures());
   inEpisode_ = false;
-  if (const std::int64_t episodes = log_.totals().episodes; action_ != kHandMade && tester_.due(episodes))
-    tester_.test(agent_->values(), episodes, steps_);
+  test();
 }
 
 Status Life::set(std::string_view key, double value) {

@@ -70,10 +70,15 @@ class Life {
 
   /// One decision: the environment answers the action, the agent learns and chooses the next. Hot.
   void step();
-  /// A limit is reached, or the values diverged. step() must not be called any more.
+  /// A limit is reached, or the values diverged: step() must not be called any more. Or the environment did not answer
+  /// (see unanswered()).
   bool finished() const {
-    return steps_ >= limits_.steps || log_.totals().episodes >= limits_.episodes || reachedAverage() || diverged();
+    return !unanswered_.empty() || steps_ >= limits_.steps || log_.totals().episodes >= limits_.episodes ||
+           reachedAverage() || diverged();
   }
+  /// Why the environment did not answer: the last step, reset or test did not happen. The next step() tries it again.
+  /// Empty: it did.
+  const std::string& unanswered() const { return unanswered_; }
   /// The values diverged, or the environment can not go on.
   bool diverged() const { return agent_->diverged() || !failure_.empty(); }
   /// One sentence naming the parameter that most likely made the values diverge, or what the environment says.
@@ -127,6 +132,8 @@ class Life {
  private:
   /// Begins in this state; if it is empty, the environment draws one.
   void beginEpisode(const std::vector<double>& state = {});
+  /// A test of the greedy policy, if one is due and has not been made.
+  void test();
   /// Tells policy and agent the time: they may follow a schedule. `inTheMiddle`: one step since the last call, no more.
   void tellTime(bool inTheMiddle = false);
   void note(const std::string& key, const std::string& before, const std::string& after);
@@ -136,8 +143,11 @@ class Life {
   void obey(TimedCommand& command);
   /// The part that save() and resuming share.
   void transfer(Archive& archive);
-  /// Takes the environment to where it was, by giving it the same inputs again.
-  void repeatEpisode(Archive& archive);
+  /// Whether the inputs of the episode in hand make sense.
+  void checkEpisode(Archive& archive);
+  /// Takes the environment to where it was, by giving it the same inputs again; false: it did not answer, or does not
+  /// come to the same end.
+  bool goBack();
 
   std::unique_ptr<Environment> environment_;
   std::unique_ptr<Policy> policy_;
@@ -156,7 +166,9 @@ class Life {
   Action action_ = 0;
   bool inEpisode_ = false;
   bool environmentChanged_ = false;
-  std::string failure_;  // of the environment: it can not go on
+  std::string failure_;     // of the environment: it can not go on
+  std::string unanswered_;  // its last answer did not come
+  bool away_ = false;       // it has not been taken to where this saved life was
   GreedyTester tester_;
   std::optional<double> rule_;  // threshold by the rule of thumb, after the last episode
   bool everyStep_ = false;      // a schedule changes with every step

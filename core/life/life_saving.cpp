@@ -30,7 +30,9 @@ Life::Life(LifeParts parts, LifeLimits limits, bool keepRows, Archive& archive)
   agent_->setPolicy(*policy_);
   tester_.follow(*environment_);
   transfer(archive);
-  if (archive.good()) repeatEpisode(archive);
+  if (archive.good()) checkEpisode(archive);
+  if (archive.good() && !goBack() && !failure_.empty())
+    archive.refuse("episode.actions", "does not lead to where the episode was");
   while (nextCommand_ < commands_.size() && commands_[nextCommand_].step < steps_) ++nextCommand_;
   if (const auto rule = ruleOfThumbOf(*this)) rule_ = rule->threshold;
   tellTime();
@@ -71,7 +73,7 @@ void Life::transfer(Archive& archive) {
   archive.under("learning.", [&] { agent_->transferLearning(archive); });
 }
 
-void Life::repeatEpisode(Archive& archive) {
+void Life::checkEpisode(Archive& archive) {
   const auto& [random, start, actions, explored, pushSteps, pushImpulses] = inputs_;
   static_cast<void>(explored);  // only for people
   const Task& task = environment_->task();
@@ -86,12 +88,22 @@ void Life::repeatEpisode(Archive& archive) {
     return archive.refuse("episode.start", "is no state of the environment");
   if (inEpisode_ && static_cast<std::int64_t>(actions.size()) != log_.current().steps)
     return archive.refuse("episode.actions", "is not as long as the episode");
-  worldRandom_ = Random(random);
+}
+
+bool Life::goBack() {
+  away_ = false;
+  worldRandom_ = Random(inputs_.random);
+  if (!inEpisode_ && inputs_.actions.empty()) return true;  // an episode was to begin
   environment_->reset(worldRandom_);
+  unanswered_ = environment_->unanswered();
   Ending ending = Ending::None;
-  const bool whole = repeat(inputs_, *environment_, ending, [](Action) {});
-  if (!whole || (ending != Ending::None) == inEpisode_)
-    archive.refuse("episode.actions", "does not lead to where the episode was");
+  const bool whole = unanswered_.empty() && repeat(inputs_, *environment_, ending, [](Action) {});
+  if (ending == Ending::Unanswered) unanswered_ = environment_->unanswered();
+  away_ = !unanswered_.empty();
+  if (away_) return false;
+  if (whole && (ending == Ending::None) == inEpisode_) return true;
+  failure_ = "The environment does not do the same again: the episode in hand does not lead to where it was.";
+  return false;
 }
 
 std::vector<std::pair<std::string, double>> Life::environmentInForce() const {

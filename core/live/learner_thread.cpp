@@ -34,6 +34,7 @@ LearnerThread::LearnerThread(std::unique_ptr<Life> life)
     : life_(std::move(life)),
       curve_(curveOf(*life_)),
       curvePolicy_(life_->policyName()),
+      unansweredTries_(life_->unanswered().empty() ? 0 : 1),
       stepTime_(stepTimeOf(*life_)),
       thread_([this] { run(); }) {}
 
@@ -99,6 +100,12 @@ void LearnerThread::step() {
     last_.action = life_->nextAction();
   }
   life_->step();
+  if (!life_->unanswered().empty()) {
+    ++unansweredTries_;
+    running_ = false;
+    snapshotWanted_ = true;
+    return;
+  }
   if (life_->log().totals().episodes != before) noteEpisode();
   if (watch_) beWatched();
 }
@@ -146,7 +153,7 @@ std::vector<Fall> LearnerThread::takeFalls() {
 }
 
 void LearnerThread::stepFlatOut() {
-  for (int i = 0; i < kBatch && running_ && !life_->finished(); ++i) step();
+  for (int i = 0; i < kBatch && running_ && !isOver(); ++i) step();
 }
 
 void LearnerThread::stepInPace() {
@@ -188,7 +195,7 @@ void LearnerThread::carryOut(Command& command) {
     void operator()(Place& c) const { static_cast<void>(static_cast<bool>(t.life_->place(c.state))); }
     void operator()(Visit& c) const { c.look(*t.life_); }
     void operator()(SingleStep&) const {
-      if (!t.running_ && !t.life_->finished()) t.step();
+      if (!t.running_ && !t.isOver()) t.step();
     }
     void operator()(Watch& c) const { t.watch_ = std::move(c.look); }
     void operator()(Push& c) const { t.life_->push(c.impulse); }
@@ -217,6 +224,7 @@ void LearnerThread::replace(ReplaceLife& c) {
   hand_.hold(std::nullopt);
   watch_ = nullptr;
   trouble_.clear();
+  unansweredTries_ += !life_->unanswered().empty();
   stepTime_ = stepTimeOf(*life_);
   valuesWanted_ = true;
 }

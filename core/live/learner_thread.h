@@ -114,7 +114,9 @@ class LearnerThread {
   void noteEpisode();
   void noteFall();
   void beWatched();
-  bool canStep() const { return running_ && trouble_.empty() && !life_->finished(); }
+  /// A life whose environment did not answer does not run, and tries it again when it is told to.
+  bool isOver() const { return life_->finished() && life_->unanswered().empty(); }
+  bool canStep() const { return running_ && trouble_.empty() && !isOver(); }
   void want(std::atomic<bool>& flag);
   void answer();
   void fill(Snapshot& snapshot) const;
@@ -135,6 +137,7 @@ class LearnerThread {
   int looksLeft_ = 0;
   std::shared_ptr<const std::vector<std::pair<std::string, double>>> environment_;  // parameters at the last fall
   bool running_ = false, turbo_ = false;
+  std::int64_t unansweredTries_ = 0;
   std::string trouble_;  // why the life stands still: an exception was thrown
   double pace_ = 1.0;
   double stepTime_;  // [s]; tasks without a clock take 20 steps a second

@@ -43,7 +43,9 @@ void LearnerThread::fill(Snapshot& s) const {
   s.running = canStep();
   s.turbo = turbo_;
   s.pace = pace_;
-  s.finished = life_->finished() && !life_->diverged();
+  s.unanswered = life_->unanswered();
+  s.unansweredTries = unansweredTries_;
+  s.finished = life_->finished() && !life_->diverged() && s.unanswered.empty();
   s.trouble = life_->diverged() ? life_->divergence() : "";
   if (!trouble_.empty()) s.trouble = trouble_;
 }

@@ -29,9 +29,11 @@ struct Snapshot {
   Action actionBefore = kNoAction;           ///< the action of that step
   Action action = kNoAction;                 ///< the action of the next step; kNoAction between two episodes
   bool running = false, turbo = false;
-  double pace = 1.0;      ///< the pace in force now
-  bool finished = false;  ///< the limit that was asked for is reached
-  std::string trouble;    ///< why it had to stop before, or empty
+  double pace = 1.0;                 ///< the pace in force now
+  bool finished = false;             ///< the limit that was asked for is reached
+  std::string trouble;               ///< why it had to stop before, or empty
+  std::string unanswered{};          ///< Life::unanswered: it stands still, and can be told to run again
+  std::int64_t unansweredTries = 0;  ///< how often that has happened
 };
 
 /// Everything learned so far: large, sent a few times a second and only while a panel needs it.

@@ -4,6 +4,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+
+#include "core/basics/hash64.h"
+#include "core/files/read_file.h"
 
 #include "physics/robot/reading/robot_reading.h"
 #include "physics/robot/robot.h"
@@ -26,6 +30,29 @@ std::vector<AssignmentEntry> entriesOf(const std::vector<SettingsSpec>& all, con
   return entries;
 }
 
+/// Of the files that a robot's command names and that lie in its folder.
+std::uint64_t printOfFiles(const RobotSpec& spec, const std::string& folder) {
+  constexpr std::size_t kMost = 16u << 20;  // [bytes]
+  Hash64 hash;
+  for (const std::string& word : spec.child.command)
+    if (const auto file = readHead((std::filesystem::path(folder) / word).string(), kMost))
+      hash.add(word), hash.add(*file);
+  return hash.value();
+}
+
+/// A robot that a program moves: its name counts the program's files, too.
+void addProgram(const std::shared_ptr<const RobotSpec>& spec, const std::string& folder,
+                const RobotInspector& inspector, const std::shared_ptr<const EnvironmentPrograms>& programs,
+                EnvironmentFile& file) {
+  file.starts = commandText(*spec);
+  file.program = fmt::format("{} in {} with {:016x}", file.starts, folder, printOfFiles(*spec, folder));
+  const auto make = [=, program = file.program] {
+    return std::make_unique<ChildRobot>(spec, program, folder, programs);
+  };
+  file.entry.make = make;
+  file.inspect = [=] { return inspector(spec, make()); };
+}
+
 }  // namespace
 
 EnvironmentFile robotEntry(const std::string& name, std::shared_ptr<const RobotSpec> spec) {
@@ -36,15 +63,21 @@ EnvironmentFile robotEntry(const std::string& name, std::shared_ptr<const RobotS
   return file;
 }
 
-std::optional<EnvironmentFile> readRobotEntry(std::string_view text, std::vector<Complaint>& complaints,
-                                              const RobotInspector& inspector) {
+std::optional<EnvironmentFile> readRobotEntry(std::string_view text, const std::string& folder,
+                                              std::vector<Complaint>& complaints, const RobotInspector& inspector,
+                                              const std::shared_ptr<const EnvironmentPrograms>& programs) {
   const auto spec = readRobot(text, complaints);
   if (spec) complaints = checkRobot(*spec);
   if (!complaints.empty()) return std::nullopt;
-  auto entry = robotEntry(fmt::format("{}@{:08x}", spec->name, spec->fingerprint >> 32), spec);
-  entry.text = text;
-  entry.inspect = [spec, inspector] { return inspector(spec); };
-  return entry;
+  Hash64 hash;
+  if (spec->names.hasChild()) hash.add(printOfFiles(*spec, folder));
+  hash.add(spec->fingerprint);
+  const std::uint64_t print = spec->names.hasChild() ? hash.value() : spec->fingerprint;
+  auto file = robotEntry(fmt::format("{}@{:08x}", spec->name, print >> 32), spec);
+  file.text = text;
+  file.inspect = [=] { return inspector(spec, nullptr); };
+  if (spec->names.hasChild()) addProgram(spec, folder, inspector, programs, file);
+  return file;
 }
 
 void addRobot(Registry& registry, EnvironmentFile robot) {

@@ -6,19 +6,24 @@
 #include <string>
 
 #include "core/environment_library.h"
+#include "physics/robot/child/child_robot.h"
 #include "physics/robot/spec/robot_spec.h"
 
 namespace surefoot {
 
-using RobotInspector = std::function<EnvironmentInspection(const std::shared_ptr<const RobotSpec>&)>;
+/// Of a robot; with a child if a program moves it.
+using RobotInspector =
+    std::function<EnvironmentInspection(const std::shared_ptr<const RobotSpec>&, std::unique_ptr<ChildRobot>)>;
 
 /// The robot as an environment of this name. Its first preset is "as-built", which holds what [learning] says, unless
 /// a preset of the file changes nothing itself; every other preset holds [learning], too. Scenarios likewise.
 EnvironmentFile robotEntry(const std::string& name, std::shared_ptr<const RobotSpec> spec);
 
-/// Reads a robot's text and checks all of it. It gets the name "hopper@3f2a91c0".
-std::optional<EnvironmentFile> readRobotEntry(std::string_view text, std::vector<Complaint>& complaints,
-                                              const RobotInspector& inspector);
+/// Reads a robot's text and checks all of it. It gets the name "hopper@3f2a91c0", which counts the files of its command
+/// that lie in `folder`, too.
+std::optional<EnvironmentFile> readRobotEntry(std::string_view text, const std::string& folder,
+                                              std::vector<Complaint>& complaints, const RobotInspector& inspector,
+                                              const std::shared_ptr<const EnvironmentPrograms>& programs);
 
 /// A robot that comes with the program: by its own name.
 void addRobot(Registry& registry, EnvironmentFile robot);

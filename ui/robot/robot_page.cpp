@@ -127,9 +127,10 @@ void RobotPage::hideEvent(QHideEvent* event) {
 void RobotPage::check() {
   auto made = std::make_shared<Checked>();
   made->text = text_->toPlainText();
+  const std::string folder = QFileInfo(source_.path()).absolutePath().toStdString();
   checking_.start(
-      [made, library = registry_.files](const std::atomic<bool>&) {
-        made->file = library->read(made->text.toStdString(), made->complaints);
+      [made, folder, library = registry_.files](const std::atomic<bool>&) {
+        made->file = library->read(made->text.toStdString(), folder, made->complaints);
         if (!made->file) return;
         made->file->text = made->text.toStdString();
         made->inspection = made->file->inspect();

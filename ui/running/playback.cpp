@@ -21,6 +21,7 @@ Playback playbackOf(const Fall& fall, const Registry& registry, const std::strin
   const auto entry = findEnvironment(registry, environment);
   if (!entry) return {};
   const auto world = (*entry)->make();
+  if (!world->answersAtOnce()) return {};
   Fields fields("environment.");
   world->declare(fields);
   for (const auto& [key, value] : *fall.parameters)

@@ -16,7 +16,7 @@ Viewer::Viewer(std::unique_ptr<Environment> environment, std::unique_ptr<Policy>
       random_(seed) {
   q_.resize(environment_->task().actions.size());
   pi_.resize(q_.size());
-  environment_->reset(random_);
+  if (environment_->answersAtOnce()) environment_->reset(random_);
 }
 
 void Viewer::choose(const ActionValueFunction& values) {

@@ -128,6 +128,7 @@ NewLives::Make LifeFiles::makeOfJournal(const std::string& path) const {
     if (!made) return made;
     Life& life = *made->life;
     while (life.steps() < journal->steps && !life.finished() && !interrupted) life.step();
+    if (!life.unanswered().empty()) return Error{life.unanswered()};
     made->file = LifeFile{{}, {life.log().totals().episodes, life.steps()}};  // the journal is as good as a copy
     return made;
   };

@@ -21,6 +21,7 @@ Result<PreLearned> preLearn(const Registry& registry, const Configuration& simul
     auto life = makeLife(registry, simulation, index, false);
     if (!life) return life.error();
     while (!(*life)->finished() && !interrupted) (*life)->step();
+    if (!(*life)->unanswered().empty()) return Error{(*life)->unanswered()};
     if ((*life)->diverged()) return Error{(*life)->divergence()};
     PreLearned one{.file = std::make_shared<const TensorFile>(qFileOf(**life, simulation))};
     one.episodes = (*life)->log().totals().episodes;

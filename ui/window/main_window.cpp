@@ -98,6 +98,7 @@ MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent)
     const QString trouble = toText(session_.life().snapshot().trouble);
     if (trouble != troubleShown_ && !trouble.isEmpty()) messages_->say(trouble);
     troubleShown_ = trouble;
+    tellUnanswered();
     session_.life().setLookedAt(isVisible() && !isMinimized());
   });
   connect(bar_, &RunBar::meaningAsked, this, &MainWindow::showWords);

@@ -99,6 +99,7 @@ class MainWindow final : public QMainWindow {
   void offerToRestore();
   void restore(const QString& file);
   void askQuestions();
+  void tellUnanswered();
   void askForAgent(const QString& name, const QString& title);
   void askForNewTable(const QString& key, double value);
   void askBeforeEnding(const std::shared_ptr<KeptLife>& kept, const std::function<void()>& goOn);
@@ -152,6 +153,7 @@ class MainWindow final : public QMainWindow {
   QPointer<WordsDialog> words_;
   SessionName* name_ = nullptr;
   QString troubleShown_;
+  std::int64_t unansweredTries_ = 0;  ///< that were told
   bool asksOnQuit_ = true, closing_ = false, couldNotKeep_ = false;
   std::optional<Error> whyNotKept_;
   QSize fitted_;  // the size that the program chose; empty: it has been fitted, frame and all

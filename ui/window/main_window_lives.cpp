@@ -6,6 +6,8 @@
 #include <QSettings>
 #include <QTimer>
 
+#include "core/environment_library.h"
+#include "core/environment_programs.h"
 #include "core/text/text.h"
 #include "ui/controls/message_bar.h"
 #include "ui/live/live_page.h"
@@ -49,6 +51,22 @@ void MainWindow::askQuestions() {
     if (name_->text() != sessionName() + (session_.life().unsaved() ? "*" : "")) refreshTitle();
   });
   connect(&session_.life(), &RunningLife::valuesArrived, this, &MainWindow::refreshName);
+}
+
+/// The environment does not answer: the life stands still until somebody tells it to go on.
+void MainWindow::tellUnanswered() {
+  RunningLife& life = session_.life();
+  if (!life.isShown()) return;
+  const Snapshot& now = life.snapshot();
+  if (std::exchange(unansweredTries_, now.unansweredTries) == now.unansweredTries || now.unanswered.empty()) return;
+  const Registry& registry = life.registry();
+  const auto file = life.configuration().environmentFile;
+  const bool asks = file && registry.programs && !registry.programs->isAllowed(file->program);
+  if (life.running()) life.setRunning(false);
+  messages_->ask(toText(now.unanswered), {{asks ? tr("Allow it, and go on") : tr("Try again"), [this, asks, file] {
+                                             if (asks) session_.life().registry().programs->allow(file->program);
+                                             session_.life().setRunning(true);
+                                           }}});
 }
 
 void MainWindow::askForAgent(const QString& name, const QString& title) {

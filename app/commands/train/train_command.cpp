@@ -70,6 +70,10 @@ int trainCommand(const Registry& registry, const TrainRequest& request) {
       if (request.save || request.checkpoint) message.replace(message.size() - 1, 1, "; nothing of it is saved.");
       return fail({message, ErrorKind::Diverged});
     }
+  for (const LifeResult& life : *lives)
+    if (!life.unanswered.empty())
+      return fail({life.unanswered + (request.checkpoint ? " The life can go on: --resume " + *request.checkpoint : ""),
+                   ErrorKind::Unanswered});
   const auto complete =
       static_cast<int>(std::count_if(lives->begin(), lives->end(), [](const LifeResult& r) { return r.complete; }));
   if (complete < configuration.lives)

@@ -15,11 +15,17 @@ namespace surefoot {
 
 namespace {
 
-constexpr int kSteps = 4000;
+constexpr int kSteps = 4000, kStartedAnewEvery = 700;
 
 class Inspection {
  public:
-  explicit Inspection(std::shared_ptr<const RobotSpec> spec) : spec_(std::move(spec)), robot_(spec_) {}
+  /// `child`: null for a robot that Box2D moves.
+  Inspection(std::shared_ptr<const RobotSpec> spec, std::unique_ptr<ChildRobot> child)
+      : spec_(std::move(spec)),
+        box2d_(child ? nullptr : std::make_unique<Robot>(spec_)),
+        child_(std::move(child)),
+        robot_(child_ ? static_cast<Environment&>(*child_) : *box2d_),
+        values_(child_ ? child_->values() : box2d_->values()) {}
 
   EnvironmentInspection all() {
     describe();
@@ -30,6 +36,7 @@ class Inspection {
       found_.passive = energyOf(passiveRobot(*spec_, 1));
       found_.halved = energyOf(passiveRobot(*spec_, 2));
     }
+    if (!found_.unanswered.empty()) return std::move(found_);
     propose();
     warnOfStates();
     warnOfTask();
@@ -41,7 +48,21 @@ class Inspection {
 
  private:
   void describe() {
-    const RobotNumbers& numbers = robot_.numbers();
+    found_.name = spec_->name, found_.title = spec_->title;
+    found_.stepTime = *robot_.task().stepTime;
+    found_.stepLimit = values_.stepLimit();
+    found_.actions = actionsOf(robot_.task());
+    for (const EndingSpec& ending : spec_->endings)
+      found_.endings.push_back({ending.name, ending.text, ending.kind == EndingSpec::Kind::Fall, 0});
+    found_.endings.push_back({"step limit", "", false, 0});
+    if (box2d_)
+      describeWorld();
+    else
+      robot_.draw(robot_.pose(), found_.drawing);
+    describeStates();
+  }
+  void describeWorld() {
+    const RobotNumbers& numbers = box2d_->numbers();
     found_.scale = numbers.scale;
     for (std::size_t j = 0; j < spec_->joints.size(); ++j)
       found_.joints.emplace_back(spec_->joints[j].name, numbers.joints[j].soft);
@@ -53,13 +74,9 @@ class Inspection {
         if (radius > 0.0 && (found_.smallestRadius == 0.0 || radius < found_.smallestRadius))
           found_.smallestRadius = radius;
       }
-    for (const EndingSpec& ending : spec_->endings)
-      found_.endings.push_back({ending.name, ending.text, ending.kind == EndingSpec::Kind::Fall, 0});
-    found_.endings.push_back({"step limit", "", false, 0});
-    found_.name = spec_->name, found_.title = spec_->title;
-    found_.stepTime = numbers.stepTime;
-    found_.stepLimit = robot_.values().stepLimit();
-    describeParts(*spec_, robot_, found_);
+    describeParts(*spec_, *box2d_, found_);
+  }
+  void describeStates() {
     for (std::size_t i = 0; i < robot_.task().state.size(); ++i) {
       const StateVariable& v = robot_.task().state[i];
       SeenState seen{.key = v.key, .title = v.title, .symbol = v.symbol, .unit = v.unit, .low = v.low, .high = v.high};
@@ -94,46 +111,55 @@ class Inspection {
     rewarded_.assign(spec_->rewards.size(), false);
     std::vector<double> toFall;
     std::vector<int> atLimit(spec_->joints.size(), 0);
-    begin(random, 0);
+    if (!begin(random, 0)) return;
     int begun = 0;
     for (int step = 1; step <= kSteps; ++step) {
+      if (child_ && step % kStartedAnewEvery == 0) child_->stopProgram();  // in a new one, the episode is the same
       const Outcome outcome = robot_.step(static_cast<Action>(random.uniform() * actions));
+      if (outcome.ending == Ending::Unanswered) return giveUp(step - 1);
       note(robot_.state());
       found_.trace.push_back(trace.body < 0 ? robot_.state()[static_cast<std::size_t>(trace.state)]
-                                            : robot_.world().placement(trace.body).at.y);
-      found_.jointGap = std::max(found_.jointGap, robot_.world().jointSeparation());
+                                            : box2d_->world().placement(trace.body).at.y);
+      if (box2d_) found_.jointGap = std::max(found_.jointGap, box2d_->world().jointSeparation());
       for (std::size_t j = 0; j < atLimit.size(); ++j) atLimit[j] += isAtLimit(j);
       for (std::size_t r = 0; r < rewarded_.size(); ++r) rewarded_[r] = rewarded_[r] || outcome.terms[r] != 0.0;
       if (outcome.event == Event::Fall) found_.falls.push_back(step);
       if (outcome.ending == Ending::None) continue;
-      const int which =
-          robot_.values().lastEnding() < 0 ? static_cast<int>(spec_->endings.size()) : robot_.values().lastEnding();
+      const int which = values_.lastEnding() < 0 ? static_cast<int>(spec_->endings.size()) : values_.lastEnding();
       ++found_.endings[static_cast<std::size_t>(which)].count;
       if (outcome.event == Event::Fall) toFall.push_back((step - begun) * found_.stepTime);
       found_.longest = std::max(found_.longest, (step - begun) * found_.stepTime);
       atOnce_ += step - begun == 1;
-      begin(random, begun = step);
+      if (!begin(random, begun = step)) return;
     }
     episodes_ = static_cast<int>(found_.begins.size());
     found_.meanSteps = static_cast<double>(kSteps) / episodes_;
     found_.flewApart = robot_.flewApart();
     for (std::size_t j = 0; j < atLimit.size(); ++j)
-      if (robot_.numbers().joints[j].limits)
+      if (box2d_->numbers().joints[j].limits)
         found_.atLimits.emplace_back(spec_->joints[j].name, atLimit[j] / static_cast<double>(kSteps));
     std::sort(toFall.begin(), toFall.end());
     if (!toFall.empty()) found_.medianToFall = toFall[toFall.size() / 2];
     found_.verdict = verdict();
   }
-  void begin(Random& random, int step) {
+  bool begin(Random& random, int step) {
     robot_.reset(random);
+    if (!robot_.unanswered().empty()) return giveUp(step), false;
     found_.begins.push_back(step);
     starts_.insert({robot_.state().begin(), robot_.state().end()});
+    return true;
+  }
+  /// The program that moves it does not answer after so many steps.
+  void giveUp(int steps) {
+    found_.steps = steps;
+    found_.unanswered = robot_.unanswered();
+    found_.verdict = "its program does not answer";
   }
   bool isAtLimit(std::size_t j) {
-    const auto& limits = robot_.numbers().joints[j].limits;
+    const auto& limits = box2d_->numbers().joints[j].limits;
     if (!limits) return false;
     const double near = 0.01 * (limits->second - limits->first);
-    const double q = robot_.world().jointPosition(static_cast<int>(j));
+    const double q = box2d_->world().jointPosition(static_cast<int>(j));
     return q <= limits->first + near || q >= limits->second - near;
   }
   std::string verdict() const {
@@ -236,7 +262,10 @@ class Inspection {
   }
 
   std::shared_ptr<const RobotSpec> spec_;
-  Robot robot_;
+  std::unique_ptr<Robot> box2d_;
+  std::unique_ptr<ChildRobot> child_;
+  Environment& robot_;
+  const RobotValues& values_;
   EnvironmentInspection found_;
   std::vector<std::vector<double>> states_;
   std::set<std::vector<double>> starts_;
@@ -246,8 +275,8 @@ class Inspection {
 
 }  // namespace
 
-EnvironmentInspection inspectRobot(const std::shared_ptr<const RobotSpec>& spec) {
-  return Inspection(spec).all();
+EnvironmentInspection inspectRobot(const std::shared_ptr<const RobotSpec>& spec, std::unique_ptr<ChildRobot> child) {
+  return Inspection(spec, std::move(child)).all();
 }
 
 }  // namespace surefoot

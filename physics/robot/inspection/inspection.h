@@ -6,11 +6,12 @@
 #include <memory>
 
 #include "core/environment_inspection.h"
-#include "physics/robot/spec/robot_spec.h"
+#include "physics/robot/child/child_robot.h"
 
 namespace surefoot {
 
-/// Of a robot that checkRobot() finds nothing wrong with.
-EnvironmentInspection inspectRobot(const std::shared_ptr<const RobotSpec>& spec);
+/// Of a robot that checkRobot() finds nothing wrong with; `child`: if a program moves it.
+EnvironmentInspection inspectRobot(const std::shared_ptr<const RobotSpec>& spec,
+                                   std::unique_ptr<ChildRobot> child = nullptr);
 
 }  // namespace surefoot

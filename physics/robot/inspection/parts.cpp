@@ -61,6 +61,8 @@ void describeJoint(const RobotSpec& spec, const Robot& robot, const std::vector<
   found.handles.push_back({joint.name, centre, zero, numbers.limits->second, true, numberAt((*joint.limits)[1])});
 }
 
+}  // namespace
+
 std::string actionsOf(const Task& task) {
   if (task.actionVariables.empty()) return fmt::format("{}: {} levels", task.actionTitle, task.actions.size());
   std::string titles, counts;
@@ -70,8 +72,6 @@ std::string actionsOf(const Task& task) {
   }
   return fmt::format("{}: {} = {}", titles, counts, task.actions.size());
 }
-
-}  // namespace
 
 void describeParts(const RobotSpec& spec, const Robot& robot, EnvironmentInspection& found) {
   const Assembly assembly(spec, robot.numbers());
@@ -86,7 +86,6 @@ void describeParts(const RobotSpec& spec, const Robot& robot, EnvironmentInspect
   for (const BodyPlacement& body : bodies) pose.insert(pose.end(), {body.at.x, body.at.y, body.angle});
   pose.insert(pose.end(), spec.actuators.size() + spec.states.size(), 0.0);
   robot.draw(pose, found.drawing);
-  found.actions = actionsOf(robot.task());
 }
 
 Trace traceOf(const RobotSpec& spec) {

@@ -7,6 +7,8 @@
 
 namespace surefoot {
 
+/// "hip, knee: 3 × 3 = 9"
+std::string actionsOf(const Task& task);
 void describeParts(const RobotSpec& spec, const Robot& robot, EnvironmentInspection& found);
 
 /// What one looks at to see a fall: the height of the body that must not touch, or the state variable whose ending is

@@ -117,8 +117,14 @@ void readPoints(const TomlNode& root, RobotReader& in) {
   const TomlNode* points = root.find("point");
   for (const auto& [name, node] : points ? points->table : decltype(points->table){}) {
     TomlReader reader(node, in.complaints());
-    reader.need("on");
     PointSpec& point = in.spec().points.emplace_back();
+    if (in.spec().names.hasChild()) {
+      reader.need("at");
+      if (const auto at = in.maybePair(reader, "at", RobotReader::Where::Moving)) point.at = *at;
+      reader.end();
+      continue;
+    }
+    reader.need("on");
     point.body = in.indexOf(reader, "on", NameKind::Body, 0);
     point.at = in.pair(reader, "at", 0, 0);
     reader.end();

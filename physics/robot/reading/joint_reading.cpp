@@ -97,19 +97,24 @@ ActuatorSpec readActuator(const std::string& name, int index, const TomlNode& no
   using Where = RobotReader::Where;
   TomlReader reader(node, in.complaints());
   ActuatorSpec actuator{.name = name, .place = node.keyAt};
-  actuator.kind = in.choice(reader, "type", kDrives, Drive::Torque);
   actuator.title = reader.text("title", name);
   actuator.symbol = reader.text("symbol");
   actuator.unit = reader.text("unit");
-  readWhere(reader, in, actuator);
   actuator.levels = in.numbers(reader, "levels");
   if (actuator.levels.size() > kMostLevels)
     reader.complain("levels", fmt::format("{} of them; at most {} are allowed.", actuator.levels.size(), kMostLevels));
-  actuator.effort = in.maybe(reader, "effort", Where::Moving, ValueKind::Number, index);
   actuator.handMade = in.maybe(reader, "hand_made", Where::Moving, ValueKind::Number, index);
+  actuator.width = in.maybe(reader, "width");
+  if (in.spec().names.hasChild()) {  // the program does with a level what it likes
+    reader.need("levels");
+    reader.end();
+    return actuator;
+  }
+  actuator.kind = in.choice(reader, "type", kDrives, Drive::Torque);
+  readWhere(reader, in, actuator);
+  actuator.effort = in.maybe(reader, "effort", Where::Moving, ValueKind::Number, index);
   actuator.limit = in.maybe(reader, "limit", Where::Moving, ValueKind::Number, index);
   readDrive(reader, in, actuator);
-  actuator.width = in.maybe(reader, "width");
   actuator.arrow = in.indexOf(reader, "arrow", NameKind::Point);
   actuator.arrowScale = reader.number("arrow_scale", 0.001, 1000, 1);
   reader.end();

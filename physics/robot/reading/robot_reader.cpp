@@ -43,6 +43,8 @@ const char* wordFor(NameKind kind) {
       return "memory";
     case NameKind::State:
       return "state";
+    case NameKind::Child:
+      return "child";
   }
   return "thing";
 }
@@ -82,19 +84,19 @@ Formula RobotReader::needed(TomlReader& reader, std::string_view key, Where wher
   return reader.need(key) ? maybe(reader, key, where, wanted).value_or(Formula{}) : Formula{};
 }
 
-std::optional<FormulaPair> RobotReader::pairOf(const TomlNode& node, std::string_view key) {
+std::optional<FormulaPair> RobotReader::pairOf(const TomlNode& node, std::string_view key, Where where) {
   if (node.kind != Node::List || node.list.size() != 2) {
     complaints_.push_back({node.at, fmt::format("{}: it takes two numbers, such as [0, 0.5].", key)});
     return std::nullopt;
   }
-  const auto a = formula(node.list[0], key, Where::Fixed), b = formula(node.list[1], key, Where::Fixed);
+  const auto a = formula(node.list[0], key, where), b = formula(node.list[1], key, where);
   if (!a || !b) return std::nullopt;
   return FormulaPair{*a, *b};
 }
 
-std::optional<FormulaPair> RobotReader::maybePair(TomlReader& reader, std::string_view key) {
+std::optional<FormulaPair> RobotReader::maybePair(TomlReader& reader, std::string_view key, Where where) {
   const TomlNode* node = reader.find(key);
-  return node ? pairOf(*node, key) : std::nullopt;
+  return node ? pairOf(*node, key, where) : std::nullopt;
 }
 
 FormulaPair RobotReader::pair(TomlReader& reader, std::string_view key, double x, double y) {

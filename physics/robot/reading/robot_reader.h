@@ -35,7 +35,7 @@ class RobotReader {
   Formula number(TomlReader& reader, std::string_view key, double otherwise);
   Formula needed(TomlReader& reader, std::string_view key, Where where = Where::Fixed,
                  ValueKind wanted = ValueKind::Number);
-  std::optional<FormulaPair> maybePair(TomlReader& reader, std::string_view key);
+  std::optional<FormulaPair> maybePair(TomlReader& reader, std::string_view key, Where where = Where::Fixed);
   FormulaPair pair(TomlReader& reader, std::string_view key, double x, double y);
   std::vector<Formula> numbers(TomlReader& reader, std::string_view key);
   std::vector<FormulaPair> pairs(TomlReader& reader, std::string_view key);
@@ -59,7 +59,7 @@ class RobotReader {
   }
 
  private:
-  std::optional<FormulaPair> pairOf(const TomlNode& node, std::string_view key);
+  std::optional<FormulaPair> pairOf(const TomlNode& node, std::string_view key, Where where = Where::Fixed);
 
   RobotSpec& spec_;
   std::vector<Complaint>& complaints_;

@@ -70,19 +70,20 @@ void readHead(TomlReader& reader, RobotReader& in) {
   spec.title = reader.text("title", spec.name);
   spec.help = reader.text("help");
   for (const auto& section : kSections) static_cast<void>(reader.find(section.first));
+  for (const char* key : {"command", "sends"}) static_cast<void>(reader.find(key));  // read before all others
 }
 
 void readTimes(TomlReader& reader, RobotReader& in) {
   RobotSpec& spec = in.spec();
   spec.stepTime = in.needed(reader, "step_time");
+  spec.maxSteps = in.number(reader, "max_steps", 1000);
+  spec.testEvery = in.number(reader, "test_every", 0);
+  spec.returns = in.pair(reader, "return", -1, 1);
   spec.substeps = in.number(reader, "substeps", 1);
   spec.velocityIterations = in.number(reader, "velocity_iterations", 8);
   spec.positionIterations = in.number(reader, "position_iterations", 3);
   spec.gravity = in.number(reader, "gravity", 9.81);
   spec.scale = in.number(reader, "scale", 1);
-  spec.maxSteps = in.number(reader, "max_steps", 1000);
-  spec.testEvery = in.number(reader, "test_every", 0);
-  spec.returns = in.pair(reader, "return", -1, 1);
 }
 
 void readSections(const TomlNode& root, RobotReader& in) {
@@ -92,6 +93,7 @@ void readSections(const TomlNode& root, RobotReader& in) {
   readConstants(root, in);
   readTimes(reader, in);
   reader.end();
+  refuseWorld(root, in);
   readBodies(root, in);
   readPoints(root, in);
   readJoints(root, in);
@@ -144,6 +146,7 @@ std::shared_ptr<const RobotSpec> readRobot(std::string_view text, std::vector<Co
   addTo(hash, *root);
   spec->fingerprint = hash.value();
   RobotReader in(*spec, complaints);
+  readChild(*root, in);
   collectNames(*root, in);
   if (complaints.empty()) readSections(*root, in);
   sortAndLimit(complaints);

@@ -14,6 +14,10 @@ void collectNames(const TomlNode& root, RobotReader& in);
 
 void readParameters(const TomlNode& root, RobotReader& in);
 void readConstants(const TomlNode& root, RobotReader& in);
+/// `command` and `sends`, before the names are collected.
+void readChild(const TomlNode& root, RobotReader& in);
+/// What a program that moves the robot leaves no room for.
+void refuseWorld(const TomlNode& root, RobotReader& in);
 void readBodies(const TomlNode& root, RobotReader& in);
 void readPoints(const TomlNode& root, RobotReader& in);
 void readJoints(const TomlNode& root, RobotReader& in);

@@ -9,6 +9,14 @@ namespace {
 
 using Where = RobotReader::Where;
 
+/// Of a state: as the file says, or the number of this name that a program sends.
+Formula valueOf(const TomlNode& node, const std::string& key, TomlReader& reader, RobotReader& in) {
+  if (in.spec().child.command.empty() || reader.find("value"))
+    return in.needed(reader, "value", Where::Moving, ValueKind::Flag);
+  TomlNode sent{.kind = TomlNode::Kind::Text, .at = node.at, .text = "child." + key};
+  return in.formula(sent, "value", Where::Moving).value_or(Formula{});
+}
+
 StateSpec readState(const TomlNode& node, RobotReader& in) {
   TomlReader reader(node, in.complaints());
   StateSpec state;
@@ -22,7 +30,7 @@ StateSpec readState(const TomlNode& node, RobotReader& in) {
   state.words.spanText = reader.text("span_text", state.words.unit);
   state.words.perSpan = reader.text("per_span", state.words.unit.empty() ? "" : "/" + state.words.unit);
   state.words.whole = reader.flag("whole");
-  state.value = in.needed(reader, "value", Where::Moving, ValueKind::Flag);
+  state.value = valueOf(node, state.words.key, reader, in);
   if (const TomlNode* range = reader.need("range")) state.place = range->at;
   state.range = in.pair(reader, "range", 0, 1);
   state.view = in.maybePair(reader, "view");
@@ -111,6 +119,8 @@ void readMemories(const TomlNode& root, RobotReader& in) {
     memory.start = in.number(reader, "start", 0);
     memory.each = in.needed(reader, "each", Where::Moving, ValueKind::Flag);
     memory.substep = in.choice(reader, "when", kWhen, false);
+    if (memory.substep && in.spec().names.hasChild())
+      reader.complain("when", "a program that moves the robot has no substeps.");
     reader.end();
   }
 }

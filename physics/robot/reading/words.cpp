@@ -8,6 +8,7 @@
 #include "core/text/printable.h"
 #include "core/text/text.h"
 #include "core/text/words.h"
+#include "physics/robot/spec/bodies.h"
 
 namespace surefoot {
 
@@ -116,7 +117,19 @@ Result<Quantity> RobotWords::ofBody(const RobotNames::Name& body, std::string_vi
                  .what = What::Touches});
 }
 
+Result<Quantity> RobotWords::ofChild(std::string_view part) const {
+  const auto& sent = names_.sent();
+  const auto number = std::find(sent.begin(), sent.end(), part);
+  if (number == sent.end()) return noAttribute("child", part, sent);
+  const auto index = static_cast<std::size_t>(number - sent.begin());
+  const bool flag = index == ChildSpec::kTerminated || index == ChildSpec::kTruncated;
+  return Quantity{.place = names_.placeOfProbe(
+                      {.of = NameKind::Child, .index = static_cast<int>(index), .shape = -1, .what = What::Sent}),
+                  .kind = flag ? ValueKind::Flag : ValueKind::Number};
+}
+
 Result<Quantity> RobotWords::partOf(std::string_view name, std::string_view part) const {
+  if (names_.hasChild() && name == "child" && where_ == Where::Moving) return ofChild(part);
   const RobotNames::Name* found = names_.find(name);
   if (!found) {
     const std::string near = nearestWord(name, names_.all());
@@ -127,7 +140,13 @@ Result<Quantity> RobotWords::partOf(std::string_view name, std::string_view part
     return Error{fmt::format("\"{}.{}\" changes while the robot moves; here only parameters and constants can stand.",
                              name, printable(shortened(part)))};
   if (found->kind == NameKind::Body) return ofBody(*found, part);
-  const auto has = attributesOf(found->kind);
+  const auto has = names_.hasChild() && found->kind == NameKind::Actuator ? std::vector<std::string>{"u"}
+                   : names_.hasChild()                                    ? std::vector<std::string>()
+                                                                          : attributesOf(found->kind);
+  if (has.empty() && names_.hasChild())
+    return Error{fmt::format("\"{}.{}\": a program moves this robot; what it sends is child.NAME.", name,
+                             printable(shortened(part)))};
+  if (names_.hasChild() && part != "u") return noAttribute(name, part, has);
   if (has.empty()) return Error{fmt::format("\"{}\" is a number; nothing can stand behind it.", name)};
   if (const auto what = attributeNamed(found->kind, part))
     return placed({.of = found->kind, .index = found->index, .shape = -1, .what = *what});

@@ -30,6 +30,7 @@ class RobotWords : public Vocabulary {
  private:
   Result<Quantity> plain(std::string_view name) const;
   Result<Quantity> partOf(std::string_view name, std::string_view part) const;
+  Result<Quantity> ofChild(std::string_view part) const;
   Result<Quantity> ofBody(const RobotNames::Name& body, std::string_view part) const;
   Quantity placed(const Probe& probe) const;
 

@@ -48,7 +48,7 @@ struct BodySpec {
 
 struct PointSpec {
   int body = 0;
-  FormulaPair at{};  ///< in the body's frame [m]
+  FormulaPair at{};  ///< in the body's frame [m]; moving, in the world, where a program moves the robot
 };
 
 /// A ray from a point, turned with its body, to the ground.
@@ -90,6 +90,15 @@ struct ActuatorSpec {
   std::optional<Formula> width{};                                ///< of a level's tile
   int arrow = -1;                                                ///< the point where it is drawn
   double arrowScale = 1.0;
+  TextPlace place{};
+};
+
+/// A program that moves the robot in place of Box2D. What it sends: reward, terminated and truncated of its own, then
+/// the numbers of the file's `sends`.
+struct ChildSpec {
+  static constexpr std::size_t kReward = 0, kTerminated = 1, kTruncated = 2, kOwn = 3;
+  std::vector<std::string> command{};  ///< empty: there is none
+  std::vector<std::string> sends{};    ///< with the three of its own
   TextPlace place{};
 };
 

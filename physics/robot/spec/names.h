@@ -12,13 +12,13 @@
 
 namespace surefoot {
 
-enum class NameKind { Parameter, Constant, Body, Point, Joint, Actuator, Ray, Memory, State };
+enum class NameKind { Parameter, Constant, Body, Point, Joint, Actuator, Ray, Memory, State, Child };
 
-/// Something measured of the moving robot, for example the height of a point.
+/// Something measured of the moving robot, for example the height of a point; or what a program sent that moves it.
 struct Probe {
-  enum class What { X, Y, Angle, Vx, Vy, Rate, Height, Touches, U, Effort, Power, Distance };
+  enum class What { X, Y, Angle, Vx, Vy, Rate, Height, Touches, U, Effort, Power, Distance, Sent };
   NameKind of = NameKind::Body;
-  int index = 0;   ///< of the body, point, joint, actuator or ray
+  int index = 0;   ///< of the body, point, joint, actuator or ray; of the number in ChildSpec::sends
   int shape = -1;  ///< of the body; −1: all of it
   What what = What::X;
 
@@ -37,6 +37,11 @@ class RobotNames {
   bool add(NameKind kind, const std::string& name);
   /// Names of a body's shapes, which count within the body; an empty one for a shape without.
   void addShapes(std::vector<std::string> shapes) { shapes_.push_back(std::move(shapes)); }
+
+  /// A program moves the robot: the names of the numbers that it sends.
+  void setSent(std::vector<std::string> numbers) { sent_ = std::move(numbers), hasChild_ = true; }
+  bool hasChild() const { return hasChild_; }
+  const std::vector<std::string>& sent() const { return sent_; }
 
   const Name* find(std::string_view name) const;
   int count(NameKind kind) const;
@@ -59,6 +64,8 @@ class RobotNames {
   std::vector<Name> names_;
   std::vector<std::vector<std::string>> shapes_;
   std::vector<Probe> probes_;
+  std::vector<std::string> sent_;
+  bool hasChild_ = false;
 };
 
 /// Why this cannot be a name; nothing: it can.

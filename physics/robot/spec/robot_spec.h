@@ -31,6 +31,7 @@ struct RobotSpec {
   std::vector<JointSpec> joints{};
   std::vector<ActuatorSpec> actuators{};
   GroundSpec ground{};
+  ChildSpec child{};
 
   std::vector<MemorySpec> memories{};
   std::vector<StateSpec> states{};

@@ -114,6 +114,8 @@ double RobotWorld::measured(const ReadProbe& read, std::span<const double> u) co
       return efforts_[static_cast<std::size_t>(read.probe.index)];
     case What::Power:
       return power(read.probe.index, u[static_cast<std::size_t>(read.probe.index)]);
+    case What::Sent:
+      break;  // there is no program here
   }
   return 0.0;
 }

@@ -265,7 +265,8 @@ RobotNumbers numbersOf(const RobotSpec& robot, std::span<const double> values, s
   for (const BodySpec& body : robot.bodies) numbers.bodies.push_back(bodyOf(body, numbers.scale, number));
   for (const JointSpec& joint : robot.joints) numbers.joints.push_back(jointOf(joint, numbers, number));
   for (const ActuatorSpec& actuator : robot.actuators) numbers.actuators.push_back(actuatorOf(actuator, number));
-  for (const PointSpec& point : robot.points) numbers.points.push_back(number.at(point.at, "[point]", "at"));
+  if (!robot.names.hasChild())
+    for (const PointSpec& point : robot.points) numbers.points.push_back(number.at(point.at, "[point]", "at"));
   for (const RaySpec& ray : robot.rays)
     numbers.rays.emplace_back(number(ray.angle, "[ray]", "angle", -100, 100, "rad"),
                               number(ray.length, "[ray]", "length", 1e-3, 1e3, "m"));

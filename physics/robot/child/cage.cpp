@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "physics/robot/child/cage.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+
+#include "physics/robot/child/process.h"
+
+namespace surefoot {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uint64_t kMostMemory = 4ull << 30, kLargestFile = 256ull << 20;  // [bytes]
+
+std::optional<std::string> variable(const char* name) {
+  const char* value = std::getenv(name);
+  return value && *value ? std::optional<std::string>(value) : std::nullopt;
+}
+
+/// Folders of a user's own packages, which lie in folders that are hidden.
+std::vector<std::string> packageFolders() {
+  std::vector<std::string> folders;
+  for (const char* name : {"VIRTUAL_ENV", "CONDA_PREFIX"})
+    if (const auto folder = variable(name)) folders.push_back(*folder);
+  if (const auto home = variable("HOME")) folders.push_back(*home + "/.local/lib");
+  std::erase_if(folders, [](const std::string& folder) {
+    std::error_code error;
+    return !fs::is_directory(folder, error);
+  });
+  return folders;
+}
+
+std::vector<std::string> bubblewrap(const std::string& folder, const std::string& modules) {
+  std::vector<std::string> words = {
+      "bwrap",  "--unshare-all", "--die-with-parent", "--new-session", "--ro-bind", "/", "/", "--dev", "/dev",
+      "--proc", "/proc"};
+  std::vector<std::string> hidden = {"/tmp", "/var/tmp", "/run", "/home", "/root", "/mnt", "/media", "/srv"};
+  if (const auto home = variable("HOME")) hidden.push_back(*home);
+  for (const std::string& path : hidden) {
+    std::error_code error;
+    if (fs::is_directory(path, error) && !fs::is_symlink(path, error)) words.insert(words.end(), {"--tmpfs", path});
+  }
+  std::vector<std::string> seen = packageFolders();
+  seen.push_back(folder);
+  std::error_code error;
+  if (!modules.empty()) seen.push_back(fs::canonical(modules, error).string());
+  for (const std::string& path : seen) words.insert(words.end(), {"--ro-bind", path, path});
+  words.insert(words.end(), {"--chdir", folder, "--"});
+  return words;
+}
+
+std::vector<std::string> limits() {
+  return {"setpriv",
+          "--pdeathsig",
+          "KILL",
+          "--no-new-privs",
+          "prlimit",
+          "--core=0",
+          fmt::format("--data={}", kMostMemory),
+          fmt::format("--fsize={}", kLargestFile)};
+}
+
+}  // namespace
+
+bool hasCage() {
+  static const bool can = [] {
+    std::vector<std::string> words = limits();
+    words.insert(words.end(), {"bwrap", "--unshare-all", "--die-with-parent", "--ro-bind", "/", "/", "true"});
+    auto trial = Process::start(words, childEnvironment(""));
+    if (!trial) return false;
+    std::byte nothing{};
+    static_cast<void>((*trial)->read(std::span(&nothing, 1), std::chrono::seconds(5)));
+    return (*trial)->end() == "it ended with the exit code 0";
+  }();
+  return can;
+}
+
+std::vector<std::string> caged(const std::vector<std::string>& command, const std::string& folder,
+                               const std::string& modules) {
+  std::vector<std::string> words = limits();
+  if (hasCage())
+    for (std::string& word : bubblewrap(folder, modules)) words.push_back(std::move(word));
+  else
+    words.insert(words.end(), {"env", "--chdir=" + folder});
+  words.insert(words.end(), command.begin(), command.end());
+  return words;
+}
+
+std::vector<std::string> childEnvironment(const std::string& modules) {
+  std::vector<std::string> all = {"LC_ALL=C.UTF-8", "PYTHONDONTWRITEBYTECODE=1", "OMP_NUM_THREADS=1"};
+  for (const char* name : {"PATH", "HOME", "VIRTUAL_ENV", "CONDA_PREFIX", "LD_LIBRARY_PATH"})
+    if (const auto value = variable(name)) all.push_back(fmt::format("{}={}", name, *value));
+  std::string path = modules;
+  if (const auto own = variable("PYTHONPATH")) path += path.empty() ? *own : ":" + *own;
+  if (!path.empty()) all.push_back("PYTHONPATH=" + path);
+  return all;
+}
+
+const char* cageText() {
+  return hasCage() ? "in a cage: without network, with its own folder and the system to read, and a temporary folder"
+                   : "with your rights, for bubblewrap is not there to cage it";
+}
+
+}  // namespace surefoot

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The cage of a program: what it may see and use. With bubblewrap it has no network, sees the robot's folder and the
+// system read-only, none of the user's other files, and a temporary folder of its own. Without, its memory, files and
+// privileges are bounded all the same. Any thread.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace surefoot {
+
+/// Whether bubblewrap is there and can make a cage on this machine; tried once.
+bool hasCage();
+
+/// The whole command line for a program that is started in `folder`.
+std::vector<std::string> caged(const std::vector<std::string>& command, const std::string& folder,
+                               const std::string& modules);
+
+/// Its environment, "NAME=value": the paths of programs and languages, nothing else.
+std::vector<std::string> childEnvironment(const std::string& modules);
+
+/// "in a cage: no network, …": for whoever is asked whether it may start.
+const char* cageText();
+
+}  // namespace surefoot
