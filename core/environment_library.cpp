@@ -27,19 +27,21 @@ using FileResult = Result<std::shared_ptr<const EnvironmentFile>>;
 FileResult EnvironmentLibrary::open(const std::string& path) {
   const auto text = readText(path);
   if (!text) return Error{text.error().message, ErrorKind::File};
-  return keep(*text, path, path);
+  return keep(*text, path, path, path);
 }
 
-FileResult EnvironmentLibrary::add(std::string_view text, const std::string& file) {
-  return keep(text, file, "");
+FileResult EnvironmentLibrary::add(std::string_view text, const std::string& file, const std::string& path) {
+  std::error_code error;
+  return keep(text, file, "", std::filesystem::is_regular_file(path, error) ? path : file);
 }
 
-FileResult EnvironmentLibrary::keep(std::string_view text, const std::string& file, const std::string& path) {
+FileResult EnvironmentLibrary::keep(std::string_view text, const std::string& file, const std::string& path,
+                                    const std::string& beside) {
   const std::lock_guard lock(mutex_);
   for (const auto& [name, known] : files_)
-    if (known->text == text && (path.empty() || known->path == path)) return known;
+    if (known->text == text && known->starts.empty() && (path.empty() || known->path == path)) return known;
   std::vector<Complaint> complaints;
-  const std::string folder = folderOf(path.empty() ? file : path);
+  const std::string folder = folderOf(beside);
   auto made = reader_(text, folder, complaints);
   if (!made) {
     std::string first = complaintLine(file, complaints.front());
@@ -47,6 +49,7 @@ FileResult EnvironmentLibrary::keep(std::string_view text, const std::string& fi
     return Error{first, ErrorKind::File};
   }
   made->path = path;
+  made->home = (std::filesystem::path(folder) / std::filesystem::path(beside).filename()).string();
   auto kept = std::make_shared<const EnvironmentFile>(std::move(*made));
   // Another text that says the same (other comments) is the same environment: the first stays.
   return files_.emplace(kept->entry.name, kept).first->second;

@@ -24,6 +24,7 @@ struct EnvironmentFile {
   std::vector<AssignmentEntry> presets{}, scenarios{};
   std::string text{};
   std::string path{};     ///< where it was read; empty: it came inside another file
+  std::string home{};     ///< the file beside which its program lies; with its folders
   std::string starts{};   ///< the command of a program that moves it, "python3 hopper.py"; empty: it is data
   std::string program{};  ///< the program for EnvironmentPrograms: command, folder and what its files hold
   /// Lets it move at random and tells what came of it; takes some tenths of a second.
@@ -40,9 +41,11 @@ class EnvironmentLibrary {
 
   explicit EnvironmentLibrary(Reader reader) : reader_(std::move(reader)) {}
 
-  /// Reads a file, or a text that came in `file`; known texts are read only once.
+  /// Reads a file, or a text that came in `file`; known texts are read only once. `path`: where the text was read
+  /// first; if there is a file, the program of the robot is looked for there, else beside `file`.
   Result<std::shared_ptr<const EnvironmentFile>> open(const std::string& path);
-  Result<std::shared_ptr<const EnvironmentFile>> add(std::string_view text, const std::string& file);
+  Result<std::shared_ptr<const EnvironmentFile>> add(std::string_view text, const std::string& file,
+                                                     const std::string& path = "");
   /// Reads a text that is still being written: nothing is kept of it.
   std::optional<EnvironmentFile> read(std::string_view text, const std::string& folder,
                                       std::vector<Complaint>& complaints) const {
@@ -61,7 +64,7 @@ class EnvironmentLibrary {
 
  private:
   Result<std::shared_ptr<const EnvironmentFile>> keep(std::string_view text, const std::string& file,
-                                                      const std::string& path);
+                                                      const std::string& path, const std::string& beside);
 
   Reader reader_;
   std::string shelf_;

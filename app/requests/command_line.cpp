@@ -140,10 +140,15 @@ struct CommandLine {
   ReplayRequest replayOptions;
   BenchRequest benchOptions;
 
+  /// Those that let an environment move.
+  std::vector<CLI::App*> livingCommands() const {
+    std::vector<CLI::App*> all = laboratory.livingCommands();
+    all.insert(all.end(), {train, window, replay, robots.check});
+    return all;
+  }
+
   CommandLine() {
     app.require_subcommand(0, 1);
-    for (CLI::App* command : {train, window, replay, robots.check}) command->fallthrough();
-    for (CLI::App* command : laboratory.commands()) command->fallthrough();
     addTrainOptions(*train, trainOptions);
     addTrainOptions(*window, windowOptions);
     addFileOptions(*train, trainOptions);
@@ -225,9 +230,10 @@ Result<Request> any(Result<R> request) {
 
 Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv) {
   CommandLine line;
-  line.app.add_flag_callback(
-      "--allow-programs", [&] { registry.programs->allowAll(); },
-      "robots may start the programs that their files name");
+  for (CLI::App* command : line.livingCommands())
+    command->add_flag_callback(
+        "--allow-programs", [&] { registry.programs->allowAll(); },
+        "robots may start the programs that their files name");
   try {
     line.app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

@@ -36,6 +36,7 @@ class LaboratoryLine {
   explicit LaboratoryLine(CLI::App& app);
 
   std::vector<CLI::App*> commands() const { return {experiment_, reproduce_, export_, merge_, statistics_}; }
+  std::vector<CLI::App*> livingCommands() const { return {experiment_, reproduce_}; }
   /// The request of the command that was given, if it is one of these.
   std::optional<Result<Request>> request(const Registry& registry) const;
 

@@ -42,7 +42,8 @@ struct CommandText {
 struct Configuration {
   Names names;
   std::shared_ptr<const EnvironmentFile> environmentFile;  ///< null: the environment is compiled in
-  Parameters parameters;  ///< complete: environment, agent, features, and every policy's
+  std::string otherProgram{};  ///< the name of the environment when its program was another one; empty: it is the same
+  Parameters parameters;       ///< complete: environment, agent, features, and every policy's
   std::uint64_t seed = 1;
   int lives = 1;
   std::optional<double> minutes;         ///< simulated minutes per life

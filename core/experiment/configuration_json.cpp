@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "core/environment_library.h"
 #include "core/text/text.h"
 
@@ -30,14 +32,18 @@ bool readOptional(const Json& json, const char* key, std::optional<T>& value, T 
 }
 
 /// The text of a robot that travels in the file: it becomes an environment here.
-Status readEnvironmentText(const Registry& registry, const Json& json, const std::string& file, std::string& name) {
+Status readEnvironmentText(const Registry& registry, const Json& json, const std::string& file, std::string& name,
+                           std::string& otherProgram) {
   if (isEnvironmentPath(name)) return fileError(file, "its environment is a path, which no file of ours holds.");
   if (!json.contains("environment_text")) return Done{};
   if (!json["environment_text"].is_string() || !registry.files)
     return fileError(file, "the text of its environment is none.");
-  const auto made = registry.files->add(json["environment_text"].get_ref<const std::string&>(), file);
+  const bool place = json.contains("environment_path") && json["environment_path"].is_string();
+  const auto made = registry.files->add(json["environment_text"].get_ref<const std::string&>(), file,
+                                        place ? json["environment_path"].get<std::string>() : "");
   if (!made) return made.error();
-  name = (*made)->entry.name;
+  const std::string before = std::exchange(name, (*made)->entry.name);
+  if (!(*made)->starts.empty() && name != before) otherProgram = before;
   return Done{};
 }
 
@@ -70,6 +76,7 @@ ordered_json configurationAsJson(const Configuration& c) {
                        {"episodes", orNull(c.episodes)},
                        {"until", orNull(c.until)}};
   if (c.environmentFile) json["environment_text"] = c.environmentFile->text;
+  if (c.environmentFile && !c.environmentFile->starts.empty()) json["environment_path"] = c.environmentFile->home;
   return json;
 }
 
@@ -94,9 +101,11 @@ Result<Configuration> configurationFromJson(const Registry& registry, const Json
       return fileError(file, fmt::format("its configuration names no {}.", key));
     *name = json[key].get<std::string>();
   }
-  if (const Status s = readEnvironmentText(registry, json, file, names.environment); !s) return s.error();
+  std::string otherProgram;
+  if (const Status s = readEnvironmentText(registry, json, file, names.environment, otherProgram); !s) return s.error();
   auto c = configure(registry, names, {});
   if (!c) return Error{fmt::format("{}: {}", file, c.error().message), ErrorKind::File};
+  c->otherProgram = otherProgram;
   if (json.contains("parameters"))
     if (const Status s = setParameters(c->parameters, json["parameters"], file); !s) return s.error();
   if (!readOptional(json, "minutes", c->minutes, 0.0, 1e9) ||

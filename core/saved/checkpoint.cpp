@@ -136,6 +136,10 @@ Result<Resumed> resume(const Registry& registry, std::shared_ptr<const TensorFil
   if (const Status s = checkKind(*file, {"checkpoint"}); !s) return s.error();
   auto configuration = configurationOf(registry, *file);
   if (!configuration) return configuration.error();
+  if (!configuration->otherProgram.empty() && versions == Versions::Same)
+    return fileError(file->name, fmt::format("the program of its robot was another one: {} there, {} here. With "
+                                             "--other-version the life goes on all the same.",
+                                             configuration->otherProgram, configuration->names.environment));
   const Description d(file->about);
   auto changes = changesFrom(d.changes);
   if (!changes || !d.policy.is_string() || !d.keepRows.is_boolean())

@@ -102,4 +102,33 @@ TEST(RobotsCommand, WhatIsWrongIsToldWithItsPlace) {
   EXPECT_NE(train.err.find("There are more: surefoot check " + file), std::string::npos) << train.err;
 }
 
+TEST(RobotsCommand, AProgramIsStartedOnlyWhereThatIsAllowed) {
+  const Folder folder;
+  std::filesystem::copy(kRobotFolder + "child", folder.file("child"));
+  const std::string car = folder.file("child/car.toml");
+  expectRefusal("check " + car, 6,
+                {"starts a program, python3 car.py", "Nobody has allowed it yet", "--allow-programs"});
+  const Finished refused = surefoot("train --environment " + car + " --episodes 3");
+  EXPECT_EQ(refused.code, 6);
+  EXPECT_NE(refused.err.find("Nobody has allowed it yet"), std::string::npos) << refused.err;
+  const Finished check = surefoot("check --allow-programs " + car);
+  EXPECT_EQ(check.code, 0) << check.err;
+  EXPECT_NE(check.out.find("moved by python3 car.py, 2 state variables, 3 actions"), std::string::npos) << check.out;
+}
+
+TEST(RobotsCommand, AProgramsLifeGoesOnWhereItsFileLies) {
+  const Folder folder;
+  std::filesystem::copy(kRobotFolder + "child", folder.file("child"));
+  const std::string train = "--allow-programs --environment " + folder.file("child/car.toml");
+  const std::string checkpoint = folder.file("c.safetensors");
+  const std::string whole = hashOf(train + " --episodes 20");
+  hashOf(train + " --episodes 10 --checkpoint " + checkpoint);
+  const std::string on = "train --resume " + checkpoint + " --episodes 20";
+  expectRefusal(on, 6, {"Nobody has allowed it yet"});
+  EXPECT_EQ(run(on + " --allow-programs")["lives"][0]["hash"], whole);
+  std::ofstream(folder.file("child/car.py"), std::ios::app) << "# another program\n";
+  expectRefusal(on + " --allow-programs", 3, {"the program of its robot was another one", "--other-version"});
+  EXPECT_EQ(run(on + " --allow-programs --other-version")["lives"][0]["hash"], whole);
+}
+
 }  // namespace surefoot

@@ -167,8 +167,9 @@ QString LivePage::actionsNote() const {
   if (!session_.life().task().actionVariables.empty())
     return tr("the next action is shaded; %1 actions, by joint").arg(session_.life().task().actions.size());
   if (session_.looking().playback()) return tr("in the replay");
-  return session_.life().turbo() && session_.life().running() ? tr("in the real-time world")
-                                                              : tr("the next action is shaded");
+  const bool other = session_.looking().hasViewer();  // another world than the learner's
+  return session_.life().turbo() && session_.life().running() && other ? tr("in the real-time world")
+                                                                       : tr("the next action is shaded");
 }
 
 void LivePage::resetParameters() {
@@ -186,6 +187,8 @@ QString LivePage::worldNote() const {
   if (!beginning.isEmpty() && !session_.life().turbo())
     return tr("the learner's world; its life began %1").arg(beginning);
   const QString speed = session_.life().factorText();
+  if (!session_.looking().hasViewer())
+    return speed.isEmpty() ? tr("the learner's world") : tr("the learner's world, %1").arg(speed);
   if (session_.life().turbo() && world_->held()) return tr("real time; only this world is held, the learner's is not");
   if (session_.life().turbo())
     return speed.isEmpty() ? tr("real time, newest Q-function")

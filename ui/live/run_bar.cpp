@@ -170,7 +170,24 @@ void RunBar::fillTasks() {
       add(entry, entry.name, true);
     else if (!any)
       add(entry, "", false);
+  addRobots(here, any);
   task_->view()->setMinimumWidth(task_->view()->sizeHintForColumn(0) + scaled(24));
+}
+
+/// The robots that come with the program as files, and the one in hand, wherever its file lies.
+void RunBar::addRobots(const std::string& here, bool hasScenarios) {
+  const auto& files = life_.registry().files;
+  if (!files) return;
+  const auto add = [&](const QString& title, const QString& name, bool isEnvironment) {
+    task_->addItem(title, name);
+    task_->setItemData(task_->count() - 1, isEnvironment, kIsEnvironment);
+  };
+  if (const auto file = files->find(here); file && !hasScenarios) add(toText(file->entry.title), QString(), false);
+  for (const std::string& name : files->shelved()) {
+    QString title = toText(name);
+    title.replace(u'-', u' ').replace(0, 1, title.at(0).toUpper());
+    if (name != plainName(here)) add(title, toText(name), true);
+  }
 }
 
 void RunBar::fillAgents() {

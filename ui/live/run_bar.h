@@ -71,6 +71,7 @@ class RunBar final : public Painted<> {
   void refresh();
   void readNumbers();
   void fillTasks();
+  void addRobots(const std::string& here, bool hasScenarios);
   void fillAgents();
   void makeMeaning();
 

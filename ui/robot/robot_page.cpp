@@ -177,10 +177,13 @@ void RobotPage::refresh() {
       all << tr("line %1: %2").arg(QString::number(w.at.line), toText(w.sentence));
     lines_->setToolTip(tipText(all.join(u'\n')));
   }
+  if (const QString why = checked_ ? toText(checked_->inspection.unanswered) : QString(); !why.isEmpty()) {
+    foot = why;
+    lines_->setToolTip(tipText(why));
+  }
   lines_->setText(foot);
+  refreshProgram();
   save_->setEnabled(isEdited() || source_.path().isEmpty());
-  for (QAbstractButton* button : std::initializer_list<QAbstractButton*>{try_, random_, still_})
-    button->setEnabled(checked_ != nullptr);
   try_->setText(trial_.isRunning() ? tr("Stop") : tr("Try"));
   learn_->setEnabled(checked_ && !wrong_);
   handMade_->setVisible(trial_.handMade());

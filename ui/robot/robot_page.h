@@ -74,6 +74,8 @@ class RobotPage final : public QWidget {
   void refresh();
   void writeLimit(const AngleHandle& handle, double angle);
   void writeRange(const SeenState& state);
+  void refreshProgram();
+  void allow();
   void tryOut();
   void learn();
 
@@ -87,7 +89,7 @@ class RobotPage final : public QWidget {
   TextButton* file_;
   QMenu* files_;
   QLabel *state_, *note_, *errors_, *lines_;
-  TextButton *save_, *try_, *learn_;
+  TextButton *save_, *try_, *learn_, *allow_;
   LinkButton *random_, *still_, *handMade_;
   PanelHeader *textHead_ = nullptr, *worldHead_ = nullptr;
   std::shared_ptr<Checked> checked_;  // the last text without an error

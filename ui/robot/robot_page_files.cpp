@@ -3,6 +3,11 @@
 #include <QFileInfo>
 #include <QMenu>
 
+#include "core/environment_programs.h"
+#include "core/text/text.h"
+#include "ui/controls/link_button.h"
+#include "ui/controls/panel.h"
+#include "ui/controls/text_button.h"
 #include "ui/robot/random_life.h"
 #include "ui/robot/robot_checked.h"
 #include "ui/robot/robot_picture.h"
@@ -10,6 +15,7 @@
 #include "ui/robot/state_table.h"
 #include "ui/style/symbol_text.h"
 #include "ui/support/ask_for_file.h"
+#include "ui/support/plain_text.h"
 
 namespace surefoot {
 
@@ -50,6 +56,26 @@ void RobotPage::showInspection(const EnvironmentInspection* inspection) {
   picture_->setInspection(inspection);
   table_->setInspection(inspection);
   life_->setInspection(inspection);
+}
+
+/// A robot is data, or it starts a program, which has to be allowed; that one can be watched on the Live page only.
+void RobotPage::refreshProgram() {
+  const EnvironmentFile* file = checked_ ? &*checked_->file : nullptr;
+  const bool starts = file && !file->starts.empty();
+  textHead_->setNote(starts ? tr("starts %1").arg(toText(file->starts))
+                            : tr("TOML, checked while you type; runs nothing"));
+  allow_->setVisible(starts && !registry_.programs->isAllowed(file->program));
+  for (QAbstractButton* button : std::initializer_list<QAbstractButton*>{try_, random_, still_}) {
+    button->setEnabled(file && !starts);
+    button->setToolTip(starts ? tipText(tr("A program moves it: let it learn, and it moves on the Live page."))
+                              : QString());
+  }
+}
+
+void RobotPage::allow() {
+  registry_.programs->allow(checked_->file->program);
+  check();
+  refresh();
 }
 
 void RobotPage::setAside() {

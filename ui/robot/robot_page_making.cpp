@@ -31,10 +31,12 @@ QWidget* RobotPage::makeBar() {
   });
   state_ = makeText(QString(), 11, 400, true, bar);
   note_ = makeText(QString(), 11, 400, true, bar);
+  allow_ = new TextButton(tr("Allow it to start"), TextButton::Look::Framed);
   save_ = new TextButton(tr("Save"), TextButton::Look::Framed);
   try_ = new TextButton(tr("Try"), TextButton::Look::Framed);
   learn_ = new TextButton(tr("Let it learn"), TextButton::Look::Main);
   try_->setStarts(true);
+  connect(allow_, &QAbstractButton::clicked, this, &RobotPage::allow);
   connect(save_, &QAbstractButton::clicked, this, &RobotPage::save);
   connect(try_, &QAbstractButton::clicked, this, &RobotPage::tryOut);
   connect(learn_, &QAbstractButton::clicked, this, &RobotPage::learn);
@@ -42,12 +44,12 @@ QWidget* RobotPage::makeBar() {
   row->addWidget(state_);
   row->addStretch(1);
   row->addWidget(note_);
-  for (QWidget* button : {save_, try_, learn_}) row->addWidget(button);
+  for (QWidget* button : {allow_, save_, try_, learn_}) row->addWidget(button);
   whenScaled(bar, [this, bar, row] {
     bar->setFixedHeight(scaled(48));
     row->setContentsMargins(scaled({12, 0, 12, 0}));
     row->setSpacing(scaled(8));
-    for (TextButton* button : {file_, save_, try_, learn_}) button->setFixedHeight(scaled(32));
+    for (TextButton* button : {file_, allow_, save_, try_, learn_}) button->setFixedHeight(scaled(32));
   });
   return bar;
 }
@@ -58,7 +60,6 @@ QWidget* RobotPage::makeDescription() {
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   auto* head = new PanelHeader(tr("Description"), false, box);
-  head->setNote(tr("TOML, checked while you type"));
   errors_ = makeText(QString(), 11, 500, false, box);
   head->addWidget(errors_);
   textHead_ = head;

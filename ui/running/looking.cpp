@@ -63,8 +63,7 @@ void Looking::advance(double seconds) {
 void Looking::show(double seconds) {
   if (!life_.isShown()) return;  // the snapshot is still from the life before, perhaps in another environment
   const Snapshot& now = life_.snapshot();
-  const bool viewing =
-      (life_.running() ? life_.turbo() : demonstrating_) && life_.values() && viewer_->environment().answersAtOnce();
+  const bool viewing = (life_.running() ? life_.turbo() : demonstrating_) && life_.values() && hasViewer();
   std::int64_t falls = now.totals.falls;
   if (viewing) {
     const ActionValueFunction& values = *life_.values()->values;

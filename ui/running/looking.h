@@ -34,6 +34,8 @@ class Looking final : public QObject {
   const ActionValueFunction* valuesShown() const;
   /// While the life rests, the world goes on in real time by what was learned so far, and nothing is learned.
   void setDemonstrating(bool on) { demonstrating_ = on; }
+  /// Whether a second world can be shown in real time.
+  bool hasViewer() const { return viewer_->environment().answersAtOnce(); }
   bool demonstrating() const { return demonstrating_; }
   /// Holds the body of the world that is shown by its tip [m], or lets go.
   void hold(std::optional<double> target);

@@ -2,6 +2,8 @@
 // `surefoot check`: reads a robot's file, lets the robot move at random and by itself, and tells what is doubtful.
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "app/commands/commands.h"
 #include "app/commands/robots/robot_report.h"
 #include "app/process/exit_code.h"
@@ -9,7 +11,6 @@
 #include "core/environment_library.h"
 #include "core/files/read_file.h"
 #include "physics/robot/reading/robot_reading.h"
-#include "physics/robot/robot.h"
 
 namespace surefoot {
 
@@ -34,10 +35,11 @@ int checkCommand(const Registry& registry, const CheckRequest& asked) {
   const auto text = readText(request.file);
   if (!text) return fail({text.error().message, ErrorKind::File});
   std::vector<Complaint> complaints;
+  const auto file = registry.files->read(*text, std::filesystem::absolute(request.file).parent_path(), complaints);
+  if (!file) return tellWrong(request, complaints);
   const auto spec = readRobot(*text, complaints);
-  if (spec) complaints = checkRobot(*spec);
-  if (!complaints.empty()) return tellWrong(request, complaints);
-  const EnvironmentInspection found = inspectRobot(spec);
+  const EnvironmentInspection found = file->inspect();
+  if (!found.unanswered.empty()) return fail({found.unanswered, ErrorKind::Unanswered});
   if (!request.json) return print(robotReport(*spec, found, request.file));
   auto json = robotReportAsJson(*spec, found);
   json["errors"] = nlohmann::ordered_json::array();

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/text/text.h"
+#include "physics/robot/child/child_robot.h"
 #include "physics/robot/reading/robot_reading.h"
 
 namespace surefoot {
@@ -47,8 +48,11 @@ std::string robotReport(const RobotSpec& spec, const EnvironmentInspection& foun
   std::size_t actions = 1;
   for (const ActuatorSpec& actuator : spec.actuators)
     if (!actuator.levels.empty()) actions *= actuator.levels.size();
-  std::string text = fmt::format("{}: {}, {} bodies, {} joints, {} state variables, {} actions\n", file, spec.title,
-                                 spec.bodies.size(), spec.joints.size(), spec.states.size(), actions);
+  const std::string moved = spec.names.hasChild()
+                                ? fmt::format("moved by {}", commandText(spec))
+                                : fmt::format("{} bodies, {} joints", spec.bodies.size(), spec.joints.size());
+  std::string text =
+      fmt::format("{}: {}, {}, {} state variables, {} actions\n", file, spec.title, moved, spec.states.size(), actions);
   text += stateTable(found);
   text += fmt::format("  a dense table has {} tiles a tiling\n", countText(found.tiles));
   std::string endings;

@@ -154,6 +154,8 @@ class Inspection {
     found_.steps = steps;
     found_.unanswered = robot_.unanswered();
     found_.verdict = "its program does not answer";
+    for (SeenState& state : found_.states)
+      if (state.seenLow > state.seenHigh) state.seenLow = state.seenHigh = 0.0;
   }
   bool isAtLimit(std::size_t j) {
     const auto& limits = box2d_->numbers().joints[j].limits;
@@ -218,7 +220,7 @@ class Inspection {
     const TextPlace top{1, 1};
     std::set<int> used;
     collectUses(used);
-    for (std::size_t p = 0; p < spec_->parameters.size(); ++p)
+    for (std::size_t p = 0; p < spec_->parameters.size() && !child_; ++p)  // a program gets all of them
       if (!used.contains(static_cast<int>(p)))
         warn(top, fmt::format("nothing uses the parameter {}.", spec_->parameters[p].key));
     if (!robot_.task().canFall) warn(top, "no ending is a fall: falls cannot be counted.");
