@@ -101,8 +101,6 @@ Status NewLives::beginEnvironment(const std::string& name) {
   Names names;
   names.environment = name;
   names.policy = life_.configuration().names.policy;
-  const auto entry = findEnvironment(life_.registry(), name);
-  if (!entry) return entry.error();
   auto configuration = configure(life_.registry(), names, {});
   if (!configuration) return configuration.error();
   configuration->seed = life_.configuration().seed;
