@@ -64,6 +64,12 @@ struct PassiveEnergy {
   }
 };
 
+/// What an expression of the text is worth at the start of an episode.
+struct FormulaValue {
+  TextPlace at{};
+  double value = 0.0;
+};
+
 struct EnvironmentInspection {
   std::string title{}, name{};
   std::vector<SeenState> states{};
@@ -86,6 +92,7 @@ struct EnvironmentInspection {
   std::vector<std::pair<std::string, double>> atLimits{};  ///< share of steps in which a joint was at a limit
   std::int64_t flewApart = 0;
   std::string verdict{};
+  std::vector<FormulaValue> formulas{};
   std::string unanswered{};  ///< why its program did not answer; nothing was judged then
 
   double tiles = 0.0;                 ///< of a dense table of all actions, a tiling

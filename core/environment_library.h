@@ -27,6 +27,9 @@ struct EnvironmentFile {
   std::string home{};     ///< the file beside which its program lies; with its folders
   std::string starts{};   ///< the command of a program that moves it, "python3 hopper.py"; empty: it is data
   std::string program{};  ///< the program for EnvironmentPrograms: command, folder and what its files hold
+  /// The same robot left to itself, without motors, dampers, friction and contacts; and as it is drawn, a little above
+  /// the ground. Null: it has no such thing.
+  std::function<std::unique_ptr<Environment>()> passive{}, dropped{};
   /// Lets it move at random and tells what came of it; takes some tenths of a second.
   std::function<EnvironmentInspection()> inspect{};
 };
@@ -54,6 +57,7 @@ class EnvironmentLibrary {
   /// The folder of the files that come with the program: they are known by their file's names, and read when they are
   /// asked for.
   void setShelf(std::string folder) { shelf_ = std::move(folder); }
+  const std::string& shelf() const { return shelf_; }
   /// Their names, in order.
   std::vector<std::string> shelved() const;
   /// The path of one of them; empty: there is none of this name.

@@ -8,6 +8,7 @@
 #include "physics/leo/leo.h"
 #include "physics/pendulum/pendulum.h"
 #include "physics/robot/inspection/inspection.h"
+#include "physics/robot/inspection/passive.h"
 #include "physics/robot/robot_entry.h"
 
 namespace surefoot {
@@ -62,10 +63,12 @@ AssignmentEntry leoPreset(const char* name, const char* title, const char* help,
 
 void registerPhysics(Registry& r) {
   r.programs = std::make_shared<EnvironmentPrograms>();
-  r.files = std::make_shared<EnvironmentLibrary>(
-      [programs = r.programs](std::string_view text, const std::string& folder, std::vector<Complaint>& complaints) {
-        return readRobotEntry(text, folder, complaints, inspectRobot, programs);
-      });
+  const RobotTools tools = {inspectRobot, [](const RobotSpec& spec) { return passiveRobot(spec, 1); }, droppedRobot};
+  r.files = std::make_shared<EnvironmentLibrary>([tools, programs = r.programs](std::string_view text,
+                                                                                const std::string& folder,
+                                                                                std::vector<Complaint>& complaints) {
+    return readRobotEntry(text, folder, complaints, tools, programs);
+  });
   r.environments.push_back({{kPendulum, "Pendulum", "The thesis's inverted pendulum on a cart, in Box2D."},
                             [] { return std::make_unique<Pendulum>(); }});
 

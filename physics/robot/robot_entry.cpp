@@ -41,16 +41,16 @@ std::uint64_t printOfFiles(const RobotSpec& spec, const std::string& folder) {
 }
 
 /// A robot that a program moves: its name counts the program's files, too.
-void addProgram(const std::shared_ptr<const RobotSpec>& spec, const std::string& folder,
-                const RobotInspector& inspector, const std::shared_ptr<const EnvironmentPrograms>& programs,
-                EnvironmentFile& file) {
+void addProgram(const std::shared_ptr<const RobotSpec>& spec, const std::string& folder, const RobotTools& tools,
+                const std::shared_ptr<const EnvironmentPrograms>& programs, EnvironmentFile& file) {
   file.starts = commandText(*spec);
   file.program = fmt::format("{} in {} with {:016x}", file.starts, folder, printOfFiles(*spec, folder));
   const auto make = [=, program = file.program] {
     return std::make_unique<ChildRobot>(spec, program, folder, programs);
   };
   file.entry.make = make;
-  file.inspect = [=] { return inspector(spec, make()); };
+  file.passive = file.dropped = nullptr;
+  file.inspect = [=] { return tools.inspect(spec, make()); };
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ EnvironmentFile robotEntry(const std::string& name, std::shared_ptr<const RobotS
 }
 
 std::optional<EnvironmentFile> readRobotEntry(std::string_view text, const std::string& folder,
-                                              std::vector<Complaint>& complaints, const RobotInspector& inspector,
+                                              std::vector<Complaint>& complaints, const RobotTools& tools,
                                               const std::shared_ptr<const EnvironmentPrograms>& programs) {
   const auto spec = readRobot(text, complaints);
   if (spec) complaints = checkRobot(*spec);
@@ -75,8 +75,10 @@ std::optional<EnvironmentFile> readRobotEntry(std::string_view text, const std::
   const std::uint64_t print = spec->names.hasChild() ? hash.value() : spec->fingerprint;
   auto file = robotEntry(fmt::format("{}@{:08x}", spec->name, print >> 32), spec);
   file.text = text;
-  file.inspect = [=] { return inspector(spec, nullptr); };
-  if (spec->names.hasChild()) addProgram(spec, folder, inspector, programs, file);
+  file.inspect = [=] { return tools.inspect(spec, nullptr); };
+  file.passive = [=] { return std::make_unique<Robot>(tools.passive(*spec)); };
+  file.dropped = [=] { return std::make_unique<Robot>(tools.dropped(*spec)); };
+  if (spec->names.hasChild()) addProgram(spec, folder, tools, programs, file);
   return file;
 }
 

@@ -131,4 +131,21 @@ TEST(RobotsCommand, AProgramsLifeGoesOnWhereItsFileLies) {
   EXPECT_EQ(run(on + " --allow-programs --other-version")["lives"][0]["hash"], whole);
 }
 
+// glibc has sin, exp and pow in several versions, chosen by what the processor can do; none of them may be in a life.
+TEST(RobotsCommand, LivesHaveTheSameBitsOnAProcessorWithoutFmaAndAvx2) {
+  constexpr int kSteps = 4000;
+  for (const auto& entry : std::filesystem::directory_iterator(kRobotFolder)) {
+    if (entry.path().extension() != ".toml") continue;
+    const std::string text = contentOf(entry.path().string()), key = "\nstep_time = ";
+    const std::string value = text.substr(text.find(key) + key.size());
+    const double stepTime = value.starts_with('"') ? 1.0 / 30 : std::stod(value);  // LEO's is an expression
+    const std::string life = "--environment " + entry.path().string() + " --set policy.epsilon=1 --seed 3 --minutes " +
+                             std::to_string(kSteps * stepTime / 60);
+    const std::string here = hashOf(life);
+    ASSERT_EQ(setenv("GLIBC_TUNABLES", "glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4,-AVX,-AVX512F,-AVX512VL", 1), 0);
+    EXPECT_EQ(hashOf(life), here) << entry.path();
+    ASSERT_EQ(unsetenv("GLIBC_TUNABLES"), 0);
+  }
+}
+
 }  // namespace surefoot

@@ -78,6 +78,8 @@ RobotPage::RobotPage(const Registry& registry, const QString& folder, QWidget* p
   connect(&keeping_, &QTimer::timeout, this, [this] { source_.keep(text_->toPlainText()); });
   connect(&checking_, &Background::failed, this, &RobotPage::refused);
   connect(text_, &RobotText::lineChanged, picture_, &RobotPicture::setLine);
+  connect(text_, &RobotText::lineChanged, this, &RobotPage::refresh);
+  connect(text_, &RobotText::helpAsked, this, &RobotPage::explain);
   connect(picture_, &RobotPicture::lineAsked, this, [this](int line) { text_->goTo({line, 1}); });
   connect(picture_, &RobotPicture::limitMoved, this, &RobotPage::writeLimit);
   connect(picture_, &RobotPicture::keyPressed, this, [this](int key) {
@@ -166,9 +168,12 @@ void RobotPage::refresh() {
   errors_->adjustSize();
   textHead_->layOutExtra();
   const auto warnings = checked_ ? static_cast<int>(checked_->inspection.warnings.size()) : 0;
-  QString foot = errors > 0 ? tr("F8 the next error, Alt+Enter mends it")
-                            : tr("%n lines", nullptr, text_->document()->blockCount());
-  if (errors == 0 && warnings > 0) {
+  const QString value = valueAtCaret();
+  QString foot = errors > 0         ? tr("F8 the next error, Alt+Enter mends it")
+                 : !value.isEmpty() ? value
+                                    : tr("%n lines; F1 says what the word at the caret means", nullptr,
+                                         text_->document()->blockCount());
+  if (errors == 0 && value.isEmpty() && warnings > 0) {
     const Complaint& first = checked_->inspection.warnings.front();
     foot = tr("line %1: %2").arg(QString::number(first.at.line), toText(first.sentence));
     if (warnings > 1) foot += tr(" (and %1 more)").arg(warnings - 1);

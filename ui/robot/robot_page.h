@@ -20,6 +20,7 @@ namespace surefoot {
 class LinkButton;
 class PanelHeader;
 class RandomLife;
+class RobotHelp;
 class RobotPicture;
 class RobotText;
 class StateTable;
@@ -75,6 +76,8 @@ class RobotPage final : public QWidget {
   void writeLimit(const AngleHandle& handle, double angle);
   void writeRange(const SeenState& state);
   void refreshProgram();
+  void explain();
+  QString valueAtCaret() const;
   void allow();
   void tryOut();
   void learn();
@@ -90,8 +93,9 @@ class RobotPage final : public QWidget {
   QMenu* files_;
   QLabel *state_, *note_, *errors_, *lines_;
   TextButton *save_, *try_, *learn_, *allow_;
-  LinkButton *random_, *still_, *handMade_;
+  LinkButton *random_, *still_, *passive_, *drop_, *handMade_;
   PanelHeader *textHead_ = nullptr, *worldHead_ = nullptr;
+  std::shared_ptr<RobotHelp> help_;   // read when it is asked for first
   std::shared_ptr<Checked> checked_;  // the last text without an error
   bool wrong_ = false, everShown_ = false;
   QTimer pause_, keeping_;

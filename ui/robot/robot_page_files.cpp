@@ -4,6 +4,7 @@
 #include <QMenu>
 
 #include "core/environment_programs.h"
+#include "core/files/read_file.h"
 #include "core/text/text.h"
 #include "ui/controls/link_button.h"
 #include "ui/controls/panel.h"
@@ -65,17 +66,39 @@ void RobotPage::refreshProgram() {
   textHead_->setNote(starts ? tr("starts %1").arg(toText(file->starts))
                             : tr("TOML, checked while you type; runs nothing"));
   allow_->setVisible(starts && !registry_.programs->isAllowed(file->program));
-  for (QAbstractButton* button : std::initializer_list<QAbstractButton*>{try_, random_, still_}) {
+  for (QAbstractButton* button : std::initializer_list<QAbstractButton*>{try_, random_, still_, passive_, drop_})
     button->setEnabled(file && !starts);
-    button->setToolTip(starts ? tipText(tr("A program moves it: let it learn, and it moves on the Live page."))
-                              : QString());
-  }
+  try_->setToolTip(starts ? tipText(tr("A program moves it: let it learn, and it moves on the Live page."))
+                          : QString());
 }
 
 void RobotPage::allow() {
   registry_.programs->allow(checked_->file->program);
   check();
   refresh();
+}
+
+void RobotPage::explain() {
+  if (!help_) {
+    const auto text =
+        registry_.files ? readText(registry_.files->shelf() + "/format.md") : Result<std::string>(Error{});
+    help_ = std::make_shared<RobotHelp>(text ? toText(*text) : QString());
+  }
+  const RobotTextPlace place = text_->caret();
+  const QString help = help_->of(place.section, place.key), value = valueAtCaret();
+  text_->explain(
+      QStringList{help.isEmpty() ? tr("Nothing is known of this word.") : help, value}.join(u'\n').trimmed());
+}
+
+/// "= 0.31 at the start of an episode": of the expressions in the caret's line, as the text stands.
+QString RobotPage::valueAtCaret() const {
+  if (!checked_ || wrong_ || text_->toPlainText() != checked_->text) return {};
+  const int line = text_->textCursor().blockNumber() + 1;
+  QStringList values;
+  for (const FormulaValue& formula : checked_->inspection.formulas)
+    if (formula.at.line == line) values << QString::number(formula.value, 'g', 4);
+  if (values.isEmpty()) return {};
+  return tr("line %1 = %2 at the start of an episode").arg(QString::number(line), values.join(QStringLiteral(", ")));
 }
 
 void RobotPage::setAside() {

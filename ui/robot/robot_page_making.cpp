@@ -17,6 +17,7 @@
 #include "ui/robot/robot_text.h"
 #include "ui/robot/state_table.h"
 #include "ui/style/scale.h"
+#include "ui/support/plain_text.h"
 
 namespace surefoot {
 
@@ -97,6 +98,12 @@ QWidget* RobotPage::makeWorld() {
   };
   random_ = mode(tr("Random"), RobotTrial::Mode::Random);
   still_ = mode(tr("Motors off"), RobotTrial::Mode::Still);
+  passive_ = mode(tr("Passive"), RobotTrial::Mode::Passive);
+  passive_->setToolTip(
+      tipText(tr("Left to itself: no motors, dampers, friction and contacts. What moves less and less "
+                 "then loses its energy to the size of the substeps.")));
+  drop_ = mode(tr("Drop"), RobotTrial::Mode::Dropped);
+  drop_->setToolTip(tipText(tr("As it is drawn, from 20 cm above the ground, motors off")));
   handMade_ = mode(tr("Hand-made"), RobotTrial::Mode::HandMade);
   worldHead_->addWidget(modes);
   picture_ = new RobotPicture;

@@ -8,6 +8,7 @@
 #include <QRegularExpression>
 #include <QScrollBar>
 #include <QTextBlock>
+#include <QToolTip>
 #include <algorithm>
 #include <map>
 
@@ -15,6 +16,7 @@
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
+#include "ui/support/plain_text.h"
 
 namespace surefoot {
 
@@ -233,6 +235,23 @@ bool RobotText::repair() {
   return false;
 }
 
+RobotTextPlace RobotText::caret() const {
+  const QTextCursor cursor = textCursor();
+  QStringList before;
+  for (QTextBlock block = document()->begin(); block != cursor.block(); block = block.next()) before << block.text();
+  return placeInRobot(before, cursor.block().text(), cursor.positionInBlock());
+}
+
+void RobotText::explain(const QString& sentence) {
+  QToolTip::showText(viewport()->mapToGlobal(cursorRect().bottomLeft()), tipText(sentence), this);
+}
+
+/// F1 is the list of shortcuts elsewhere.
+bool RobotText::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_F1) event->accept();
+  return QPlainTextEdit::event(event);
+}
+
 void RobotText::keyPressEvent(QKeyEvent* event) {
   const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
   if (enter && event->modifiers() == Qt::AltModifier) {
@@ -240,6 +259,7 @@ void RobotText::keyPressEvent(QKeyEvent* event) {
     return;
   }
   if (event->key() == Qt::Key_F8) return goToNextComplaint();
+  if (event->key() == Qt::Key_F1) return Q_EMIT helpAsked();
   QPlainTextEdit::keyPressEvent(event);
 }
 

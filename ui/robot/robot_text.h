@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/files/toml_tree.h"
+#include "ui/robot/robot_help.h"
 
 namespace surefoot {
 
@@ -26,16 +27,21 @@ class RobotText final : public QPlainTextEdit {
   bool repair();
   /// Replaces `length` characters at a place, as one step.
   void write(TextPlace place, int length, const QString& text);
+  RobotTextPlace caret() const;
+  /// Shows a sentence at the caret, until a key is pressed or the mouse moves.
+  void explain(const QString& sentence);
   /// What stands from a place to the end of its line.
   QString lineFrom(TextPlace place) const;
 
  Q_SIGNALS:
   void lineChanged(int line);  ///< the caret's, from 1
+  void helpAsked();            ///< about what stands at the caret
 
  protected:
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  bool event(QEvent* event) override;
   void keyPressEvent(QKeyEvent* event) override;
   void changeEvent(QEvent* event) override;
 

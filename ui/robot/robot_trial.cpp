@@ -38,7 +38,9 @@ RobotTrial::RobotTrial(QObject* parent) : QObject(parent) {
 }
 
 void RobotTrial::start(const EnvironmentFile& file, Mode mode) {
-  environment_ = file.entry.make();
+  environment_ = mode == Mode::Passive && file.passive   ? file.passive()
+                 : mode == Mode::Dropped && file.dropped ? file.dropped()
+                                                         : file.entry.make();
   random_ = Random(static_cast<std::uint64_t>(1000 + episodes_));
   environment_->reset(random_);
   until_ = -1, rest_ = 0, due_ = 0;

@@ -15,7 +15,8 @@ class RobotTrial final : public QObject {
   Q_OBJECT
 
  public:
-  enum class Mode { Random, Still, HandMade, Keys };
+  /// Passive: without motors, dampers, friction and contacts. Dropped: motors off, from a little above the ground.
+  enum class Mode { Random, Still, Passive, Dropped, HandMade, Keys };
 
   explicit RobotTrial(QObject* parent = nullptr);
 

@@ -112,6 +112,7 @@ class Inspection {
     std::vector<double> toFall;
     std::vector<int> atLimit(spec_->joints.size(), 0);
     if (!begin(random, 0)) return;
+    evaluateFormulas();
     int begun = 0;
     for (int step = 1; step <= kSteps; ++step) {
       if (child_ && step % kStartedAnewEvery == 0) child_->stopProgram();  // in a new one, the episode is the same
@@ -141,6 +142,16 @@ class Inspection {
     std::sort(toFall.begin(), toFall.end());
     if (!toFall.empty()) found_.medianToFall = toFall[toFall.size() / 2];
     found_.verdict = verdict();
+  }
+  /// Those that are more than a number, and not drawn at random.
+  void evaluateFormulas() {
+    forEveryFormula(*spec_, [&](const Formula& formula) {
+      const auto in = formula.expression.instructions();
+      const auto drawn = [](const Instruction& i) { return i.operation == Operation::Uniform; };
+      const bool plain = in.size() == 1 && in[0].operation == Operation::Constant;
+      if (plain || formula.at.line == 0 || std::any_of(in.begin(), in.end(), drawn)) return;
+      found_.formulas.push_back({formula.at, formula(values_.row())});
+    });
   }
   bool begin(Random& random, int step) {
     robot_.reset(random);

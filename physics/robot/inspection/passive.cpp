@@ -33,6 +33,23 @@ std::shared_ptr<const RobotSpec> passiveRobot(const RobotSpec& spec, int finer) 
   return passive;
 }
 
+std::shared_ptr<const RobotSpec> droppedRobot(const RobotSpec& spec) {
+  constexpr double kHeight = 0.2;  // [m]
+  auto dropped = std::make_shared<RobotSpec>(spec);
+  dropped->start.clear();
+  dropped->onGround = false;
+  dropped->atRest = -1;
+  const Robot robot(std::make_shared<RobotSpec>(spec));
+  const Assembly assembly(spec, robot.numbers());
+  for (std::size_t b = 0; b < spec.bodies.size(); ++b)
+    if (assembly.isFree(static_cast<int>(b)) && !spec.bodies[b].still)
+      dropped->start.push_back({.ofBody = true,
+                                .index = static_cast<int>(b),
+                                .what = StartSpec::What::Y,
+                                .value = formulaOf(spec.bodies[b].at[1](robot.values().row()) + kHeight)});
+  return dropped;
+}
+
 PassiveEnergy energyOf(const std::shared_ptr<const RobotSpec>& spec) {
   constexpr double kSeconds = 4.0;
   Robot robot(spec);

@@ -4,12 +4,14 @@
 #include <QAbstractButton>
 #include <QTemporaryDir>
 #include <QTextBlock>
+#include <QToolTip>
 
 #include "core/environment_library.h"
 #include "core/files/read_file.h"
 #include "core/files/whole_file.h"
 #include "tests/ui/window_setup.h"
 #include "ui/robot/random_life.h"
+#include "ui/robot/robot_help.h"
 #include "ui/robot/robot_picture.h"
 #include "ui/robot/robot_text.h"
 #include "ui/robot/state_table.h"
@@ -168,6 +170,58 @@ TEST(RobotPage, ItMovesWhenItIsTried) {
   for (int x = 60; x < life->width() - 230 && !w.has("Stop"); x += 4)  // somewhere there is a fall
     QTest::mouseClick(life, Qt::LeftButton, {}, QPoint(x, 60));
   EXPECT_TRUE(w.has("Stop")) << "it is shown again";
+}
+
+TEST(RobotHelp, FindsTheKeyAtTheCaretAndExplainsIt) {
+  const RobotHelp help(toText(*readText((kRobots + "format.md").toStdString())));
+  const QStringList before = {"name = \"a\"", "[body.trunk]", "mass = 2"};
+  const auto at = [&](const QString& line, int column) {
+    const RobotTextPlace place = placeInRobot(before, line, column);
+    return help.of(place.section, place.key);
+  };
+  EXPECT_TRUE(at("inertia = 0.5", 3).startsWith("inertia: about the centre of mass"));
+  EXPECT_TRUE(at("shape = [{ rod = 0.1, to = [0, 1] }]", 2).startsWith("shape: a list"));
+  EXPECT_TRUE(at("shape = [{ rod = 0.1, to = [0, 1] }]", 12).startsWith("rod: radius of its round ends"));
+  EXPECT_TRUE(at("shape = [{ rod = 0.1, to = [0, 1] }]", 29).startsWith("to: the rod's end"));
+  EXPECT_TRUE(at("[[memory]]", 4).startsWith("A number that is carried on"));
+  EXPECT_TRUE(placeInRobot({}, "step_time = 0.02", 0).section.isEmpty());
+  EXPECT_TRUE(help.of({}, "step_time").startsWith("step_time: how long an action holds"));
+  EXPECT_TRUE(help.of("scenario", "set").startsWith("set: {"));
+  EXPECT_TRUE(help.of("actuator", "levels").endsWith("by `effort`.")) << "over two lines";
+  EXPECT_EQ(help.of("body", "nonsense"), QString());
+}
+
+TEST(RobotPage, F1SaysWhatAWordMeansAndWhatItsExpressionIsWorth) {
+  RobotWindow w;
+  const auto block = [&](const QString& words) {
+    QTextBlock b = w.text().document()->begin();
+    while (b.isValid() && !b.text().startsWith(words)) b = b.next();
+    EXPECT_TRUE(b.isValid()) << words.toStdString();
+    return b;
+  };
+  QTextCursor caret(block("when = "));
+  w.text().setTextCursor(caret);
+  press(w.text(), Qt::Key_F1);
+  EXPECT_TRUE(QToolTip::text().contains("a condition.")) << QToolTip::text().toStdString();
+  EXPECT_TRUE(QToolTip::text().contains("= 0 at the start of an episode")) << QToolTip::text().toStdString();
+  QToolTip::hideText();
+}
+
+TEST(RobotPage, IsLeftToItselfAndDropped) {
+  RobotWindow w;
+  for (const char* mode : {"Passive", "Drop"}) {
+    QTest::mouseClick(w.button(mode), Qt::LeftButton);
+    EXPECT_TRUE(w.has("Stop")) << mode;
+    QTest::qWait(100);
+    QTest::mouseClick(w.button("Stop"), Qt::LeftButton);
+  }
+  // From 20 cm above its drawing it falls, and lands.
+  const auto robot = (*w.registry.files->open(w.path.toStdString()))->dropped();
+  Random random(1);
+  robot->reset(random);
+  const double begins = robot->pose().at(1);
+  for (int step = 0; step < 10; ++step) robot->step(0);
+  EXPECT_LT(robot->pose().at(1), begins - 0.1);
 }
 
 TEST(RobotPage, LetItLearnBeginsALifeOfThisRobot) {
