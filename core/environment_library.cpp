@@ -81,6 +81,12 @@ bool isEnvironmentPath(std::string_view name) {
   return name.ends_with(".toml") || name.find('/') != std::string_view::npos;
 }
 
+std::string environmentBeside(const std::string& file, const std::string& name) {
+  const std::filesystem::path path(name);
+  if (!isEnvironmentPath(name) || path.is_absolute()) return name;
+  return (std::filesystem::path(file).parent_path() / path).string();
+}
+
 std::string_view plainName(std::string_view environment) {
   return environment.substr(0, environment.find('@'));
 }

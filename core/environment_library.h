@@ -79,6 +79,9 @@ class EnvironmentLibrary {
 /// Whether a person means a file: "hopper.toml", "robots/hopper.toml".
 bool isEnvironmentPath(std::string_view name);
 
+/// The file of a robot that a file names: beside that one, if its path does not begin at the root. A name stays.
+std::string environmentBeside(const std::string& file, const std::string& name);
+
 /// "hopper" of "hopper@3f2a91c0": what two versions of a robot have in common.
 std::string_view plainName(std::string_view environment);
 

@@ -119,10 +119,7 @@ class ConditionMaker {
 
   /// A name, or the file of a robot: beside the plan, if its path does not begin at the root.
   Status readEnvironment(const std::string& value, std::string& name) const {
-    const std::filesystem::path path(value);
-    const bool beside = isEnvironmentPath(value) && path.is_relative();
-    const auto named =
-        environmentNamed(registry_, beside ? (std::filesystem::path(path_).parent_path() / path).string() : value);
+    const auto named = environmentNamed(registry_, environmentBeside(path_, value));
     if (!named) return named.error();
     name = *named;
     return Done{};

@@ -148,4 +148,16 @@ TEST(RobotsCommand, LivesHaveTheSameBitsOnAProcessorWithoutFmaAndAvx2) {
   }
 }
 
+TEST(RobotsCommand, ALessonIsAboutARobotWhoseFileLiesBesideIt) {
+  const Folder folder;
+  std::string lesson = contentOf(std::string(SUREFOOT_SOURCE) + "/resources/lessons/01-why-does-it-fall.toml");
+  const std::string compiled = "environment = \"pendulum\"";
+  ASSERT_NE(lesson.find(compiled), std::string::npos);
+  lesson.replace(lesson.find(compiled), compiled.size(), "environment = \"pendulum-file.toml\"");
+  std::ofstream(folder.file("01-mine.toml")) << lesson;
+  std::filesystem::copy(kRobotFolder + "pendulum-file.toml", folder.file("pendulum-file.toml"));
+  const Finished check = surefoot("lessons check " + folder.file("01-mine.toml"));
+  EXPECT_EQ(check.code, 0) << check.out << check.err;
+}
+
 }  // namespace surefoot

@@ -50,8 +50,9 @@ void RandomLife::drawTrace(QPainter& p) const {
   }
   p.setPen(QPen(t.quiet, 1));
   p.drawLine(r.bottomLeft(), r.bottomRight());
-  for (int step = 0; step <= kShown; step += 250)
-    p.drawText(QRectF(xAt(step) - 40, r.bottom() + 4, 80, 16), Qt::AlignHCenter, toText(countText(step)));
+  for (int step = 0; step <= kShown; step += 250)  // the last one ends where the plot ends
+    p.drawText(QRectF(xAt(step) - (step == kShown ? 80 : 40), r.bottom() + 4, 80, 16),
+               step == kShown ? Qt::AlignRight : Qt::AlignHCenter, toText(countText(step)));
   p.drawText(QRectF(r.left(), r.bottom() + 20, r.width(), 16), Qt::AlignHCenter,
              tr("steps; %1 s in all").arg(toText(fixedText(kShown * inspection_->stepTime, 0))));
   p.save();

@@ -9,6 +9,7 @@
 #include "ui/running/running_life.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
+#include "ui/support/counted.h"
 
 namespace surefoot {
 
@@ -55,6 +56,9 @@ QString StatusLine::state() const {
                      ? tr("learning ended at episode %1").arg(toText(countText(static_cast<double>(v->endOfLearning))))
                      : QString();
   if (v && v->walksSince) text = tr("walks since minute %1").arg(toText(fixedText(*v->walksSince, 0)));
+  if (const auto apart = life_.snapshot().flewApart; apart > 0)
+    text = counted(apart, tr("the robot flew apart once"), tr("the robot flew apart %1 times")) +
+           (text.isEmpty() ? "" : "; " + text);
   if (life_.snapshot().finished)
     text = tr("the life is complete") + (text.isEmpty() ? "" : "; " + text);
   else if (!life_.running())

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <sstream>
 
+#include "core/environment_library.h"
 #include "core/lessons/reading/step_reading.h"
 #include "core/text/printable.h"
 #include "core/text/words.h"
@@ -62,13 +63,13 @@ void checkRanges(const Lesson& lesson, TextPlace at, std::vector<Complaint>& com
   }
 }
 
-void readStart(const Registry& registry, TomlReader& root, Lesson& lesson, std::vector<std::string>& show,
-               std::vector<Complaint>& complaints) {
+void readStart(const Registry& registry, TomlReader& root, const std::string& file, Lesson& lesson,
+               std::vector<std::string>& show, std::vector<Complaint>& complaints) {
   static const TomlNode kNothing;
   const TomlNode* table = root.table("start");
   TomlReader start(table ? *table : kNothing, complaints);
   Names names;
-  names.environment = start.text("environment", names.environment);
+  names.environment = environmentBeside(file, start.text("environment", names.environment));
   names.preset = start.text("preset");
   names.scenario = start.text("scenario");
   names.agent = start.text("agent", names.agent);
@@ -172,7 +173,7 @@ std::optional<Lesson> readLesson(const Registry& registry, std::string_view text
   lesson.level = static_cast<int>(root.whole("level", 1, 3, 1));
   lesson.needs = root.texts("needs");
   std::vector<std::string> show;
-  readStart(registry, root, lesson, show, complaints);
+  readStart(registry, root, name, lesson, show, complaints);
   if (const TomlNode* teacher = root.table("teacher")) {
     TomlReader reader(*teacher, complaints);
     lesson.notes = reader.text("notes");
