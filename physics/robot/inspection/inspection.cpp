@@ -9,13 +9,14 @@
 
 #include "physics/robot/inspection/parts.h"
 #include "physics/robot/inspection/passive.h"
+#include "physics/robot/inspection/warnings.h"
 #include "physics/robot/spec/every_formula.h"
 
 namespace surefoot {
 
 namespace {
 
-constexpr int kSteps = 4000, kStartedAnewEvery = 700;
+constexpr int kStartedAnewEvery = 700;
 
 class Inspection {
  public:
@@ -38,11 +39,7 @@ class Inspection {
     }
     if (!found_.unanswered.empty()) return std::move(found_);
     propose();
-    warnOfStates();
-    warnOfTask();
-    warnOfWorld();
-    std::stable_sort(found_.warnings.begin(), found_.warnings.end(),
-                     [](const Complaint& a, const Complaint& b) { return a.at.line < b.at.line; });
+    addWarnings(*spec_, robot_.task(), seen_, found_);
     return std::move(found_);
   }
 
@@ -94,27 +91,27 @@ class Inspection {
       SeenState& seen = found_.states[s];
       seen.seenLow = std::min(seen.seenLow, state[s]);
       seen.seenHigh = std::max(seen.seenHigh, state[s]);
-      seen.outside += state[s] < seen.low || state[s] > seen.high ? 1.0 / kSteps : 0.0;
+      seen.outside += state[s] < seen.low || state[s] > seen.high ? 1.0 / kInspectedSteps : 0.0;
       const double range = seen.high - seen.low, from = seen.low - 0.25 * range;
       const double bin = (state[s] - from) / (1.5 * range) * SeenState::kBins;
       if (bin >= 0 && bin < static_cast<double>(SeenState::kBins)) ++seen.bins[static_cast<std::size_t>(bin)];
     }
-    states_.emplace_back(state.begin(), state.end());
+    seen_.states.emplace_back(state.begin(), state.end());
   }
 
   void live() {
     const auto trace = traceOf(*spec_);
     found_.traceTitle = trace.title;
-    found_.steps = kSteps;
+    found_.steps = kInspectedSteps;
     Random random(1);
     const auto actions = static_cast<double>(robot_.task().actions.size());
-    rewarded_.assign(spec_->rewards.size(), false);
+    seen_.rewarded.assign(spec_->rewards.size(), false);
     std::vector<double> toFall;
     std::vector<int> atLimit(spec_->joints.size(), 0);
     if (!begin(random, 0)) return;
     evaluateFormulas();
     int begun = 0;
-    for (int step = 1; step <= kSteps; ++step) {
+    for (int step = 1; step <= kInspectedSteps; ++step) {
       if (child_ && step % kStartedAnewEvery == 0) child_->stopProgram();  // in a new one, the episode is the same
       const Outcome outcome = robot_.step(static_cast<Action>(random.uniform() * actions));
       if (outcome.ending == Ending::Unanswered) return giveUp(step - 1);
@@ -123,22 +120,23 @@ class Inspection {
                                             : box2d_->world().placement(trace.body).at.y);
       if (box2d_) found_.jointGap = std::max(found_.jointGap, box2d_->world().jointSeparation());
       for (std::size_t j = 0; j < atLimit.size(); ++j) atLimit[j] += isAtLimit(j);
-      for (std::size_t r = 0; r < rewarded_.size(); ++r) rewarded_[r] = rewarded_[r] || outcome.terms[r] != 0.0;
+      for (std::size_t r = 0; r < seen_.rewarded.size(); ++r)
+        seen_.rewarded[r] = seen_.rewarded[r] || outcome.terms[r] != 0.0;
       if (outcome.event == Event::Fall) found_.falls.push_back(step);
       if (outcome.ending == Ending::None) continue;
       const int which = values_.lastEnding() < 0 ? static_cast<int>(spec_->endings.size()) : values_.lastEnding();
       ++found_.endings[static_cast<std::size_t>(which)].count;
       if (outcome.event == Event::Fall) toFall.push_back((step - begun) * found_.stepTime);
       found_.longest = std::max(found_.longest, (step - begun) * found_.stepTime);
-      atOnce_ += step - begun == 1;
+      seen_.atOnce += step - begun == 1;
       if (!begin(random, begun = step)) return;
     }
-    episodes_ = static_cast<int>(found_.begins.size());
-    found_.meanSteps = static_cast<double>(kSteps) / episodes_;
+    seen_.episodes = static_cast<int>(found_.begins.size());
+    found_.meanSteps = static_cast<double>(kInspectedSteps) / seen_.episodes;
     found_.flewApart = robot_.flewApart();
     for (std::size_t j = 0; j < atLimit.size(); ++j)
       if (box2d_->numbers().joints[j].limits)
-        found_.atLimits.emplace_back(spec_->joints[j].name, atLimit[j] / static_cast<double>(kSteps));
+        found_.atLimits.emplace_back(spec_->joints[j].name, atLimit[j] / static_cast<double>(kInspectedSteps));
     std::sort(toFall.begin(), toFall.end());
     if (!toFall.empty()) found_.medianToFall = toFall[toFall.size() / 2];
     found_.verdict = verdict();
@@ -157,7 +155,7 @@ class Inspection {
     robot_.reset(random);
     if (!robot_.unanswered().empty()) return giveUp(step), false;
     found_.begins.push_back(step);
-    starts_.insert({robot_.state().begin(), robot_.state().end()});
+    seen_.starts.insert({robot_.state().begin(), robot_.state().end()});
     return true;
   }
   /// The program that moves it does not answer after so many steps.
@@ -201,89 +199,13 @@ class Inspection {
     }
   }
 
-  void warn(TextPlace at, std::string sentence) { found_.warnings.push_back({at, std::move(sentence)}); }
-
-  void warnOfStates() {
-    for (std::size_t s = 0; s < found_.states.size(); ++s) {
-      const SeenState& seen = found_.states[s];
-      const TextPlace at = spec_->states[s].place;
-      if (seen.seenHigh <= seen.seenLow)
-        warn(at, fmt::format("{} never changes in {} random steps.", seen.key, kSteps));
-      else if (seen.outside > 0.05)
-        warn(at, fmt::format("{} leaves its range {:.4g} … {:.4g} in {:.0f} % of random steps; it came to {:.4g} … "
-                             "{:.4g}.",
-                             seen.key, seen.low, seen.high, 100 * seen.outside, seen.seenLow, seen.seenHigh));
-      else if (seen.seenHigh - seen.seenLow < 0.15 * (seen.high - seen.low) && !robot_.task().state[s].period)
-        warn(at, fmt::format("{} came to {:.4g} … {:.4g} only, of {:.4g} … {:.4g}; what has learned may go farther, so "
-                             "look at a learned life before you narrow it.",
-                             seen.key, seen.seenLow, seen.seenHigh, seen.low, seen.high));
-      for (std::size_t other = 0; other < s; ++other)
-        if (alike(s, other))
-          warn(at, fmt::format("{} and {} always agree; one of them is enough.", found_.states[other].key, seen.key));
-    }
-  }
-  bool alike(std::size_t a, std::size_t b) const {
-    return std::all_of(states_.begin(), states_.end(),
-                       [&](const auto& state) { return std::abs(state[a] - state[b]) < 1e-9; });
-  }
-
-  void warnOfTask() {
-    const TextPlace top{1, 1};
-    std::set<int> used;
-    collectUses(used);
-    for (std::size_t p = 0; p < spec_->parameters.size() && !child_; ++p)  // a program gets all of them
-      if (!used.contains(static_cast<int>(p)))
-        warn(top, fmt::format("nothing uses the parameter {}.", spec_->parameters[p].key));
-    if (!robot_.task().canFall) warn(top, "no ending is a fall: falls cannot be counted.");
-    if (starts_.size() == 1 && episodes_ > 1) warn(top, "every episode begins alike.");
-    if (atOnce_ > 0) warn(top, fmt::format("{} of {} episodes end in their first step.", atOnce_, episodes_));
-    for (std::size_t r = 0; r < rewarded_.size(); ++r) {
-      const RewardSpec& reward = spec_->rewards[r];
-      const bool rare = reward.ending && found_.endings[static_cast<std::size_t>(*reward.ending)].count == 0;
-      if (!rewarded_[r] && !rare)
-        warn(reward.value.at, fmt::format("the reward {} was never other than 0.", reward.name));
-    }
-    if (found_.tiles > 2.7e7)
-      warn(top,
-           fmt::format("a dense table has {:.3g} tiles a tiling; give it a memory, or wider tiles.", found_.tiles));
-  }
-
-  void collectUses(std::set<int>& used) const {
-    const auto add = [&](const Formula& formula) {
-      for (const int place : formula.expression.variables()) used.insert(place);
-    };
-    forEveryFormula(*spec_, add);
-  }
-
-  void warnOfWorld() {
-    const TextPlace top{1, 1};
-    if (const double loss = found_.passive.lossPerSecond(); loss > 0.05)
-      warn(spec_->substeps.at.line > 0 ? spec_->substeps.at : top,
-           fmt::format(
-               "left to itself the robot loses {:.0f} % of its motion a second, by the size of the substep alone "
-               "({:.0f} % with twice as many substeps).",
-               100 * loss, 100 * found_.halved.lossPerSecond()));
-    if (found_.jointGap > 1e-3)
-      warn(top,
-           fmt::format("joints part by up to {:.2g} mm; more iterations hold them together.", 1000 * found_.jointGap));
-    if (found_.smallestRadius > 0.0 && found_.smallestRadius * found_.scale < 0.1)
-      warn(top, fmt::format("the smallest part that meets something is {:.3g} of Box2D's units, near the slop of its "
-                            "contacts; scale = {:.0f} makes it 0.2.",
-                            found_.smallestRadius * found_.scale, found_.proposedScale));
-    if (found_.flewApart > 0)
-      warn(top, fmt::format("it flew apart {} times in {} random steps.", found_.flewApart, kSteps));
-  }
-
   std::shared_ptr<const RobotSpec> spec_;
   std::unique_ptr<Robot> box2d_;
   std::unique_ptr<ChildRobot> child_;
   Environment& robot_;
   const RobotValues& values_;
   EnvironmentInspection found_;
-  std::vector<std::vector<double>> states_;
-  std::set<std::vector<double>> starts_;
-  std::vector<bool> rewarded_;
-  int atOnce_ = 0, episodes_ = 0;
+  RandomLifeSeen seen_;
 };
 
 }  // namespace
