@@ -27,8 +27,8 @@ struct EnvironmentFile {
   std::string home{};     ///< the file beside which its program lies; with its folders
   std::string starts{};   ///< the command of a program that moves it, "python3 hopper.py"; empty: it is data
   std::string program{};  ///< the program for EnvironmentPrograms: command, folder and what its files hold
-  /// The same robot left to itself, without motors, dampers, friction and contacts; and as it is drawn, a little above
-  /// the ground. Null: it has no such thing.
+  /// The same robot left to itself, without motors, dampers, friction and contacts, if it hangs on the world; or as it
+  /// is drawn, a little above the ground, if it does not. Null: it cannot be.
   std::function<std::unique_ptr<Environment>()> passive{}, dropped{};
   /// Lets it move at random and tells what came of it; takes some tenths of a second.
   std::function<EnvironmentInspection()> inspect{};

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include "core/files/toml_parser.h"
@@ -56,8 +57,36 @@ std::optional<TomlNode> nodeOf(const toml::node& from, std::vector<Complaint>& c
   return node;
 }
 
-/// What the parser says, with its commonest cause.
-std::string inOurWords(std::string_view sentence) {
+std::string_view lineOf(std::string_view text, int line) {
+  for (; line > 1; --line) {
+    const auto end = text.find('\n');
+    if (end == std::string_view::npos) return {};
+    text.remove_prefix(end + 1);
+  }
+  return text.substr(0, text.find('\n'));
+}
+
+/// "0,12": two numbers that a comma joins, and no list.
+bool hasDecimalComma(std::string_view line) {
+  const auto digit = [&](std::size_t at) {
+    return at < line.size() && std::isdigit(static_cast<unsigned char>(line[at]));
+  };
+  const auto comma = line.find(',');
+  return comma != std::string_view::npos && comma > 0 && digit(comma - 1) && digit(comma + 1) &&
+         line.find('[') == std::string_view::npos;
+}
+
+/// What the parser says, with its commonest cause. `line`: where it stands.
+std::string inOurWords(std::string_view sentence, std::string_view line) {
+  const auto says = [&](std::string_view words) { return sentence.find(words) != std::string_view::npos; };
+  if (hasDecimalComma(line)) return "a number has a point and no comma: 0.12.";
+  if (says("unescaped control characters") || (says("string") && says("end-of-file")))
+    return "a text begins in this line and has no closing quote.";
+  if (says("could not determine value type") || says("expected decimal digit") || says("expected digit"))
+    return "this is no number; an expression stands in quotes, as in x = \"2 * r\".";
+  if (says("expected comma or closing ']'")) return "a list has commas between its values and ends with ].";
+  if (says("key-value pair") && (says("end-of-file") || says("expected '='")))
+    return "a key is followed by = and a value.";
   if (sentence.find("expected a comment or whitespace") != std::string_view::npos)
     return "behind a value nothing but a comment is expected; a text that holds quotes goes between single quotes.";
   constexpr std::string_view kBegins = "Error while parsing ";
@@ -86,7 +115,7 @@ std::optional<TomlNode> parseToml(std::string_view text, std::vector<Complaint>&
   const auto root = parseLimitedToml(text);
   if (const auto* table = std::get_if<toml::table>(&root)) return nodeOf(*table, complaints);
   const auto& trouble = std::get<TomlTrouble>(root);
-  complaints.push_back({{trouble.line, trouble.column}, inOurWords(trouble.sentence)});
+  complaints.push_back({{trouble.line, trouble.column}, inOurWords(trouble.sentence, lineOf(text, trouble.line))});
   return std::nullopt;
 }
 

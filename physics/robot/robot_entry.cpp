@@ -30,6 +30,11 @@ std::vector<AssignmentEntry> entriesOf(const std::vector<SettingsSpec>& all, con
   return entries;
 }
 
+/// Whether a joint holds the robot to the world.
+bool hangs(const RobotSpec& spec) {
+  return std::any_of(spec.joints.begin(), spec.joints.end(), [](const JointSpec& joint) { return joint.parent < 0; });
+}
+
 /// Of the files that a robot's command names and that lie in its folder.
 std::uint64_t printOfFiles(const RobotSpec& spec, const std::string& folder) {
   constexpr std::size_t kMost = 16u << 20;  // [bytes]
@@ -76,8 +81,10 @@ std::optional<EnvironmentFile> readRobotEntry(std::string_view text, const std::
   auto file = robotEntry(fmt::format("{}@{:08x}", spec->name, print >> 32), spec);
   file.text = text;
   file.inspect = [=] { return tools.inspect(spec, nullptr); };
-  file.passive = [=] { return std::make_unique<Robot>(tools.passive(*spec)); };
-  file.dropped = [=] { return std::make_unique<Robot>(tools.dropped(*spec)); };
+  if (hangs(*spec))
+    file.passive = [=] { return std::make_unique<Robot>(tools.passive(*spec)); };
+  else
+    file.dropped = [=] { return std::make_unique<Robot>(tools.dropped(*spec)); };
   if (spec->names.hasChild()) addProgram(spec, folder, tools, programs, file);
   return file;
 }

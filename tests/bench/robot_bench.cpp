@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Robots from files beside the compiled worlds that they describe. The counter is steps per CPU-second.
 #include "core/environment_library.h"
+#include "core/environment_programs.h"
 #include "tests/bench/living.h"
 #include "tests/full_registry.h"
 
@@ -9,7 +10,12 @@ namespace surefoot {
 namespace {
 
 const Registry& worlds() {
-  static const Registry filled = fullRegistry();
+  static const Registry filled = [] {
+    Registry registry = fullRegistry();
+    registry.programs->allowAll();
+    registry.programs->setModules(std::string(SUREFOOT_SOURCE) + "/resources/robots/child");
+    return registry;
+  }();
   return filled;
 }
 
@@ -46,6 +52,9 @@ BENCHMARK_CAPTURE(moves, compass, "compass");
 BENCHMARK_CAPTURE(moves, compass_file, pathOf("compass-file"));
 BENCHMARK_CAPTURE(moves, hopper, pathOf("hopper"));
 BENCHMARK_CAPTURE(moves, biped, pathOf("biped"));
+
+/// A program in Python, by the wall clock: most of the time is the kernel's.
+BENCHMARK_CAPTURE(moves, car_in_python, pathOf("child/car"))->UseRealTime();
 
 }  // namespace
 }  // namespace surefoot

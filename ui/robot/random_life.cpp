@@ -42,7 +42,8 @@ void RandomLife::drawTrace(QPainter& p) const {
   const double low = *lowest, high = std::max(*highest, low + 1e-6), band = 0.08 * (high - low);
   const auto yAt = [&](double v) { return r.bottom() - (v - low + band) / (high - low + 2 * band) * r.height(); };
   p.setFont(textFont(11));
-  for (const double v : {low, 0.5 * (low + high), high}) {
+  const double middle = low < -0.2 * (high - low) && high > 0.2 * (high - low) ? 0.0 : 0.5 * (low + high);
+  for (const double v : {low, middle, high}) {
     p.setPen(QPen(t.hairline, 1));
     p.drawLine(QPointF(r.left(), yAt(v)), QPointF(r.right(), yAt(v)));
     p.setPen(t.quiet);

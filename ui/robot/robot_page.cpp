@@ -190,6 +190,7 @@ void RobotPage::refresh() {
   refreshProgram();
   save_->setEnabled(isEdited() || source_.path().isEmpty());
   try_->setText(trial_.isRunning() ? tr("Stop") : tr("Try"));
+  try_->setStarts(!trial_.isRunning());
   learn_->setEnabled(checked_ && !wrong_);
   handMade_->setVisible(trial_.handMade());
   worldHead_->setNote(trial_.isRunning() ? trial_.words()

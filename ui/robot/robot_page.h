@@ -62,6 +62,7 @@ class RobotPage final : public QWidget {
 
   QWidget* makeBar();
   QWidget* makeDescription();
+  QWidget* makeFind(QWidget* parent);
   QWidget* makeWorld();
   QWidget* makeLife();
   void begin(const QString& text);

@@ -68,6 +68,8 @@ void RobotPage::refreshProgram() {
   allow_->setVisible(starts && !registry_.programs->isAllowed(file->program));
   for (QAbstractButton* button : std::initializer_list<QAbstractButton*>{try_, random_, still_, passive_, drop_})
     button->setEnabled(file && !starts);
+  passive_->setVisible(file && file->passive);
+  drop_->setVisible(file && file->dropped);
   try_->setToolTip(starts ? tipText(tr("A program moves it: let it learn, and it moves on the Live page."))
                           : QString());
 }
@@ -116,6 +118,7 @@ void RobotPage::beginLike(const QString& name) {
   setAside();
   source_.begin(*text);
   begin(*text);
+  text_->setFocus(Qt::OtherFocusReason);
 }
 
 bool RobotPage::isEdited() const {

@@ -2,8 +2,10 @@
 // The parts of the Robot page, put together.
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QScrollArea>
+#include <QShortcut>
 #include <QVBoxLayout>
 
 #include "ui/controls/hairline.h"
@@ -68,10 +70,45 @@ QWidget* RobotPage::makeDescription() {
   lines_ = new OneLine(11, box);
   column->addWidget(head);
   column->addWidget(text_, 1);
+  column->addWidget(makeFind(box));
   column->addWidget(new Hairline(Qt::Horizontal));
   column->addWidget(lines_);
   whenScaled(box, [this] { lines_->setContentsMargins(scaled({12, 6, 12, 6})); });
   return box;
+}
+
+/// Ctrl+F: a line to search the text with; Return goes on, around the end; Escape ends it.
+QWidget* RobotPage::makeFind(QWidget* parent) {
+  auto* find = new QLineEdit(parent);
+  find->setPlaceholderText(tr("Find; Return: the next one, Escape: done"));
+  find->setAccessibleName(tr("Find in the description"));
+  find->hide();
+  const auto next = [this, find] {
+    if (text_->find(find->text())) return;
+    text_->moveCursor(QTextCursor::Start);
+    text_->find(find->text());
+  };
+  connect(find, &QLineEdit::returnPressed, this, next);
+  connect(find, &QLineEdit::textEdited, this, [this, next] {  // from the beginning of what is found already
+    QTextCursor from = text_->textCursor();
+    from.setPosition(from.selectionStart());
+    text_->setTextCursor(from);
+    next();
+  });
+  const auto shortcut = [&](const QKeySequence& key, QWidget* owner, Qt::ShortcutContext where, auto slot) {
+    connect(new QShortcut(key, owner, nullptr, nullptr, where), &QShortcut::activated, this, slot);
+  };
+  shortcut(QKeySequence::Find, this, Qt::WidgetWithChildrenShortcut, [find] {
+    find->show();
+    find->setFocus(Qt::ShortcutFocusReason);
+    find->selectAll();
+  });
+  shortcut(Qt::Key_Escape, find, Qt::WidgetShortcut, [this, find] {
+    find->hide();
+    text_->setFocus(Qt::OtherFocusReason);
+  });
+  whenScaled(find, [find] { find->setFont(scaledFont(13, 400)); });
+  return find;
 }
 
 QWidget* RobotPage::makeWorld() {

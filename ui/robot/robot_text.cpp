@@ -190,6 +190,7 @@ void RobotText::write(TextPlace place, int length, const QString& text) {
 
 void RobotText::replaceAll(const QString& text) {
   if (toPlainText() == text) return;
+  if (document()->isEmpty()) return setPlainText(text);  // undo does not go behind the first text
   const int position = textCursor().position();
   QTextCursor cursor(document());
   cursor.select(QTextCursor::Document);

@@ -119,7 +119,10 @@ void StateTable::drawEndings(QPainter& p, double y) const {
                QFontMetricsF(p.font()).elidedText(rest, Qt::ElideRight, right - 104));
     y += 32;
   };
-  head(tr("ACTIONS"), toText(inspection_->actions));
+  QString actions = toText(inspection_->actions);  // without their names where there is no room
+  if (QFontMetricsF(textFont(13)).horizontalAdvance(actions) > right - 104)
+    actions = actions.section(QStringLiteral(": "), -1);
+  head(tr("ACTIONS"), actions);
   head(tr("ENDINGS"), tr("%1 steps, %2 s at most")
                           .arg(toText(countText(inspection_->stepLimit)))
                           .arg(toText(fixedText(inspection_->stepLimit * inspection_->stepTime, 0))));

@@ -118,10 +118,12 @@ void MainWindow::makeFileMenu() {
   recent_ = file->addMenu(tr("Open &recent"));
   connect(recent_, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
   file->addSeparator();
-  item(file, tr("&Save"), tr("Save the session: it goes on where it was"), QKeySequence::Save,
-       [this] { saveSession(); });
-  item(file, tr("Save &as …"), tr("Save the session under another name"),
-       QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), [this] { saveSessionAs(); });
+  item(file, tr("&Save"), tr("Save the session: it goes on where it was; on the page Robot, the robot"),
+       QKeySequence::Save,
+       [this] { pages_->currentIndex() == kRobotPage ? static_cast<void>(robot_->save()) : saveSession(); });
+  item(file, tr("Save &as …"), tr("Save the session under another name; on the page Robot, the robot"),
+       QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
+       [this] { pages_->currentIndex() == kRobotPage ? static_cast<void>(robot_->saveAs()) : saveSessionAs(); });
   item(file, tr("Save the Q-&function …"), tr("What was learned, to load it elsewhere"), {},
        [this] { saveWithDialog(SavedAs::QFunction, tr("Save the Q-function"), "learned.safetensors", "safetensors"); });
   item(file, tr("Save the &journal …"), tr("A small text by which the life can be lived again"), {},

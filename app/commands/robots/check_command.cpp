@@ -31,7 +31,10 @@ int tellWrong(const CheckRequest& request, const std::vector<Complaint>& complai
 
 int checkCommand(const Registry& registry, const CheckRequest& asked) {
   CheckRequest request = asked;
-  if (const std::string path = registry.files->shelvedPath(request.file); !path.empty()) request.file = path;
+  if (const std::string path = registry.files->shelvedPath(request.file); !path.empty())
+    request.file = path;
+  else if (!isEnvironmentPath(request.file) && !std::filesystem::exists(request.file))
+    return fail(unknownName("check", request.file, registry.files->shelved()));
   const auto text = readText(request.file);
   if (!text) return fail({text.error().message, ErrorKind::File});
   std::vector<Complaint> complaints;

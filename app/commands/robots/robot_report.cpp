@@ -25,20 +25,25 @@ std::string stateTable(const EnvironmentInspection& found) {
   return text;
 }
 
+std::string countOf(std::size_t count, const char* one, const char* many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
 std::string worldText(const EnvironmentInspection& found) {
   std::string text;
   if (found.passive.seconds > 0)
-    text +=
-        fmt::format("  left to itself it loses {:.1f} % of its motion a second ({:.1f} % with twice the substeps)\n",
-                    100 * found.passive.lossPerSecond(), 100 * found.halved.lossPerSecond());
+    text += fmt::format(
+        "  without motors, dampers and friction it loses {:.1f} % of its motion a second ({:.1f} % with twice the "
+        "substeps)\n",
+        100 * found.passive.lossPerSecond(), 100 * found.halved.lossPerSecond());
   std::string joints;
   for (const auto& [name, soft] : found.joints)
     joints += fmt::format("{}{}{}", joints.empty() ? "" : ", ", name, soft ? " (soft)" : "");
   if (!joints.empty())
     text += fmt::format("  joints: {}; they part by at most {:.2g} mm\n", joints, 1000 * found.jointGap);
   if (found.smallestRadius > 0)
-    text += fmt::format("  scale = {:.4g}; for its smallest part, {:.3g} m, {:.0f} is proposed\n", found.scale,
-                        found.smallestRadius, found.proposedScale);
+    text += fmt::format("  scale = {:.4g}: its smallest part that meets something is {:.2g} of Box2D's units\n",
+                        found.scale, found.smallestRadius * found.scale);
   return text;
 }
 
@@ -48,9 +53,9 @@ std::string robotReport(const RobotSpec& spec, const EnvironmentInspection& foun
   std::size_t actions = 1;
   for (const ActuatorSpec& actuator : spec.actuators)
     if (!actuator.levels.empty()) actions *= actuator.levels.size();
-  const std::string moved = spec.names.hasChild()
-                                ? fmt::format("moved by {}", commandText(spec))
-                                : fmt::format("{} bodies, {} joints", spec.bodies.size(), spec.joints.size());
+  const std::string moved = spec.names.hasChild() ? fmt::format("moved by {}", commandText(spec))
+                                                  : fmt::format("{}, {}", countOf(spec.bodies.size(), "body", "bodies"),
+                                                                countOf(spec.joints.size(), "joint", "joints"));
   std::string text =
       fmt::format("{}: {}, {}, {} state variables, {} actions\n", file, spec.title, moved, spec.states.size(), actions);
   text += stateTable(found);

@@ -72,7 +72,9 @@ class Warnings {
       if (!seen_.rewarded[r] && !rare)
         warn(reward.value.at, fmt::format("the reward {} was never other than 0.", reward.name));
     }
-    if (found_.tiles > 2.7e7)
+    const bool hashed = std::any_of(spec_.learning.begin(), spec_.learning.end(),
+                                    [](const auto& l) { return l.first == "features.memory" && l.second > 0; });
+    if (found_.tiles > 2.7e7 && !hashed)
       warn(top,
            fmt::format("a dense table has {:.3g} tiles a tiling; give it a memory, or wider tiles.", found_.tiles));
   }

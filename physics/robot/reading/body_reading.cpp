@@ -88,7 +88,7 @@ BodySpec readBody(const std::string& name, const TomlNode& node, RobotReader& in
 
   const TomlNode* mass = node.find("mass");
   const bool inertia = body.inertia || body.inertiaAtOrigin || !body.rotates;
-  if (!body.still && mass && !inertia)
+  if (!body.still && mass && !inertia && !dense)
     in.complaints().push_back(
         {mass->at, fmt::format("[body.{}] has a mass but no inertia [kg m²] about its centre; give it, or density, or "
                                "rotates = false.",
@@ -96,7 +96,9 @@ BodySpec readBody(const std::string& name, const TomlNode& node, RobotReader& in
   if (!body.still && !mass && !dense)
     in.complaints().push_back({body.place, fmt::format("[body.{}] has neither a mass nor a density.", name)});
   if (mass && dense)
-    in.complaints().push_back({mass->at, fmt::format("[body.{}] has a mass and a density; give one of them.", name)});
+    in.complaints().push_back(
+        {mass->at,
+         fmt::format("[body.{}] has a mass and a density; give either a mass with an inertia, or a density.", name)});
   return body;
 }
 

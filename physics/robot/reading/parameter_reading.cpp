@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "core/text/number_text.h"
+#include "core/text/words.h"
 #include "physics/robot/reading/sections.h"
 
 namespace surefoot {
@@ -108,7 +109,10 @@ void readSettingsOf(const std::string& name, const TomlNode& node, RobotReader& 
     const bool own = parameter && parameter->kind == NameKind::Parameter;
     if (!formula) continue;
     if (!own && key.find('.') == std::string::npos) {
-      in.complaints().push_back({value.keyAt, fmt::format("there is no parameter \"{}\".", key)});
+      const std::string near = nearestWord(key, in.spec().names.all(NameKind::Parameter));
+      in.complaints().push_back(
+          {value.keyAt, fmt::format("there is no parameter \"{}\"{}.", key,
+                                    near.empty() ? "" : fmt::format(" (did you mean {}?)", near))});
       continue;
     }
     const double number = (*formula)({});

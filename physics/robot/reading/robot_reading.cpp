@@ -63,7 +63,9 @@ void checkForms(const TomlNode& root, std::vector<Complaint>& complaints) {
 
 void readHead(TomlReader& reader, RobotReader& in) {
   RobotSpec& spec = in.spec();
-  if (const std::string format = reader.neededText("surefoot"); !format.empty() && format != "robot 1")
+  if (!reader.find("surefoot"))
+    reader.complain("surefoot", "it is missing; the file begins with surefoot = \"robot 1\".");
+  else if (const std::string format = reader.neededText("surefoot"); !format.empty() && format != "robot 1")
     reader.complain("surefoot", fmt::format("\"{}\" is no format of ours; it is \"robot 1\".", format));
   spec.name = reader.neededText("name");
   if (const char* why = wrongRobotName(spec.name); why && !spec.name.empty()) reader.complain("name", why);

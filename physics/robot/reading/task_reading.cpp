@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
+#include "core/text/words.h"
 #include "physics/robot/reading/sections.h"
 
 namespace surefoot {
@@ -61,6 +62,14 @@ EndingSpec readEnding(const TomlNode& node, RobotReader& in, bool ends) {
   return ending;
 }
 
+std::string noEnding(const std::string& name, const std::vector<EndingSpec>& endings) {
+  std::vector<std::string> names;
+  for (const EndingSpec& ending : endings) names.push_back(ending.name);
+  const std::string near = nearestWord(name, names);
+  return fmt::format("there is no [[ending]] named \"{}\"{}.", name,
+                     near.empty() ? "" : fmt::format(" (did you mean {}?)", near));
+}
+
 RewardSpec readReward(const TomlNode& node, RobotReader& in) {
   TomlReader reader(node, in.complaints());
   RewardSpec reward{.name = reader.neededText("name")};
@@ -76,7 +85,7 @@ RewardSpec readReward(const TomlNode& node, RobotReader& in) {
     if (found != endings.end())
       reward.ending = static_cast<int>(found - endings.begin());
     else
-      in.complaints().push_back({on->at, fmt::format("there is no [[ending]] named \"{}\".", on->text)});
+      in.complaints().push_back({on->at, noEnding(on->text, endings)});
   }
   reader.end();
   return reward;

@@ -154,7 +154,14 @@ Result<Quantity> RobotWords::partOf(std::string_view name, std::string_view part
 }
 
 Result<Quantity> RobotWords::find(std::string_view name, std::optional<std::string_view> argument) const {
-  if (argument) return Error{fmt::format("there is no function \"{}\".", printable(shortened(name)))};
+  if (argument) {
+    static const std::vector<std::string> kFunctions = {"abs",    "min",   "max",  "sign",  "floor",
+                                                        "round",  "sqrt",  "sin",  "cos",   "exp",
+                                                        "square", "clamp", "wrap", "hypot", "uniform"};
+    const std::string near = nearestWord(name, kFunctions);
+    return Error{fmt::format("there is no function \"{}\"; there are {}{}.", printable(shortened(name)),
+                             joinWords(kFunctions), near.empty() ? "" : fmt::format(" (did you mean {}?)", near))};
+  }
   const auto dot = name.find('.');
   return dot == std::string_view::npos ? plain(name) : partOf(name.substr(0, dot), name.substr(dot + 1));
 }

@@ -62,7 +62,7 @@ TEST(WrongRobots, TellThePlaceAndTheReason) {
        "false."},
       {"range = [-16, 16]", "range = [16, -16]", ":9: range: the lowest, 16, must be below the highest, -16."},
       {"value = 0.08", "value = 80", ":9: value: 80 lies outside its range 0 … 10."},
-      {"on = \"goal\"", "on = \"gaol\"", ":6: there is no [[ending]] named \"gaol\"."},
+      {"on = \"goal\"", "on = \"gaol\"", ":6: there is no [[ending]] named \"gaol\" (did you mean goal?)."},
       {"mass = \"pole_mass\"", "mass = \"pole_mass * 1e300\"",
        ":8: [body.pole]: mass = 1e+300; allowed is 0.000001 … 1,000,000 kg."},
       {"step_time = 0.005", "step_time = 0", ":13: step_time = 0; allowed is 0.00001 … 10 s."},

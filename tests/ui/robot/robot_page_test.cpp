@@ -2,6 +2,7 @@
 #include "ui/robot/robot_page.h"
 
 #include <QAbstractButton>
+#include <QLineEdit>
 #include <QTemporaryDir>
 #include <QTextBlock>
 #include <QToolTip>
@@ -222,6 +223,43 @@ TEST(RobotPage, IsLeftToItselfAndDropped) {
   const double begins = robot->pose().at(1);
   for (int step = 0; step < 10; ++step) robot->step(0);
   EXPECT_LT(robot->pose().at(1), begins - 0.1);
+}
+
+TEST(RobotPage, FindsWordsAroundTheEnd) {
+  RobotWindow w;
+  w.text().setFocus();
+  press(w.text(), Qt::Key_F, Qt::ControlModifier);
+  auto* find = w.page.findChild<QLineEdit*>();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return find->isVisible(); }));
+  QTest::keyClicks(find, "[body.");
+  EXPECT_EQ(w.text().textCursor().selectedText(), "[body.");
+  const int first = w.text().textCursor().position();
+  int places = 0;
+  do {
+    press(*find, Qt::Key_Return);
+    ++places;
+  } while (w.text().textCursor().position() != first && places < 20);
+  EXPECT_EQ(places, 3) << "the hopper has three bodies";
+  press(*find, Qt::Key_Escape);
+  EXPECT_FALSE(find->isVisible());
+}
+
+TEST(RobotPage, SaveSavesTheRobotHereAndUndoEndsAtItsText) {
+  Window w;
+  w.registry.files->setShelf(kRobots.toStdString());
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("mine.toml");
+  ASSERT_TRUE(writeWhole("robot", path.toStdString(), *readText((kRobots + "segway.toml").toStdString())));
+  w.window->openFile(path);
+  auto& text = *w.window->robotPage().findChild<RobotText*>();
+  const QString before = text.toPlainText();
+  QTest::keyClicks(&text, "# mine");
+  QTest::keyClick(&text, Qt::Key_Return);
+  QTest::keyClick(w.window.get(), Qt::Key_S, Qt::ControlModifier);
+  EXPECT_FALSE(w.window->robotPage().isEdited());
+  EXPECT_TRUE(toText(*readText(path.toStdString())).startsWith("# mine"));
+  for (int i = 0; i < 20; ++i) text.undo();
+  EXPECT_EQ(text.toPlainText(), before);
 }
 
 TEST(RobotPage, LetItLearnBeginsALifeOfThisRobot) {
