@@ -84,6 +84,7 @@ std::string inOurWords(std::string_view sentence, std::string_view line) {
     return "a text begins in this line and has no closing quote.";
   if (says("could not determine value type") || says("expected decimal digit") || says("expected digit"))
     return "this is no number; an expression stands in quotes, as in x = \"2 * r\".";
+  if (says("table header")) return "a heading stands in brackets, [body.leg] or [[state]].";
   if (says("expected comma or closing ']'")) return "a list has commas between its values and ends with ].";
   if (says("key-value pair") && (says("end-of-file") || says("expected '='")))
     return "a key is followed by = and a value.";

@@ -106,7 +106,9 @@ void ChildRobot::reset(Random& random) {
 }
 
 Outcome ChildRobot::step(Action action) {
-  Status answer = link_.isRunning() ? Status(Done{}) : goBack();
+  Status answer = prints_.empty()     ? Status(Error{"No episode of the robot has begun."})
+                  : link_.isRunning() ? Status(Done{})
+                                      : goBack();
   values_.decide(action);
   if (answer) answer = link_.step(values_.levels(), numbers_);
   why_ = answer ? "" : answer.error().message;
