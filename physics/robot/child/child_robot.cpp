@@ -65,8 +65,8 @@ std::uint64_t ChildRobot::printOf(std::span<const double> numbers) const {
 Status ChildRobot::start() {
   if (!programs_->isAllowed(program_))
     return Error{
-        fmt::format("The robot {} starts a program, {}, {}. Nobody has allowed it yet (on the command line: "
-                    "--allow-programs).",
+        fmt::format("The robot {} starts a program, {}, {}. Nobody has allowed it yet (on the page Robot, or "
+                    "with --allow-programs).",
                     values_.spec().name, commandText(values_.spec()), cageText())};
   return link_.start(*values_.task().stepTime, programs_->modules());
 }
