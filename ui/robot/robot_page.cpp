@@ -201,6 +201,14 @@ void RobotPage::refresh() {
       checked_ ? tr("%1 tiles a tiling").arg(toText(countText(checked_->inspection.tiles))) : QString());
 }
 
+void RobotPage::undo() {
+  text_->undo();
+}
+
+void RobotPage::redo() {
+  text_->redo();
+}
+
 // Degrees to the nearest whole one, written in radians as people write them: 30 / 180 * pi would be an expression, and
 // a number is what can be dragged again.
 void RobotPage::writeLimit(const AngleHandle& handle, double angle) {

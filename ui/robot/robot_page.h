@@ -41,6 +41,8 @@ class RobotPage final : public QWidget {
   bool isChecking() const { return pause_.isActive() || checking_.busy(); }
   QString fileName() const;
   void focusHome();
+  void undo();
+  void redo();
   /// False: it was not saved.
   bool save();
   bool saveAs();

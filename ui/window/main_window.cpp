@@ -119,6 +119,8 @@ void MainWindow::setPage(int page) {
   placeMessages();
   for (QAction* action : liveActions_) action->setEnabled(page == 0);  // no key of one page works on another
   undoOfPage_->setActiveStack(page >= kLessonsPage ? nullptr : &session_.history().undo());
+  for (QAction* action : {undo_, redo_})
+    if (page == kRobotPage) action->setEnabled(true);  // of its text, which tells nobody whether there is anything
   if (page != 1) focusHome();
   refresh();
   refreshStatus();

@@ -77,6 +77,7 @@ class MainWindow final : public QMainWindow {
   void makeActions();
   void makeMenus();
   void makeFileMenu();
+  bool onRobotPage() const;
   void makeEditMenu();
   void makeViewMenu();
   void makeTextSizes(QMenu* view);
@@ -142,6 +143,7 @@ class MainWindow final : public QMainWindow {
   RobotPage* robot_ = nullptr;
   StatusLine* status_ = nullptr;
   QUndoGroup* undoOfPage_ = nullptr;
+  QAction *undo_ = nullptr, *redo_ = nullptr;
   QString experimentLeft_, experimentRight_, lessonsLeft_, lessonsRight_, robotLeft_, robotRight_;
   std::vector<QAbstractButton*> tabs_;
   std::vector<QAction*> shortcuts_, liveActions_;

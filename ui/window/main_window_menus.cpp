@@ -119,11 +119,10 @@ void MainWindow::makeFileMenu() {
   connect(recent_, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
   file->addSeparator();
   item(file, tr("&Save"), tr("Save the session: it goes on where it was; on the page Robot, the robot"),
-       QKeySequence::Save,
-       [this] { pages_->currentIndex() == kRobotPage ? static_cast<void>(robot_->save()) : saveSession(); });
+       QKeySequence::Save, [this] { onRobotPage() ? static_cast<void>(robot_->save()) : saveSession(); });
   item(file, tr("Save &as …"), tr("Save the session under another name; on the page Robot, the robot"),
        QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S),
-       [this] { pages_->currentIndex() == kRobotPage ? static_cast<void>(robot_->saveAs()) : saveSessionAs(); });
+       [this] { onRobotPage() ? static_cast<void>(robot_->saveAs()) : saveSessionAs(); });
   item(file, tr("Save the Q-&function …"), tr("What was learned, to load it elsewhere"), {},
        [this] { saveWithDialog(SavedAs::QFunction, tr("Save the Q-function"), "learned.safetensors", "safetensors"); });
   item(file, tr("Save the &journal …"), tr("A small text by which the life can be lived again"), {},
@@ -145,9 +144,15 @@ void MainWindow::makeEditMenu() {
   undoOfPage_ = new QUndoGroup(this);  // the Live page's; a lesson has its own ways back
   undoOfPage_->addStack(&session_.history().undo());
   undoOfPage_->setActiveStack(&session_.history().undo());
-  for (QAction* action :
-       {undoOfPage_->createUndoAction(this, tr("&Undo")), undoOfPage_->createRedoAction(this, tr("&Redo"))})
-    edit->addAction(action);
+  undo_ = undoOfPage_->createUndoAction(this, tr("&Undo"));
+  redo_ = undoOfPage_->createRedoAction(this, tr("&Redo"));
+  edit->addActions({undo_, redo_});
+  connect(undo_, &QAction::triggered, this, [this] {
+    if (onRobotPage()) robot_->undo();
+  });
+  connect(redo_, &QAction::triggered, this, [this] {
+    if (onRobotPage()) robot_->redo();
+  });
   edit->actions()[0]->setShortcut(QKeySequence::Undo);
   edit->actions()[1]->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
   edit->actions()[0]->setToolTip(tr("Take the last change back; bring the life before back"));

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of the window about robots of one's own: the page, and the way from a text to the Live page.
+#include <QStackedWidget>
+
 #include "ui/controls/message_bar.h"
 #include "ui/robot/robot_page.h"
 #include "ui/session/session.h"
@@ -25,6 +27,10 @@ void MainWindow::makeRobot(const WindowSetup& setup) {
     setPage(0);
     if (!session_.life().running()) session_.life().setRunning(true);
   });
+}
+
+bool MainWindow::onRobotPage() const {
+  return pages_->currentIndex() == kRobotPage;
 }
 
 void MainWindow::openRobot(const QString& path) {
