@@ -68,7 +68,7 @@ TEST(WrongRobots, TellThePlaceAndTheReason) {
       {"step_time = 0.005", "step_time = 0", ":13: step_time = 0; allowed is 0.00001 … 10 s."},
       {"1 / (R * (1 + 0.005", "1 / (R - R) * (R * (1 + 0.005",
        ":14: per_torque: it comes to inf, which is no finite number."},
-      {"[body.pole]", "[body.pole", ":11: this is no TOML: table header: expected ']', saw '\\n'."},
+      {"[body.pole]", "[body.pole", ":11: a heading stands in brackets, [body.leg] or [[state]]."},
       {"[joint.rail]", "[[joint]]", ":3: it is written [joint.NAME]."},
       {"[point.tip]", "[point.pole]",
        ":8: there is another \"pole\" already; bodies, points, joints, actuators, "
