@@ -48,11 +48,14 @@ void Life::beginEpisode(const std::vector<double>& state) {
   explores_ = agent_->explored() != explored;
 }
 
-void Life::test() {
+bool Life::owesTest() const {
   const std::int64_t episodes = log_.totals().episodes;
-  const bool made = !tester_.tests().empty() && tester_.tests().back().episode == episodes;
-  if (action_ == kHandMade || episodes == 0 || made || !tester_.due(episodes)) return;
-  unanswered_ = tester_.test(agent_->values(), episodes, steps_);
+  if (inEpisode_ || action_ == kHandMade || episodes == 0 || !tester_.due(episodes)) return false;
+  return tester_.tests().empty() || tester_.tests().back().episode != episodes;
+}
+
+void Life::test() {
+  if (owesTest()) unanswered_ = tester_.test(agent_->values(), log_.totals().episodes, steps_);
 }
 
 void Life::tellTime(bool inTheMiddle) {
@@ -71,8 +74,9 @@ void Life::step() {
   unanswered_.clear();
   if (away_ && !goBack()) return;
   if (!inEpisode_) {
-    test();  // one that did not happen
-    if (unanswered_.empty()) beginEpisode();
+    if (owesTest()) test();
+    if (finished()) return;  // no answer again, or the life was at its end
+    beginEpisode();
     if (!unanswered_.empty()) return;
   }
   if (everyStep_) tellTime(true);

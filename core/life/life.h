@@ -73,8 +73,9 @@ class Life {
   /// A limit is reached, or the values diverged: step() must not be called any more. Or the environment did not answer
   /// (see unanswered()).
   bool finished() const {
-    return !unanswered_.empty() || steps_ >= limits_.steps || log_.totals().episodes >= limits_.episodes ||
-           reachedAverage() || diverged();
+    const bool reached =
+        steps_ >= limits_.steps || log_.totals().episodes >= limits_.episodes || reachedAverage() || diverged();
+    return !unanswered_.empty() || (reached && !owesTest());
   }
   /// Why the environment did not answer: the last step, reset or test did not happen. The next step() tries it again.
   /// Empty: it did.
@@ -137,6 +138,8 @@ class Life {
   /// Tells policy and agent the time: they may follow a schedule. `inTheMiddle`: one step since the last call, no more.
   void tellTime(bool inTheMiddle = false);
   void note(const std::string& key, const std::string& before, const std::string& after);
+  /// A test of the greedy policy is due that did not happen, because its environment did not answer.
+  bool owesTest() const;
   bool reachedAverage() const {
     return log_.averageReward() >= limits_.averageReward && log_.totals().episodes >= EpisodeLog::kAverageOver;
   }

@@ -49,7 +49,8 @@ std::uint64_t printOfFiles(const RobotSpec& spec, const std::string& folder) {
 void addProgram(const std::shared_ptr<const RobotSpec>& spec, const std::string& folder, const RobotTools& tools,
                 const std::shared_ptr<const EnvironmentPrograms>& programs, EnvironmentFile& file) {
   file.starts = commandText(*spec);
-  file.program = fmt::format("{} in {} with {:016x}", file.starts, folder, printOfFiles(*spec, folder));
+  for (const std::string& word : spec->child.command) file.program += fmt::format("{}:{} ", word.size(), word);
+  file.program += fmt::format("in {} with {:016x}", folder, printOfFiles(*spec, folder));
   const auto make = [=, program = file.program] {
     return std::make_unique<ChildRobot>(spec, program, folder, programs);
   };

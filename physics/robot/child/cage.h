@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cage of a program: what it may see and use. With bubblewrap it has no network, sees the robot's folder and the
-// system read-only, none of the user's other files, and a temporary folder of its own. Without, its memory, files and
+// The cage of a program: what it may see and use. With bubblewrap it has no network, sees the robot's folder, the
+// system and the folders of the user's programs (PATH) read-only, no other files of the user's folder, and a temporary
+// folder of its own. Without, its memory, files and
 // privileges are bounded all the same. Any thread.
 #pragma once
 

@@ -25,6 +25,7 @@ class ChildLink {
   /// `folder`: where the command is run; `modules`: of Python.
   ChildLink(const RobotSpec& spec, std::string folder) : spec_(spec), folder_(std::move(folder)) {}
 
+  const std::string& folder() const { return folder_; }
   bool isRunning() const { return process_ != nullptr; }
   int id() const { return process_ ? process_->id() : 0; }
   Status start(double stepTime, const std::string& modules);

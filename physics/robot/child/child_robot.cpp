@@ -14,7 +14,7 @@
 namespace surefoot {
 
 std::string commandText(const RobotSpec& spec) {
-  return printable(shortened(fmt::format("{}", fmt::join(spec.child.command, " "))));
+  return printable(fmt::format("{}", fmt::join(spec.child.command, " ")));
 }
 
 ChildRobot::ChildRobot(std::shared_ptr<const RobotSpec> spec, std::string program, std::string folder,
@@ -65,9 +65,9 @@ std::uint64_t ChildRobot::printOf(std::span<const double> numbers) const {
 Status ChildRobot::start() {
   if (!programs_->isAllowed(program_))
     return Error{
-        fmt::format("The robot {} starts a program, {}, {}. Nobody has allowed it yet (on the page Robot, or "
+        fmt::format("The robot {} starts a program, {}, in {}, {}. Nobody has allowed it yet (on the page Robot, or "
                     "with --allow-programs).",
-                    values_.spec().name, commandText(values_.spec()), cageText())};
+                    values_.spec().name, commandText(values_.spec()), link_.folder(), cageText())};
   return link_.start(*values_.task().stepTime, programs_->modules());
 }
 
