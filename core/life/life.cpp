@@ -74,7 +74,7 @@ void Life::step() {
   unanswered_.clear();
   if (away_ && !goBack()) return;
   if (!inEpisode_) {
-    if (owesTest()) test();
+    test();                  // one that is owed
     if (finished()) return;  // no answer again, or the life was at its end
     beginEpisode();
     if (!unanswered_.empty()) return;

@@ -131,7 +131,8 @@ std::vector<std::string> childEnvironment(const std::string& modules) {
 }
 
 const char* cageText() {
-  return hasCage() ? "in a cage: without network, with its own folder and the system to read, and a temporary folder"
+  return hasCage() ? "in a cage: without network; it can read its folder, the system and the folders of your "
+                     "programs (PATH), and write to a temporary folder"
                    : "with your rights, for bubblewrap is not there to cage it";
 }
 
