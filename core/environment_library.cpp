@@ -7,6 +7,8 @@
 #include <filesystem>
 
 #include "core/files/read_file.h"
+#include "core/text/printable.h"
+#include "core/text/text.h"
 
 namespace surefoot {
 
@@ -31,8 +33,18 @@ FileResult EnvironmentLibrary::open(const std::string& path) {
 }
 
 FileResult EnvironmentLibrary::add(std::string_view text, const std::string& file, const std::string& path) {
+  return keep(text, file, "", isTheSame(text, path) ? path : file);
+}
+
+bool EnvironmentLibrary::isTheSame(std::string_view text, const std::string& path) const {
   std::error_code error;
-  return keep(text, file, "", std::filesystem::is_regular_file(path, error) ? path : file);
+  if (!std::filesystem::is_regular_file(path, error)) return false;
+  const auto there = readText(path);
+  if (!there) return false;
+  std::vector<Complaint> complaints;
+  const std::string folder = folderOf(path);
+  const auto one = reader_(text, folder, complaints), other = reader_(*there, folder, complaints);
+  return one && other && one->entry.name == other->entry.name;
 }
 
 FileResult EnvironmentLibrary::keep(std::string_view text, const std::string& file, const std::string& path,
@@ -51,8 +63,12 @@ FileResult EnvironmentLibrary::keep(std::string_view text, const std::string& fi
   made->path = path;
   made->home = (std::filesystem::path(folder) / std::filesystem::path(beside).filename()).string();
   auto kept = std::make_shared<const EnvironmentFile>(std::move(*made));
-  // Another text that says the same (other comments) is the same environment: the first stays.
-  return files_.emplace(kept->entry.name, kept).first->second;
+  // Another text that says the same (other comments) is the same environment: the first stays. But the program of a
+  // robot may be another in another folder, through what lies there: the newest is the one that is meant.
+  auto& place = files_[kept->entry.name];
+  if (place && place->program == kept->program) return place;
+  if (place) before_.push_back(place);
+  return place = kept;
 }
 
 std::shared_ptr<const EnvironmentFile> EnvironmentLibrary::find(std::string_view name) const {
@@ -81,6 +97,15 @@ bool isEnvironmentPath(std::string_view name) {
   return name.ends_with(".toml") || name.find('/') != std::string_view::npos;
 }
 
+Status checkEnding(std::string_view option, const std::string& name) {
+  std::error_code error;
+  const bool forgotten = !name.ends_with(".toml") && !std::filesystem::exists(name, error) &&
+                         std::filesystem::is_regular_file(name + ".toml", error);
+  if (!forgotten) return Done{};
+  return Error{fmt::format("{0}: there is no {1}, but a file {1}.toml.", option, printable(shortened(name))),
+               ErrorKind::File};
+}
+
 std::string environmentBeside(const std::string& file, const std::string& name) {
   const std::filesystem::path path(name);
   if (!isEnvironmentPath(name) || path.is_absolute()) return name;
@@ -92,12 +117,13 @@ std::string_view plainName(std::string_view environment) {
 }
 
 Result<std::string> environmentNamed(const Registry& registry, const std::string& name) {
-  if (!registry.files) return name;
   const auto& compiled = registry.environments;
-  const bool isCompiled = std::any_of(compiled.begin(), compiled.end(), [&](const auto& e) { return e.name == name; });
-  const std::string path = isEnvironmentPath(name) ? name : isCompiled ? "" : registry.files->shelvedPath(name);
-  if (path.empty()) return name;
-  const auto file = registry.files->open(path);
+  if (!registry.files || std::any_of(compiled.begin(), compiled.end(), [&](const auto& e) { return e.name == name; }))
+    return name;
+  const std::string shelved = isEnvironmentPath(name) ? "" : registry.files->shelvedPath(name);
+  if (const Status s = shelved.empty() ? checkEnding("environment", name) : Status(Done{}); !s) return s.error();
+  if (shelved.empty() && !isEnvironmentPath(name)) return name;
+  const auto file = registry.files->open(shelved.empty() ? name : shelved);
   if (!file) return file.error();
   return (*file)->entry.name;
 }

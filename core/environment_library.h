@@ -45,7 +45,7 @@ class EnvironmentLibrary {
   explicit EnvironmentLibrary(Reader reader) : reader_(std::move(reader)) {}
 
   /// Reads a file, or a text that came in `file`; known texts are read only once. `path`: where the text was read
-  /// first; if there is a file, the program of the robot is looked for there, else beside `file`.
+  /// first; if this robot still lies there, its program is looked for there, else beside `file`.
   Result<std::shared_ptr<const EnvironmentFile>> open(const std::string& path);
   Result<std::shared_ptr<const EnvironmentFile>> add(std::string_view text, const std::string& file,
                                                      const std::string& path = "");
@@ -69,15 +69,20 @@ class EnvironmentLibrary {
  private:
   Result<std::shared_ptr<const EnvironmentFile>> keep(std::string_view text, const std::string& file,
                                                       const std::string& path, const std::string& beside);
+  bool isTheSame(std::string_view text, const std::string& path) const;
 
   Reader reader_;
   std::string shelf_;
   mutable std::mutex mutex_;
   std::map<std::string, std::shared_ptr<const EnvironmentFile>, std::less<>> files_;
+  std::vector<std::shared_ptr<const EnvironmentFile>> before_;  ///< others have taken their names
 };
 
 /// Whether a person means a file: "hopper.toml", "robots/hopper.toml".
 bool isEnvironmentPath(std::string_view name);
+
+/// Refuses the name of a file without its ending, "hopper" where there is a hopper.toml.
+Status checkEnding(std::string_view option, const std::string& name);
 
 /// The file of a robot that a file names: beside that one, if its path does not begin at the root. A name stays.
 std::string environmentBeside(const std::string& file, const std::string& name);

@@ -96,6 +96,7 @@ std::string resultAsJson(const Configuration& configuration, const std::vector<L
         {"complete", r.complete},
         {"steps_per_second", finite(r.cpuSeconds > 0 ? static_cast<double>(r.steps) / r.cpuSeconds : std::nan(""))},
         {"hash", fmt::format("{:016x}", r.hash)}};
+    if (isMovedByProgram(configuration)) life["same_bits"] = "machine";
     for (const NamedValue& m : measuresOf(r)) life[m.name] = finite(m.value);
     if (!r.greedyTests.empty()) life["test_seconds"] = finite(r.testSeconds);
     if (!r.greedyTests.empty()) life["greedy_tests"] = testsAsJson(r);
@@ -180,7 +181,8 @@ std::string resultAsTable(const Configuration& c, const std::vector<LifeResult>&
   row("simulated minutes", column([](const LifeResult& r) { return r.simulatedSeconds / 60.0; }, 2));
   row("steps per CPU-second",
       column([](const LifeResult& r) { return static_cast<double>(r.steps) / r.cpuSeconds; }, 0));
-  if (lives.size() == 1) row("hash", fmt::format("{:016x}", lives[0].hash));
+  if (lives.size() == 1)
+    row(isMovedByProgram(c) ? "hash, on this machine" : "hash", fmt::format("{:016x}", lives[0].hash));
 
   std::size_t widest = 26;
   for (const auto& [name, value] : rows) widest = std::max(widest, name.size());

@@ -166,7 +166,6 @@ Result<TrainRequest> makeResumeRequest(const Registry& registry, const TrainOpti
   // Resumes once as a test, so that a misfit is reported before the run.
   auto resumed = resume(registry, *file, request.limits, request.versions);
   if (!resumed) return resumed.error();
-  if (const std::string& why = resumed->life->unanswered(); !why.empty()) return Error{why, ErrorKind::Unanswered};
   if (request.log && !resumed->keepRows)
     return Error{
         fmt::format("--log: {} holds no rows of the episodes so far, because it was begun without --log.", *o.resume)};

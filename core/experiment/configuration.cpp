@@ -31,6 +31,10 @@ Status assign(const std::vector<const AssignmentEntry*>& own, const Result<const
 
 }  // namespace
 
+bool isMovedByProgram(const Configuration& c) {
+  return c.environmentFile && !c.environmentFile->starts.empty();
+}
+
 Result<Configuration> configure(const Registry& registry, const Names& names,
                                 const std::vector<Assignment>& assignments) {
   Configuration c;

@@ -55,6 +55,9 @@ struct Configuration {
   Json beganWith;  ///< the file of `start`, with its hash and description; null: none
 };
 
+/// Whether a program moves the environment: its lives have the same bits on the same machine only.
+bool isMovedByProgram(const Configuration& configuration);
+
 /// Looks the names up and fills in every parameter: defaults, then the preset, then the scenario, then `assignments`.
 Result<Configuration> configure(const Registry& registry, const Names& names,
                                 const std::vector<Assignment>& assignments);

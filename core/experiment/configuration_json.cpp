@@ -76,7 +76,7 @@ ordered_json configurationAsJson(const Configuration& c) {
                        {"episodes", orNull(c.episodes)},
                        {"until", orNull(c.until)}};
   if (c.environmentFile) json["environment_text"] = c.environmentFile->text;
-  if (c.environmentFile && !c.environmentFile->starts.empty()) json["environment_path"] = c.environmentFile->home;
+  if (isMovedByProgram(c)) json["environment_path"] = c.environmentFile->home;
   return json;
 }
 

@@ -2,6 +2,7 @@
 #include "core/experiment/experiment.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "core/basics/cpu_time.h"
@@ -109,6 +110,7 @@ Result<std::vector<LifeResult>> runLives(const Registry& registry, const Configu
                                          const RunOptions& options) {
   std::vector<std::optional<LifeResult>> results(static_cast<std::size_t>(configuration.lives));
   std::vector<Meter> meters(results.size());
+  std::atomic<bool> anything = false;  // has been lived
   WorkPool pool(options.jobs, options.interrupted);
   const auto work = [&](std::int64_t i) -> Status {
     const auto index = static_cast<int>(i);
@@ -116,7 +118,10 @@ Result<std::vector<LifeResult>> runLives(const Registry& registry, const Configu
     auto life = options.make ? options.make(index) : makeLife(registry, configuration, index, options.keepRows);
     if (!life) return life.error();
     Meter& meter = meters[static_cast<std::size_t>(i)];
+    const std::int64_t before = (*life)->steps();
+    (*life)->begin();
     liveAndVisit(**life, index, options, pool, meter);
+    if ((*life)->unanswered().empty() || (*life)->steps() > before) anything = true;
     meter.done = true;
     results[static_cast<std::size_t>(i)] = summarise(**life, index, threadCpuSeconds() - start);
     return Done{};
@@ -125,6 +130,8 @@ Result<std::vector<LifeResult>> runLives(const Registry& registry, const Configu
   if (const Status s = pool.run(configuration.lives, work, options.progress ? tick : std::function<void()>{}); !s)
     return s.error();
   std::vector<LifeResult> lives;
+  for (auto& result : results)
+    if (result && !anything) return Error{result->unanswered, ErrorKind::Unanswered};
   for (auto& result : results)
     if (result) lives.push_back(std::move(*result));
   return lives;

@@ -31,10 +31,10 @@ Progress sum(const std::vector<Meter>& meters) {
 }
 
 void live(Life& life, std::int64_t steps, const WorkPool& pool, Meter& meter) {
-  constexpr std::int64_t kBatch = 256;  // steps; a life can stop only after them
+  const std::int64_t most = life.environment().answersAtOnce() ? 256 : 1;  // steps; a life can stop only after them
   while (!life.finished() && life.steps() < steps && !pool.stopping() && !pool.paused()) {
-    const std::int64_t batch = std::min(kBatch, steps - life.steps());
-    for (std::int64_t i = 0; i < batch && !life.finished(); ++i) life.step();
+    const std::int64_t batch = std::min(most, steps - life.steps());
+    for (std::int64_t i = 0; i < batch && !life.finished(); ++i) life.step(pool.interrupted());
     meter.update(life);
   }
 }

@@ -29,6 +29,9 @@ class WorkPool {
     return failed_.load(std::memory_order_relaxed) || (interrupted_ && interrupted_->load(std::memory_order_relaxed));
   }
 
+  /// Set when somebody wants all to end; null: nobody can.
+  const std::atomic<bool>* interrupted() const { return interrupted_; }
+
   /// Running work stands still, and no more is begun. Any thread.
   bool paused() const { return paused_ && paused_->load(std::memory_order_relaxed); }
   /// Stands still for as long as it is paused, or until everything stops.

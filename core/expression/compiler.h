@@ -27,7 +27,11 @@ class Compiler {
 
   std::vector<Instruction> compile(ValueKind wanted) {
     const Meaning all = choice();
-    if (tokens_.next().kind != Token::Kind::End) fail(tokens_.next(), unexpected(tokens_.next()));
+    if (const Token more = tokens_.next(); more.kind == Token::Kind::Name)
+      fail(more,
+           fmt::format("a sign is missing before \"{}\"; units are not written.", printable(shortened(more.text))));
+    else if (more.kind != Token::Kind::End)
+      fail(more, unexpected(more));
     if (wanted == Kind::Condition) {
       needCondition(all, Token{});
       if (all.range.low == 0.0 && all.range.high == 0.0) fail(Token{}, "this can never hold.");

@@ -31,12 +31,14 @@ struct EpisodeInputs {
 };
 
 /// Takes an environment through an episode again; `visit` is called in every state on the way, with the action that
-/// comes next (kNoAction in the last). `ending` is how the last step ended. False: it ended before the inputs did.
+/// comes next (kNoAction in the last). `random` is left as the reset left it; `ending` is how the last step ended.
+/// False: it ended before the inputs did.
 template <class Visit>
-bool repeat(const EpisodeInputs& inputs, Environment& environment, Ending& ending, const Visit& visit) {
-  ending = Ending::None;
-  Random random(inputs.random);
+bool repeat(const EpisodeInputs& inputs, Environment& environment, Random& random, Ending& ending, const Visit& visit) {
+  random = Random(inputs.random);
   environment.reset(random);
+  ending = environment.unanswered().empty() ? Ending::None : Ending::Unanswered;
+  if (ending == Ending::Unanswered) return false;
   if (!inputs.start.empty()) environment.place(inputs.start);
   std::size_t push = 0;
   for (std::size_t step = 0;; ++step) {

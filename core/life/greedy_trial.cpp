@@ -23,15 +23,18 @@ void GreedyTester::follow(Environment& environment) {
   environment_->parametersChanged();
 }
 
-std::string GreedyTester::test(const ActionValueFunction& values, std::int64_t episode, std::int64_t lifeSteps) {
+std::string GreedyTester::test(const ActionValueFunction& values, std::int64_t episode, std::int64_t lifeSteps,
+                               const std::atomic<bool>* giveUp) {
   constexpr std::int64_t kLongest = 10'000;  // steps: a life that is to stop must first finish its test
   const double begin = threadCpuSeconds();
   Random random(mix64(seed_ ^ static_cast<std::uint64_t>(episode)));
   environment_->reset(random);
   if (std::string why = environment_->unanswered(); !why.empty()) return why;
   GreedyTest test{.episode = episode, .lifeSteps = lifeSteps};
+  if (environment_->answersAtOnce()) giveUp = nullptr;
   Outcome outcome;
   do {
+    if (giveUp && giveUp->load(std::memory_order_relaxed)) return {};
     values.evaluate(environment_->state(), Layer::Sum, q_);
     shareAmongGreedy(q_, 1.0, pi_);
     outcome = environment_->step(sample(pi_, random));

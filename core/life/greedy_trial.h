@@ -3,6 +3,7 @@
 // The agent learns nothing from it, and no total counts it.
 #pragma once
 
+#include <atomic>
 #include <memory>
 #include <span>
 #include <vector>
@@ -35,8 +36,9 @@ class GreedyTester {
   }
   /// Gives the test environment the parameters of the life's environment.
   void follow(Environment& environment);
-  /// A sentence if the environment did not answer: the test did not happen. Empty: it did.
-  std::string test(const ActionValueFunction& values, std::int64_t episode, std::int64_t lifeSteps);
+  /// A sentence if the environment did not answer: the test did not happen. Empty: it did, or was given up.
+  std::string test(const ActionValueFunction& values, std::int64_t episode, std::int64_t lifeSteps,
+                   const std::atomic<bool>* giveUp = nullptr);
 
   const std::vector<GreedyTest>& tests() const { return tests_; }
   /// CPU time of the tests made by this process [s].

@@ -24,7 +24,8 @@ Life::Life(LifeParts parts, Random world, Random policy, LifeLimits limits, bool
       log_(keepRows, environment_->task().measures),
       tester_(std::move(parts.tests), parts.testSeed) {
   agent_->setPolicy(*policy_);
-  beginEpisode();
+  inputs_.random = worldRandom_.state();
+  if (environment_->answersAtOnce()) beginEpisode();
 }
 
 void Life::beginEpisode(const std::vector<double>& state) {
@@ -48,14 +49,19 @@ void Life::beginEpisode(const std::vector<double>& state) {
   explores_ = agent_->explored() != explored;
 }
 
+void Life::begin() {
+  if (away_ && !goBack()) return;
+  if (!inEpisode_ && steps_ == 0) beginEpisode();
+}
+
 bool Life::owesTest() const {
   const std::int64_t episodes = log_.totals().episodes;
   if (inEpisode_ || action_ == kHandMade || episodes == 0 || !tester_.due(episodes)) return false;
   return tester_.tests().empty() || tester_.tests().back().episode != episodes;
 }
 
-void Life::test() {
-  if (owesTest()) unanswered_ = tester_.test(agent_->values(), log_.totals().episodes, steps_);
+void Life::test(const std::atomic<bool>* giveUp) {
+  if (owesTest()) unanswered_ = tester_.test(agent_->values(), log_.totals().episodes, steps_, giveUp);
 }
 
 void Life::tellTime(bool inTheMiddle) {
@@ -69,13 +75,13 @@ void Life::tellTime(bool inTheMiddle) {
   everyStep_ = policy_->everyStep() || agent_->everyStep();
 }
 
-void Life::step() {
+void Life::step(const std::atomic<bool>* giveUp) {
   while (nextCommand_ < commands_.size() && commands_[nextCommand_].step <= steps_) obey(commands_[nextCommand_++]);
   unanswered_.clear();
   if (away_ && !goBack()) return;
   if (!inEpisode_) {
-    test();                  // one that is owed
-    if (finished()) return;  // no answer again, or the life was at its end
+    test(giveUp);                          // one that is owed
+    if (finished() || owesTest()) return;  // no answer again, or the life was at its end
     beginEpisode();
     if (!unanswered_.empty()) return;
   }
@@ -109,7 +115,7 @@ void Life::step() {
   }
   log_.finish(outcome.ending, steps_, environment_->task().highestReturn, environment_->measures());
   inEpisode_ = false;
-  test();
+  test(giveUp);
 }
 
 Status Life::set(std::string_view key, double value) {
@@ -130,6 +136,7 @@ Status Life::set(std::string_view key, double value) {
         if (field.parameter.key == key) field.set(value);
     };
     applyTo(*environment_, "environment.");
+    if (environmentChanged_) tester_.follow(*environment_);
     applyTo(*policy_, "policy.");
     applyTo(*agent_, "agent.");
     tellTime();

@@ -2,6 +2,7 @@
 // One agent in one environment from its first step on: "run" in Sutton & Barto, "life" in the thesis.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <limits>
 #include <memory>
@@ -68,8 +69,13 @@ class Life {
   /// archive. The archive's status says whether that succeeded.
   Life(LifeParts parts, LifeLimits limits, bool keepRows, Archive& archive);
 
-  /// One decision: the environment answers the action, the agent learns and chooses the next. Hot.
-  void step();
+  /// The constructor begins the first episode, or takes the environment to where a saved life was, unless the
+  /// environment takes its time: then this does, or the first step. unanswered() tells whether it could be done.
+  void begin();
+  /// One decision: the environment answers the action, the agent learns and chooses the next. Hot. `giveUp`, which may
+  /// be set by any thread: a test of the greedy policy in an environment that takes its time is given up, and made
+  /// again by the next step.
+  void step(const std::atomic<bool>* giveUp = nullptr);
   /// A limit is reached, or the values diverged: step() must not be called any more. Or the environment did not answer
   /// (see unanswered()).
   bool finished() const {
@@ -134,7 +140,7 @@ class Life {
   /// Begins in this state; if it is empty, the environment draws one.
   void beginEpisode(const std::vector<double>& state = {});
   /// A test of the greedy policy, if one is due and has not been made.
-  void test();
+  void test(const std::atomic<bool>* giveUp);
   /// Tells policy and agent the time: they may follow a schedule. `inTheMiddle`: one step since the last call, no more.
   void tellTime(bool inTheMiddle = false);
   void note(const std::string& key, const std::string& before, const std::string& after);

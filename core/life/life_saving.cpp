@@ -31,7 +31,8 @@ Life::Life(LifeParts parts, LifeLimits limits, bool keepRows, Archive& archive)
   tester_.follow(*environment_);
   transfer(archive);
   if (archive.good()) checkEpisode(archive);
-  if (archive.good() && !goBack() && !failure_.empty())
+  away_ = archive.good() && !environment_->answersAtOnce();
+  if (archive.good() && !away_ && !goBack() && !failure_.empty())
     archive.refuse("episode.actions", "does not lead to where the episode was");
   while (nextCommand_ < commands_.size() && commands_[nextCommand_].step < steps_) ++nextCommand_;
   if (const auto rule = ruleOfThumbOf(*this)) rule_ = rule->threshold;
@@ -91,13 +92,12 @@ void Life::checkEpisode(Archive& archive) {
 }
 
 bool Life::goBack() {
+  unanswered_.clear();
   away_ = false;
   worldRandom_ = Random(inputs_.random);
   if (!inEpisode_ && inputs_.actions.empty()) return true;  // an episode was to begin
-  environment_->reset(worldRandom_);
-  unanswered_ = environment_->unanswered();
   Ending ending = Ending::None;
-  const bool whole = unanswered_.empty() && repeat(inputs_, *environment_, ending, [](Action) {});
+  const bool whole = repeat(inputs_, *environment_, worldRandom_, ending, [](Action) {});
   if (ending == Ending::Unanswered) unanswered_ = environment_->unanswered();
   away_ = !unanswered_.empty();
   if (away_) return false;

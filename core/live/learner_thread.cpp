@@ -9,7 +9,7 @@
 namespace surefoot {
 
 namespace {
-constexpr int kBatch = 256;            // steps between two looks at the flags
+constexpr int kBatch = 256;            // steps between two looks at the flags, where a step takes no time
 constexpr double kNoClockStep = 0.05;  // [s]
 constexpr auto kIdle = std::chrono::milliseconds(100);
 constexpr auto kLag =
@@ -34,7 +34,6 @@ LearnerThread::LearnerThread(std::unique_ptr<Life> life)
     : life_(std::move(life)),
       curve_(curveOf(*life_)),
       curvePolicy_(life_->policyName()),
-      unansweredTries_(life_->unanswered().empty() ? 0 : 1),
       stepTime_(stepTimeOf(*life_)),
       thread_([this] { run(); }) {}
 
@@ -76,6 +75,7 @@ void LearnerThread::run() {
 }
 
 void LearnerThread::lifeOn() {
+  if (std::exchange(mustBegin_, false)) beginLife();
   if (mail_.load(std::memory_order_relaxed)) obey();
   if (!canStep())
     wait();
@@ -84,6 +84,20 @@ void LearnerThread::lifeOn() {
   else
     stepInPace();
   answer();
+}
+
+void LearnerThread::beginLife() {
+  life_->begin();
+  noteAnswer();
+  snapshotWanted_ = true;
+}
+
+bool LearnerThread::noteAnswer() {
+  if (life_->unanswered().empty()) return true;
+  ++unansweredTries_;
+  running_ = false;
+  snapshotWanted_ = true;
+  return false;
 }
 
 void LearnerThread::wait() {
@@ -99,13 +113,8 @@ void LearnerThread::step() {
     last_.state.assign(state.begin(), state.end());
     last_.action = life_->nextAction();
   }
-  life_->step();
-  if (!life_->unanswered().empty()) {
-    ++unansweredTries_;
-    running_ = false;
-    snapshotWanted_ = true;
-    return;
-  }
+  life_->step(&stop_);
+  if (!noteAnswer()) return;
   if (life_->log().totals().episodes != before) noteEpisode();
   if (watch_) beWatched();
 }
@@ -153,7 +162,8 @@ std::vector<Fall> LearnerThread::takeFalls() {
 }
 
 void LearnerThread::stepFlatOut() {
-  for (int i = 0; i < kBatch && running_ && !isOver(); ++i) step();
+  const int batch = life_->environment().answersAtOnce() ? kBatch : 1;
+  for (int i = 0; i < batch && running_ && !isOver(); ++i) step();
 }
 
 void LearnerThread::stepInPace() {
@@ -224,7 +234,7 @@ void LearnerThread::replace(ReplaceLife& c) {
   hand_.hold(std::nullopt);
   watch_ = nullptr;
   trouble_.clear();
-  unansweredTries_ += !life_->unanswered().empty();
+  mustBegin_ = true;
   stepTime_ = stepTimeOf(*life_);
   valuesWanted_ = true;
 }

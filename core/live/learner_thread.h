@@ -104,6 +104,9 @@ class LearnerThread {
 
   void run();
   void lifeOn();
+  void beginLife();
+  /// Whether the environment answered; a life that waits for it stands still.
+  bool noteAnswer();
   void wait();
   void obey();
   void carryOut(Command& command);
@@ -136,6 +139,7 @@ class LearnerThread {
   std::size_t changesSeen_ = 0;
   int looksLeft_ = 0;
   std::shared_ptr<const std::vector<std::pair<std::string, double>>> environment_;  // parameters at the last fall
+  bool mustBegin_ = true;                                                           // the life in hand
   bool running_ = false, turbo_ = false;
   std::int64_t unansweredTries_ = 0;
   std::string trouble_;  // why the life stands still: an exception was thrown

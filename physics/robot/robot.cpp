@@ -70,7 +70,7 @@ void Robot::begin(const std::vector<BodyPlacement>& wanted) {
   world_->place(bodies);
   values_.startEpisode();
   world_->readAll(values_.row(), values_.levels());
-  values_.settle();
+  nowhere_ |= !values_.settle();
 }
 
 bool Robot::substeps() {
@@ -92,33 +92,19 @@ Outcome Robot::step(Action action) {
   values_.tick();
   if (!whole) return flyApart();
   world_->readAll(values_.row(), values_.levels());
-  const Outcome outcome = values_.judge();
-  if (outcome.ending != Ending::None) inARow_ = 0;
+  Outcome outcome;
+  if (!values_.judge(outcome)) return flyApart();
+  if (outcome.ending != Ending::None) mishaps_.wentWell();
   return outcome;
 }
 
 Outcome Robot::flyApart() {
-  ++flewApart_;
-  ++inARow_;
+  const Outcome outcome = mishaps_.cutOff(values_);
   const std::vector<double> last(state().begin(), state().end());
   if (!nowhere_) world_.reset();  // it holds numbers that are none
   begin(assembly_->settled(assembly_->drawing()));
   values_.keepState(last);
-  values_.forgetEnding();
-  Outcome outcome;
-  outcome.ending = Ending::Truncated;
   return outcome;
-}
-
-std::string Robot::failure() const {
-  if (inARow_ < kMostInARow) return {};
-  std::string changed;
-  for (std::size_t p = 0; p < spec().parameters.size(); ++p)
-    if (const double value = values_.row()[p]; value != spec().defaults[p])
-      changed += fmt::format("{}environment.{} = {}", changed.empty() ? "" : ", ", spec().parameters[p].key, value);
-  return fmt::format("The robot {} flew apart in {} episodes in a row: {}.", spec().name, kMostInARow,
-                     changed.empty() ? "more substeps, weaker springs or smaller efforts may hold it together"
-                                     : changed + " may be the cause");
 }
 
 bool Robot::push(double impulse) {

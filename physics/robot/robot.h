@@ -8,6 +8,7 @@
 #include <string>
 
 #include "core/environment.h"
+#include "physics/robot/task/mishaps.h"
 #include "physics/robot/task/robot_values.h"
 #include "physics/robot/world/robot_world.h"
 
@@ -39,9 +40,8 @@ class Robot final : public Environment {
   const RobotNumbers& numbers() const { return numbers_; }
   RobotWorld& world() { return *world_; }
   const RobotValues& values() const { return values_; }
-  std::int64_t flewApart() const override { return flewApart_; }
-  /// kMostInARow episodes flew apart, one after the other.
-  std::string failure() const override;
+  std::int64_t flewApart() const override { return mishaps_.count(); }
+  std::string failure() const override { return mishaps_.failure(values_.spec(), values_.parameters()); }
 
  private:
   void rebuild();
@@ -54,9 +54,7 @@ class Robot final : public Environment {
   std::unique_ptr<Assembly> assembly_;
   std::unique_ptr<RobotWorld> world_;
   bool nowhere_ = false;  ///< the start of this episode had no numbers: its first step cuts it off
-  static constexpr int kMostInARow = 100;
-  std::int64_t flewApart_ = 0;
-  int inARow_ = 0;  ///< episodes that flew apart
+  Mishaps mishaps_;
 };
 
 /// What is wrong with a robot at its parameters' own values, its presets and scenarios; empty: nothing.

@@ -20,6 +20,7 @@ class ValueCheck {
     if (!complaints_.empty()) return;
     const RobotNumbers numbers = numbersOf(spec_, values_, complaints_);
     states();
+    picture();
     if (complaints_.empty()) loops(numbers);
   }
 
@@ -48,6 +49,14 @@ class ValueCheck {
                                                                                               : "span",
                                                               (**positive)(values_))});
     }
+  }
+  void picture() {
+    constexpr double kLeast = 0.001, kMost = 10'000;  // [m]
+    for (const auto& [name, length] :
+         {std::pair{"height", &spec_.picture.height}, std::pair{"width", &spec_.picture.width}})
+      if (const double metres = *length ? (**length)(values_) : kMost; !(metres >= kLeast && metres <= kMost))
+        complaints_.push_back(
+            {(**length).at, fmt::format("{} = {}; allowed is {} … {} m.", name, metres, kLeast, kMost)});
   }
   void loops(const RobotNumbers& numbers) {
     constexpr double kClosed = 1e-3;  // [m]

@@ -4,11 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "core/basics/hash64.h"
-#include "core/files/read_file.h"
-
+#include "physics/robot/child/program_files.h"
 #include "physics/robot/reading/robot_reading.h"
 #include "physics/robot/robot.h"
 
@@ -35,22 +33,11 @@ bool hangs(const RobotSpec& spec) {
   return std::any_of(spec.joints.begin(), spec.joints.end(), [](const JointSpec& joint) { return joint.parent < 0; });
 }
 
-/// Of the files that a robot's command names and that lie in its folder.
-std::uint64_t printOfFiles(const RobotSpec& spec, const std::string& folder) {
-  constexpr std::size_t kMost = 16u << 20;  // [bytes]
-  Hash64 hash;
-  for (const std::string& word : spec.child.command)
-    if (const auto file = readHead((std::filesystem::path(folder) / word).string(), kMost))
-      hash.add(word), hash.add(*file);
-  return hash.value();
-}
-
 /// A robot that a program moves: its name counts the program's files, too.
 void addProgram(const std::shared_ptr<const RobotSpec>& spec, const std::string& folder, const RobotTools& tools,
                 const std::shared_ptr<const EnvironmentPrograms>& programs, EnvironmentFile& file) {
   file.starts = commandText(*spec);
-  for (const std::string& word : spec->child.command) file.program += fmt::format("{}:{} ", word.size(), word);
-  file.program += fmt::format("in {} with {:016x}", folder, printOfFiles(*spec, folder));
+  file.program = programOf(*spec, folder);
   const auto make = [=, program = file.program] {
     return std::make_unique<ChildRobot>(spec, program, folder, programs);
   };

@@ -105,8 +105,9 @@ TEST_F(GoingOn, ARunningStoreIsReadByStatisticsExportAndPython) {
                  " >" + file("out") + " 2>&1")
                     .c_str());
   });
-  for (int i = 0; i < 200 && (!fs::exists(store) || livesIn(store) < 3); ++i)
+  for (int i = 0; i < 1000 && (!fs::exists(store) || livesIn(store) < 3); ++i)
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  expectRefusal("experiment " + file("short.toml") + " --lives 1000 --resume --out " + store, 3, {"another process"});
   for (int i = 0; i < 5; ++i) {
     const Finished statistics = surefoot("statistics " + store);
     EXPECT_EQ(statistics.code, 0) << statistics.err;
@@ -118,7 +119,6 @@ TEST_F(GoingOn, ARunningStoreIsReadByStatisticsExportAndPython) {
       EXPECT_EQ(std::system(python.c_str()), 0);
     }
   }
-  expectRefusal("experiment " + file("short.toml") + " --lives 1000 --resume --out " + store, 3, {"another process"});
   // What it writes is complete once it has ended.
   running.join();
   EXPECT_NE(contentOf(file("out")).find("1000 of 1000"), std::string::npos) << contentOf(file("out"));

@@ -102,6 +102,14 @@ TEST(RobotsCommand, WhatIsWrongIsToldWithItsPlace) {
   EXPECT_NE(train.err.find("There are more: surefoot check " + file), std::string::npos) << train.err;
 }
 
+TEST(RobotsCommand, AFileWithoutItsEndingIsProposed) {
+  const Folder folder;
+  std::filesystem::copy(kRobotFolder + "ball-beam.toml", folder.file("wobbly.toml"));
+  const std::string file = folder.file("wobbly");
+  expectRefusal("check " + file, 3, {"there is no " + file + ", but a file " + file + ".toml."});
+  expectRefusal("train --minutes 1 --environment " + file, 3, {"but a file " + file + ".toml."});
+}
+
 TEST(RobotsCommand, AProgramIsStartedOnlyWhereThatIsAllowed) {
   const Folder folder;
   std::filesystem::copy(kRobotFolder + "child", folder.file("child"));
@@ -125,7 +133,9 @@ TEST(RobotsCommand, AProgramsLifeGoesOnWhereItsFileLies) {
   hashOf(train + " --episodes 10 --checkpoint " + checkpoint);
   const std::string on = "train --resume " + checkpoint + " --episodes 20";
   expectRefusal(on, 6, {"Nobody has allowed it yet"});
-  EXPECT_EQ(run(on + " --allow-programs")["lives"][0]["hash"], whole);
+  const auto life = run(on + " --allow-programs")["lives"][0];
+  EXPECT_EQ(life["hash"], whole);
+  EXPECT_EQ(life["same_bits"], "machine");
   std::ofstream(folder.file("child/car.py"), std::ios::app) << "# another program\n";
   expectRefusal(on + " --allow-programs", 3, {"the program of its robot was another one", "--other-version"});
   EXPECT_EQ(run(on + " --allow-programs --other-version")["lives"][0]["hash"], whole);

@@ -81,9 +81,13 @@ class Experiment final : public QObject {
   bool canStartAgain() const { return !text_.empty() && (livesDone_ > 0 || thread_); }
   /// Runs the missing lives, or goes on after a pause: into the store that was opened, else into a new store in the
   /// folder of the program's data.
-  /// `otherVersion`: also beside lives of a version that lives others; else these are refused, and needsConsent().
+  /// `otherVersion`: also beside lives of a version that lives others; else these are refused, and so are robots whose
+  /// programs nobody has allowed: needs() tells which.
   Status run(bool otherVersion = false);
-  bool needsConsent() const { return needsConsent_; }
+  enum class Consent { None, OtherVersion, Programs };
+  Consent needs() const { return needs_; }
+  /// The program that was refused; another one of the plan is refused next.
+  void allowProgram();
   /// Lives stand still where they are; run() goes on.
   void pause();
   /// Forgets all lives; the store stays on the disk, and beside it the lives that are not finished.
@@ -136,6 +140,7 @@ class Experiment final : public QObject {
   Status begin(Prepare prepare);
   void adopt(Opened opened);
   Status openToRun(bool otherVersion);
+  std::vector<std::shared_ptr<const EnvironmentFile>> programsToAllow() const;
   void leave();
   std::string placeForResults() const;
   void setState(State state);
@@ -159,7 +164,7 @@ class Experiment final : public QObject {
   std::string whyNot_;                   // why the run of a store cannot continue
   std::shared_ptr<const LabView> view_;  // the newest view; results_ shows it soon
   State state_ = State::Ready;
-  bool needsConsent_ = false;
+  Consent needs_ = Consent::None;
   QTimer timer_;
   QElapsedTimer running_;
   double before_ = 0, share_ = 0;

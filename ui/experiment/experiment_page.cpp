@@ -202,8 +202,21 @@ void ExperimentPage::runOrPause() {
     return;
   }
   const Status s = experiment_.run();
-  if (!s && experiment_.needsConsent()) return Q_EMIT otherVersionFound(toText(s.error().message));
-  if (!s) Q_EMIT refused(toText(s.error().message));
+  if (s) return;
+  const QString why = toText(s.error().message);
+  switch (experiment_.needs()) {
+    case Experiment::Consent::None:
+      return Q_EMIT refused(why);
+    case Experiment::Consent::OtherVersion:
+      return Q_EMIT asked(why, tr("Go on all the same"), [this] {
+        if (const Status again = experiment_.run(true); !again) Q_EMIT refused(toText(again.error().message));
+      });
+    case Experiment::Consent::Programs:
+      return Q_EMIT asked(why, tr("Allow it, and go on"), [this] {
+        experiment_.allowProgram();
+        runOrPause();
+      });
+  }
 }
 
 void ExperimentPage::startAgain() {

@@ -47,8 +47,8 @@ class ExperimentPage final : public QWidget {
 
  Q_SIGNALS:
   void refused(const QString& sentence);
-  /// The store was written by another version: the person must decide whether to go on with it.
-  void otherVersionFound(const QString& why);
+  /// The person must decide whether to go on: the store was written by another version, or a robot starts a program.
+  void asked(const QString& why, const QString& answer, const std::function<void()>& go);
   void told(const QString& sentence);
   /// The two texts of the status line while this page is shown.
   void statusChanged(const QString& left, const QString& right);

@@ -8,6 +8,8 @@
 #include <thread>
 #include <tuple>
 
+#include "core/environment_library.h"
+#include "core/environment_programs.h"
 #include "ui/experiment/experiment.h"
 #include "ui/style/symbol_text.h"
 
@@ -22,9 +24,16 @@ Experiment::~Experiment() {
 }
 
 Status Experiment::run(bool otherVersion) {
-  needsConsent_ = false;
+  needs_ = Consent::None;
   if (state_ == State::Running || state_ == State::Complete) return Done{};
   if (!plan_) return whyNot_.empty() ? Status(Done{}) : Error{whyNot_, ErrorKind::File};
+  if (const auto programs = programsToAllow(); !programs.empty()) {
+    needs_ = Consent::Programs;
+    Random random(0);
+    const auto robot = programs.front()->entry.make();
+    robot->reset(random);  // it says what it would start, and where
+    return Error{robot->unanswered(), ErrorKind::Unanswered};
+  }
   if (thread_)
     thread_->setPaused(false);
   else if (const Status s = openToRun(otherVersion); !s)
@@ -34,6 +43,24 @@ Status Experiment::run(bool otherVersion) {
   setState(State::Running);
   timer_.start(kTick);
   return Done{};
+}
+
+std::vector<std::shared_ptr<const EnvironmentFile>> Experiment::programsToAllow() const {
+  std::vector<std::shared_ptr<const EnvironmentFile>> files;
+  const auto look = [&](const Configuration& c) {
+    const auto& file = c.environmentFile;
+    if (file && !file->starts.empty() && registry_.programs && !registry_.programs->isAllowed(file->program))
+      files.push_back(file);
+  };
+  for (const Condition& condition : plan_->conditions) {
+    look(condition.configuration);
+    if (condition.preLearning) look(condition.preLearning->configuration);
+  }
+  return files;
+}
+
+void Experiment::allowProgram() {
+  if (const auto programs = programsToAllow(); !programs.empty()) registry_.programs->allow(programs.front()->program);
 }
 
 Status Experiment::openToRun(bool otherVersion) {
@@ -52,7 +79,7 @@ Status Experiment::openToRun(bool otherVersion) {
   const auto lives = store->lives();
   if (!lives) return lives.error();
   if (const Status s = checkLivesVersion(*lives, storePath_); !s && !otherVersion) {
-    needsConsent_ = true;
+    needs_ = Consent::OtherVersion;
     return s;
   }
   const LabOptions options{.jobs = std::max(1, static_cast<int>(std::thread::hardware_concurrency())),

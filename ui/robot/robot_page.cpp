@@ -113,7 +113,11 @@ void RobotPage::showEvent(QShowEvent* event) {
   QWidget::showEvent(event);
   if (std::exchange(everShown_, true)) return;
   const auto draft = source_.draft();
-  if (!draft) return beginLike(QStringLiteral("segway"));
+  if (!draft) {
+    beginLike(QStringLiteral("segway"));
+    chosen_ = false;
+    return;
+  }
   if (draft->path.isEmpty() || !source_.open(draft->path)) source_.begin(QString());
   text_->replaceAll(draft->text);
   check();

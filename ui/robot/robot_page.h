@@ -36,6 +36,8 @@ class RobotPage final : public QWidget {
   void open(const QString& path);
   /// A robot that comes with the program, as the beginning of one's own.
   void beginLike(const QString& name);
+  /// The robot that the life runs: shown until a person has chosen another one here, or edited it.
+  void offer(const EnvironmentFile& robot);
   bool isEdited() const;
   /// What is shown is not yet what the text says.
   bool isChecking() const { return pause_.isActive() || checking_.busy(); }
@@ -60,6 +62,7 @@ class RobotPage final : public QWidget {
   void hideEvent(QHideEvent* event) override;
 
  private:
+  void nameAfter(const QString& path);
   struct Checked;
 
   QWidget* makeBar();
@@ -68,6 +71,7 @@ class RobotPage final : public QWidget {
   QWidget* makeWorld();
   QWidget* makeLife();
   void begin(const QString& text);
+  void beginWith(const QString& text);
   /// What is not saved is kept in a file before another robot takes its place.
   void setAside();
   void showInspection(const EnvironmentInspection* inspection);
@@ -100,7 +104,8 @@ class RobotPage final : public QWidget {
   PanelHeader *textHead_ = nullptr, *worldHead_ = nullptr;
   std::shared_ptr<RobotHelp> help_;   // read when it is asked for first
   std::shared_ptr<Checked> checked_;  // the last text without an error
-  bool wrong_ = false, everShown_ = false;
+  bool wrong_ = false, everShown_ = false, chosen_ = false;
+  std::string offered_;
   QTimer pause_, keeping_;
   Background checking_;  // last member: its destructor runs first and waits
 };

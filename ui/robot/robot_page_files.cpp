@@ -2,6 +2,9 @@
 // Files on the Robot page: open, begin like another, save.
 #include <QFileInfo>
 #include <QMenu>
+#include <QRegularExpression>
+#include <algorithm>
+#include <utility>
 
 #include "core/environment_programs.h"
 #include "core/files/read_file.h"
@@ -31,12 +34,25 @@ void RobotPage::fillFiles() {
     connect(files_->addAction(toText(name)), &QAction::triggered, this, [this, name] { beginLike(toText(name)); });
 }
 
+void RobotPage::offer(const EnvironmentFile& robot) {
+  if (chosen_ || isEdited() || robot.entry.name == std::exchange(offered_, robot.entry.name)) return;
+  if (!everShown_ && source_.draft()) return;
+  const QFileInfo file(toText(robot.path));
+  if (robot.path.empty() || !file.exists())
+    beginWith(toText(robot.text));  // it came inside another file
+  else if (file.canonicalPath() == QFileInfo(toText(registry_.files->shelf())).canonicalFilePath())
+    beginLike(file.completeBaseName());  // what comes with the program is not written to
+  else
+    open(file.absoluteFilePath());
+  chosen_ = false;
+}
+
 void RobotPage::openWithDialog() {
   askForFile(this, tr("Open a robot"), tr("Robots (*.toml)"), [this](const QString& path) { open(path); });
 }
 
 void RobotPage::open(const QString& path) {
-  everShown_ = true;
+  everShown_ = chosen_ = true;
   setAside();
   const auto text = source_.open(QFileInfo(path).absoluteFilePath());
   if (!text) return Q_EMIT refused(toText(text.error().message));
@@ -110,14 +126,20 @@ void RobotPage::setAside() {
 }
 
 void RobotPage::beginLike(const QString& name) {
-  everShown_ = true;
+  everShown_ = chosen_ = true;
   if (!registry_.files) return;
   RobotSource shelf{QString()};
   const auto text = shelf.open(toText(registry_.files->shelvedPath(name.toStdString())));
   if (!text) return Q_EMIT refused(toText(text.error().message));
+  beginWith(*text);
+}
+
+/// A text without a file.
+void RobotPage::beginWith(const QString& text) {
+  everShown_ = true;
   setAside();
-  source_.begin(*text);
-  begin(*text);
+  source_.begin(text);
+  begin(text);
   text_->setFocus(Qt::OtherFocusReason);
 }
 
@@ -141,10 +163,25 @@ bool RobotPage::save() {
   return static_cast<bool>(s);
 }
 
+/// A robot that was begun like another and still has that one's name and title gets those of its file.
+void RobotPage::nameAfter(const QString& path) {
+  if (!checked_ || wrong_ || text_->toPlainText() != checked_->text) return;
+  const auto known = registry_.files ? registry_.files->shelved() : std::vector<std::string>();
+  if (std::find(known.begin(), known.end(), checked_->inspection.name) == known.end()) return;
+  static const QRegularExpression kOther(QStringLiteral("[^a-z0-9-]+"));
+  const QString name = QFileInfo(path).completeBaseName().toLower().replace(kOther, QStringLiteral("-")).left(40);
+  if (name.isEmpty()) return;
+  QString title = QString(name).replace(u'-', u' ');
+  title[0] = title[0].toUpper();
+  text_->setHead(QStringLiteral("name"), name);
+  text_->setHead(QStringLiteral("title"), title);
+}
+
 bool RobotPage::saveAs() {
   const QString name = checked_ ? toText(checked_->inspection.name) : QStringLiteral("robot");
   askForNewFile(this, tr("Save the robot"), name + QStringLiteral(".toml"), tr("Robots (*.toml)"),
                 QStringLiteral(".toml"), [this](const QString& path) {
+                  nameAfter(path);
                   if (const Status s = source_.saveTo(path, text_->toPlainText()); !s)
                     Q_EMIT refused(toText(s.error().message));
                   refresh();

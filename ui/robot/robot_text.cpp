@@ -188,6 +188,19 @@ void RobotText::write(TextPlace place, int length, const QString& text) {
   cursor.insertText(text);
 }
 
+void RobotText::setHead(const QString& key, const QString& value) {
+  const QRegularExpression line(QStringLiteral("^%1\\s*=\\s*\"([^\"]*)\"").arg(key));
+  for (QTextBlock block = document()->begin(); block.isValid() && !block.text().startsWith(u'[');
+       block = block.next()) {
+    const auto found = line.match(block.text());
+    if (!found.hasMatch()) continue;
+    QTextCursor cursor(block);
+    cursor.setPosition(block.position() + static_cast<int>(found.capturedStart(1)));
+    cursor.movePosition(QTextCursor::NextCharacter, QTextCursor::KeepAnchor, static_cast<int>(found.capturedLength(1)));
+    return cursor.insertText(value);
+  }
+}
+
 void RobotText::replaceAll(const QString& text) {
   if (toPlainText() == text) return;
   if (document()->isEmpty()) return setPlainText(text);  // undo does not go behind the first text

@@ -27,6 +27,8 @@ class RobotText final : public QPlainTextEdit {
   bool repair();
   /// Replaces `length` characters at a place, as one step.
   void write(TextPlace place, int length, const QString& text);
+  /// A text of the file's head, such as its name.
+  void setHead(const QString& key, const QString& value);
   RobotTextPlace caret() const;
   /// Shows a sentence at the caret, until a key is pressed or the mouse moves.
   void explain(const QString& sentence);

@@ -78,11 +78,16 @@ void StateTable::drawRow(QPainter& p, const SeenState& state, double y, bool cho
   p.drawText(QRectF(12, y, room, 28), Qt::AlignLeft | Qt::AlignVCenter, title);
   p.setPen(t.quiet);
   drawSymbol(p, QRectF(20 + QFontMetricsF(p.font()).horizontalAdvance(title), y, own, 28), Qt::AlignLeft, symbol);
-  // What does not hold what was seen is in caution; a click writes what is proposed.
+  // What does not hold what was seen is in caution, and underlined as what can be clicked: that writes what is
+  // proposed.
   p.setPen(state.proposes() ? t.caution : t.ink);
+  QFont numbers = textFont(13);
+  numbers.setUnderline(state.proposes());
+  p.setFont(numbers);
   const QString seen = tr("%1 … %2").arg(numberText(state.seenLow), numberText(state.seenHigh));
   p.drawText(QRectF(histogramAt() - 120, y, 110, 28), Qt::AlignRight | Qt::AlignVCenter,
              hasTiles() ? seen + QStringLiteral(" ") + toText(state.unit) : seen);
+  p.setFont(textFont(13));
   drawHistogram(p, state, QRectF(histogramAt(), y + 5, kHistogram, 18));
   if (!hasTiles()) return;
   p.setPen(t.ink);
@@ -159,14 +164,19 @@ void StateTable::mousePressEvent(QMouseEvent* event) {
   if (row < 0) return;
   choose(row);
   const SeenState& state = inspection_->states[static_cast<std::size_t>(row)];
-  const double off = histogramAt() - mouseAt(*event).x();
-  if (state.proposes() && off > -kHistogram && off < 120) Q_EMIT rangeProposed(state);
+  if (isProposal(state, mouseAt(*event).x())) Q_EMIT rangeProposed(state);
+}
+
+bool StateTable::isProposal(const SeenState& state, double x) const {
+  const double off = histogramAt() - x;
+  return state.proposes() && off > -kHistogram && off < 120;
 }
 
 void StateTable::mouseMoveEvent(QMouseEvent* event) {
   const int row = rowAt(mouseAt(*event).y());
-  if (row < 0) return setToolTip({});
+  if (row < 0) return unsetCursor(), setToolTip({});
   const SeenState& state = inspection_->states[static_cast<std::size_t>(row)];
+  setCursor(isProposal(state, mouseAt(*event).x()) ? Qt::PointingHandCursor : Qt::ArrowCursor);
   QString tip =
       tr("%1: range %2 … %3 in the file, %4 tiles")
           .arg(toText(state.title), numberText(state.low), numberText(state.high), QString::number(state.tiles));

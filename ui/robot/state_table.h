@@ -30,6 +30,8 @@ class StateTable final : public Painted<> {
 
  private:
   int rowAt(double y) const;
+  /// Whether a click there writes the range that is proposed.
+  bool isProposal(const SeenState& state, double x) const;
   double top(int row) const { return 32.0 + 28.0 * row; }
   /// The widths of tiles and the units go first where there is little room.
   bool hasTiles() const { return width() >= 380; }

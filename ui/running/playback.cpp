@@ -36,7 +36,8 @@ Playback playbackOf(const Fall& fall, const Registry& registry, const std::strin
                             QString::fromStdString(countText(static_cast<double>(fall.episode))));
   const std::size_t n = world->task().actions.size();
   Ending ending = Ending::None;
-  const bool whole = repeat(fall.inputs, *world, ending, [&](Action next) {
+  Random random(0);
+  const bool whole = repeat(fall.inputs, *world, random, ending, [&](Action next) {
     Shown frame;
     frame.state.assign(world->state().begin(), world->state().end());
     frame.pose = world->pose();

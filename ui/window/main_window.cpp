@@ -79,12 +79,10 @@ MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent)
   connect(live_, &LivePage::refused, messages_, &MessageBar::say);
   connect(experiment_, &ExperimentPage::refused, messages_, &MessageBar::say);
   connect(experiment_, &ExperimentPage::told, messages_, &MessageBar::tell);
-  connect(experiment_, &ExperimentPage::otherVersionFound, this, [this](const QString& why) {
-    messages_->ask(why, {{tr("Go on all the same"), [this] {
-                            if (const Status s = experiment_->experiment().run(true); !s)
-                              messages_->say(toText(s.error().message));
-                          }}});
-  });
+  connect(experiment_, &ExperimentPage::asked, this,
+          [this](const QString& why, const QString& answer, const std::function<void()>& go) {
+            messages_->ask(why, {{answer, go}});
+          });
   connect(experiment_, &ExperimentPage::statusChanged, this, [this](const QString& left, const QString& right) {
     experimentLeft_ = left;
     experimentRight_ = right;
@@ -114,6 +112,8 @@ MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent)
 }
 
 void MainWindow::setPage(int page) {
+  if (page == kRobotPage)
+    if (const auto& file = session_.life().configuration().environmentFile) robot_->offer(*file);
   pages_->setCurrentIndex(page);
   tabs_[static_cast<std::size_t>(page)]->setChecked(true);
   placeMessages();

@@ -33,6 +33,8 @@ int checkCommand(const Registry& registry, const CheckRequest& asked) {
   CheckRequest request = asked;
   if (const std::string path = registry.files->shelvedPath(request.file); !path.empty())
     request.file = path;
+  else if (const Status s = checkEnding("check", request.file); !s)
+    return fail(s.error());
   else if (!isEnvironmentPath(request.file) && !std::filesystem::exists(request.file))
     return fail(unknownName("check", request.file, registry.files->shelved()));
   const auto text = readText(request.file);

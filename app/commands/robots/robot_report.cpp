@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/text/text.h"
-#include "physics/robot/child/child_robot.h"
+#include "physics/robot/child/program_files.h"
 #include "physics/robot/reading/robot_reading.h"
 
 namespace surefoot {

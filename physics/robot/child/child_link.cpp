@@ -43,6 +43,7 @@ Error ChildLink::ended(const std::string& why) {
 }
 
 Status ChildLink::send(FrameKind kind, std::span<const std::byte> content) {
+  if (process_->saysMore()) return ended("it says more than it is asked (does it print to its standard output?)");
   const FrameHead head{static_cast<std::uint32_t>(kind), static_cast<std::uint32_t>(content.size())};
   out_.resize(sizeof head + content.size());
   std::memcpy(out_.data(), &head, sizeof head);
@@ -53,8 +54,9 @@ Status ChildLink::send(FrameKind kind, std::span<const std::byte> content) {
 
 Status ChildLink::receive(FrameKind kind, std::span<std::byte> content, std::chrono::milliseconds patience) {
   FrameHead head;
+  const auto until = Process::Clock::now() + patience;
   const auto fill = [&](std::span<std::byte> bytes) -> Status {
-    switch (process_->read(bytes, patience)) {
+    switch (process_->read(bytes, until)) {
       case Process::Reading::Done:
         return Done{};
       case Process::Reading::Ended:
@@ -79,7 +81,8 @@ Status ChildLink::receive(FrameKind kind, std::span<std::byte> content, std::chr
 }
 
 Status ChildLink::start(double stepTime, const std::string& modules) {
-  auto made = Process::start(caged(spec_.child.command, folder_, modules), childEnvironment(modules));
+  const auto words = caged(spec_.child.command, folder_, modules);
+  auto made = words ? Process::start(*words, childEnvironment(modules)) : words.error();
   if (!made) return Error{fmt::format("The program of the robot {}: {}.", spec_.name, made.error().message)};
   process_ = std::move(*made);
   if (const Status s = send(FrameKind::Hello, bytesOf(helloText(spec_, stepTime))); !s) return s;

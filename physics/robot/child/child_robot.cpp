@@ -2,20 +2,15 @@
 #include "physics/robot/child/child_robot.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/basics/hash64.h"
-#include "core/text/printable.h"
-#include "core/text/text.h"
 #include "physics/robot/child/cage.h"
+#include "physics/robot/child/program_files.h"
 
 namespace surefoot {
-
-std::string commandText(const RobotSpec& spec) {
-  return printable(fmt::format("{}", fmt::join(spec.child.command, " ")));
-}
 
 ChildRobot::ChildRobot(std::shared_ptr<const RobotSpec> spec, std::string program, std::string folder,
                        std::shared_ptr<const EnvironmentPrograms> programs)
@@ -33,7 +28,7 @@ void ChildRobot::parametersChanged() {
   std::fill(numbers_.begin(), numbers_.end(), 0.0);
   values_.startEpisode();
   read();
-  values_.settle();
+  static_cast<void>(values_.settle());  // a program has said nothing yet
 }
 
 Status ChildRobot::check() const {
@@ -68,6 +63,11 @@ Status ChildRobot::start() {
         fmt::format("The robot {} starts a program, {}, in {}, {}. Nobody has allowed it yet (on the page Robot, or "
                     "with --allow-programs).",
                     values_.spec().name, commandText(values_.spec()), link_.folder(), cageText())};
+  if (programOf(values_.spec(), link_.folder()) != program_)
+    return Error{
+        fmt::format("The program of the robot {}, {}, is no longer the one that was read: a file in {} has changed. "
+                    "Open the robot anew.",
+                    values_.spec().name, commandText(values_.spec()), link_.folder())};
   return link_.start(*values_.task().stepTime, programs_->modules());
 }
 
@@ -102,7 +102,7 @@ void ChildRobot::reset(Random& random) {
   prints_.push_back(printOf(numbers_));
   values_.startEpisode();
   read();
-  values_.settle();
+  nowhere_ = !values_.settle();
 }
 
 Outcome ChildRobot::step(Action action) {
@@ -117,7 +117,10 @@ Outcome ChildRobot::step(Action action) {
   prints_.push_back(printOf(numbers_));
   values_.tick();
   read();
-  return values_.judge();
+  Outcome outcome;
+  if (nowhere_ || !values_.judge(outcome)) return mishaps_.cutOff(values_);
+  if (outcome.ending != Ending::None) mishaps_.wentWell();
+  return outcome;
 }
 
 }  // namespace surefoot

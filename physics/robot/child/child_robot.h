@@ -13,6 +13,7 @@
 #include "core/environment.h"
 #include "core/environment_programs.h"
 #include "physics/robot/child/child_link.h"
+#include "physics/robot/task/mishaps.h"
 #include "physics/robot/task/robot_values.h"
 
 namespace surefoot {
@@ -29,6 +30,8 @@ class ChildRobot final : public Environment {
   Outcome step(Action action) override;
   bool answersAtOnce() const override { return false; }
   std::string unanswered() const override { return why_; }
+  std::int64_t flewApart() const override { return mishaps_.count(); }
+  std::string failure() const override { return mishaps_.failure(values_.spec(), values_.parameters()); }
   std::span<const double> state() const override { return values_.state(); }
   std::span<const double> measures() const override { return values_.measures(); }
   /// The row of numbers.
@@ -51,6 +54,8 @@ class ChildRobot final : public Environment {
   std::uint64_t printOf(std::span<const double> numbers) const;
 
   RobotValues values_;
+  Mishaps mishaps_;
+  bool nowhere_ = false;  ///< the start of this episode had no numbers: its first step cuts it off
   std::string program_;
   std::shared_ptr<const EnvironmentPrograms> programs_;
   ChildLink link_;
@@ -62,8 +67,5 @@ class ChildRobot final : public Environment {
   std::vector<double> parameters_, levels_;
   std::vector<std::uint64_t> prints_;
 };
-
-/// "python3 hopper.py"
-std::string commandText(const RobotSpec& spec);
 
 }  // namespace surefoot

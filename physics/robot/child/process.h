@@ -26,9 +26,12 @@ class Process {
 
   /// False: it has ended, or does not read.
   bool write(std::span<const std::byte> bytes);
+  using Clock = std::chrono::steady_clock;
   enum class Reading { Done, Ended, TimedOut };
-  /// Fills all of `bytes`, or says why not.
-  Reading read(std::span<std::byte> bytes, std::chrono::milliseconds patience);
+  /// Fills all of `bytes` until then, or says why not.
+  Reading read(std::span<std::byte> bytes, Clock::time_point until);
+  /// More has been read from it than read() has given away.
+  bool saysMore() const { return at_ != filled_; }
 
   /// "it ended with the exit code 1: ModuleNotFoundError: …"; waits a moment for its end.
   std::string end();

@@ -49,7 +49,8 @@ void readParameter(const TomlNode& node, RobotReader& in) {
   p.origin = reader.text("origin");
   p.order = static_cast<int>(reader.whole("order", 1, 3, 1));
   p.group = in.choice(reader, "group", kGroups, Group::Model);
-  p.when = p.group == Group::Rewards ? When::Now : When::NextEpisode;
+  // A program is told of its parameters when an episode begins.
+  p.when = p.group == Group::Rewards && !in.spec().names.hasChild() ? When::Now : When::NextEpisode;
   if (reader.flag("whole")) p.kind = Kind::Integer;
   reader.need("value");
   reader.need("range");

@@ -88,6 +88,17 @@ void readTimes(TomlReader& reader, RobotReader& in) {
   spec.scale = in.number(reader, "scale", 1);
 }
 
+/// What a test of the greedy policy tells are measures.
+void checkTests(const TomlNode& root, RobotReader& in) {
+  const TomlNode* every = root.find("test_every");
+  const bool none = every && every->kind != TomlNode::Kind::Text && every->number == 0.0;
+  if (every && !none && in.spec().measures.empty())
+    in.complaints().push_back(
+        {every->keyAt,
+         "test_every: a test of the greedy policy tells the robot's measures, and it has none; add a "
+         "[[measure]], such as the distance."});
+}
+
 void readSections(const TomlNode& root, RobotReader& in) {
   TomlReader reader(root, in.complaints());
   readHead(reader, in);
@@ -106,6 +117,7 @@ void readSections(const TomlNode& root, RobotReader& in) {
   readStart(root, in);
   readEndings(root, in);
   readRewards(root, in);
+  checkTests(root, in);
   readPicture(root, in);
   readSettings(root, in);
 }

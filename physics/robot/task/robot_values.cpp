@@ -84,14 +84,15 @@ void RobotValues::startEpisode() {
   for (std::size_t m = 0; m < spec_->memories.size(); ++m) row_[memoriesAt_ + m] = spec_->memories[m].start(row_);
 }
 
-void RobotValues::settle() {
+bool RobotValues::settle() {
+  notFinite_.clear();
   for (std::size_t m = 0; m < spec_->memories.size(); ++m)
     if (!spec_->memories[m].substep && !spec_->memories[m].hasStart)
       row_[memoriesAt_ + m] = spec_->memories[m].each(row_);
-  observe();
+  const bool seen = observe();
   for (std::size_t r = 0; r < potentials_.size(); ++r)
     if (spec_->rewards[r].potential) potentials_[r] = spec_->rewards[r].value(row_);
-  measure(true);
+  return measure(true) && seen;
 }
 
 void RobotValues::decide(Action action) {
@@ -125,26 +126,31 @@ void RobotValues::tick() {
   setTime(steps_ * *task_.stepTime);
 }
 
-void RobotValues::observe() {
-  for (std::size_t s = 0; s < state_.size(); ++s) row_[statesAt_ + s] = state_[s] = spec_->states[s].value(row_);
+bool RobotValues::observe() {
+  double none = 0.0;  // until a number is none
+  for (std::size_t s = 0; s < state_.size(); ++s) {
+    const double value = row_[statesAt_ + s] = spec_->states[s].value(row_);
+    none += value - value;
+    if (none != 0.0) return notFinite_ = "the state " + spec_->states[s].words.key, false;
+  }
+  std::copy_n(row_.begin() + static_cast<std::ptrdiff_t>(statesAt_), state_.size(), state_.begin());
+  return true;
 }
 
-void RobotValues::measure(bool first) {
+bool RobotValues::measure(bool first) {
   for (std::size_t m = 0; m < measures_.size(); ++m) {
     const MeasureSpec& spec = spec_->measures[m];
-    if (first && spec.adds)
-      measures_[m] = 0.0;
-    else
-      measures_[m] = (spec.adds ? measures_[m] : 0.0) + spec.value(row_);
+    const double value = first && spec.adds ? 0.0 : spec.value(row_);
+    if (!std::isfinite(value)) return notFinite_ = "the measure " + spec.words.key, false;
+    measures_[m] = first || !spec.adds ? value : measures_[m] + value;
   }
+  return true;
 }
 
-Outcome RobotValues::judge() {
+bool RobotValues::judge(Outcome& outcome) {
   using Ends = EndingSpec::Kind;
   remember(false);
-  observe();
-  measure(false);
-  Outcome outcome;
+  if (!observe() || !measure(false)) return false;
   const auto eventOf = [](Ends kind) {
     return kind == Ends::Fall ? Event::Fall : kind == Ends::Goal ? Event::Success : Event::None;
   };
@@ -160,6 +166,10 @@ Outcome RobotValues::judge() {
   } else if (steps_ >= maxSteps_) {
     outcome.ending = Ending::Truncated;
   }
+  return reward(outcome);
+}
+
+bool RobotValues::reward(Outcome& outcome) {
   for (std::size_t r = 0; r < spec_->rewards.size(); ++r) {
     const RewardSpec& reward = spec_->rewards[r];
     const bool here =
@@ -168,8 +178,9 @@ Outcome RobotValues::judge() {
     const double value = valueOf(r);
     if (here) outcome.terms[r] = value;
     outcome.reward += outcome.terms[r];
+    if (!std::isfinite(value)) return notFinite_ = "the reward " + spec_->rewards[r].name, false;
   }
-  return outcome;
+  return true;
 }
 
 double RobotValues::valueOf(std::size_t reward) {

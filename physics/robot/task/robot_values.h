@@ -7,6 +7,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/environment.h"
@@ -47,7 +48,8 @@ class RobotValues {
   /// An episode begins: the clock stands at 0, no actuator acts, memories are as they start.
   void startEpisode();
   /// What is measured of the robot has been filled in: the other memories, state, potentials and measures of the start.
-  void settle();
+  /// False: see notFinite().
+  bool settle();
 
   /// A step begins: the levels of an action.
   void decide(Action action);
@@ -56,14 +58,19 @@ class RobotValues {
   bool remembersSubsteps() const { return inSubsteps_; }
   /// The clock after another step.
   void tick();
-  /// What is measured has been filled in after a step: memories, state, measures, and what has come of it.
-  Outcome judge();
+  /// What is measured has been filled in after a step: memories, state, measures, and what has come of it. False: see
+  /// notFinite().
+  bool judge(Outcome& outcome);
+  /// What came to a number that is none in the last settle() or judge(), "the state speed"; the state is still the last
+  /// that was one. Empty: nothing.
+  const std::string& notFinite() const { return notFinite_; }
   /// The state is kept as it was seen last.
   void keepState(std::vector<double> state) { state_ = std::move(state); }
 
  private:
-  void observe();
-  void measure(bool first);
+  bool observe();
+  bool measure(bool first);
+  bool reward(Outcome& outcome);
   double valueOf(std::size_t reward);
 
   std::shared_ptr<const RobotSpec> spec_;
@@ -74,6 +81,7 @@ class RobotValues {
   std::vector<std::size_t> live_;  ///< constants of rewards: they follow a change at once
   Task task_;
   std::vector<double> u_, potentials_, state_, measures_;
+  std::string notFinite_;
   bool inSubsteps_ = false;  ///< some memories are of a substep
   int steps_ = 0, maxSteps_ = 0, lastEnding_ = -1;
 };

@@ -114,6 +114,29 @@ TEST(Walking, ASavedLifeKeepsItsTestsAndGoesOnTesting) {
     EXPECT_EQ(life.greedyTests()[i].reward, (*whole)->greedyTests()[i].reward) << i;
 }
 
+TEST(Walking, ARewardThatChangesInAnEpisodeHoldsForItsTestSavedOrNot) {
+  const Registry registry = fullRegistry();
+  Configuration c = walker(registry, "compass");
+  c.episodes = 10;
+  const auto life = makeLife(registry, c, 0, true);
+  (*life)->keepInputs();
+  while ((*life)->log().totals().episodes < 9) (*life)->step();
+  (*life)->step();
+  ASSERT_TRUE((*life)->set("environment.fall_reward", -777.0));
+  Configuration now = c;
+  now.parameters = (*life)->parameters();
+  auto file = TensorFile::parse(checkpointOf(**life, now, true).write(), "life");
+  ASSERT_TRUE(file);
+  auto resumed = resume(registry, std::make_shared<const TensorFile>(std::move(*file)), {});
+  ASSERT_TRUE(resumed) << resumed.error().message;
+  for (Life* one : {life->get(), resumed->life.get()})
+    while (!one->finished()) one->step();
+  ASSERT_EQ((*life)->greedyTests().size(), 1u);
+  ASSERT_GT((*life)->greedyTests()[0].falls, 0);
+  EXPECT_LT((*life)->greedyTests()[0].reward, -500);
+  EXPECT_EQ(resumed->life->greedyTests()[0].reward, (*life)->greedyTests()[0].reward);
+}
+
 TEST(Walking, ASavedLifeOfTheHandMadeControllerGoesOn) {
   const Registry registry = fullRegistry();
   Configuration c = walker(registry, "leo", "scripted");

@@ -199,4 +199,30 @@ TEST(RobotWorlds, WhatFliesApartIsCutOffAndCounted) {
   for (const double x : robot.state()) EXPECT_TRUE(std::isfinite(x));
 }
 
+TEST(RobotWorlds, AFormulaThatComesToNoNumberCutsTheEpisodeOff) {
+  const std::string reward = "[[reward]]\nname = \"lost\"\nvalue = \"1 / (step - 3)\"\n";
+  const std::string state = "[[state]]\nkey = \"lost\"\nrange = [0, 9]\nwidth = 1\nvalue = \"sqrt(2.5 - step)\"\n";
+  const std::string measure = "[[measure]]\nkey = \"lost\"\ntitle = \"Lost\"\nlast = \"wrap(1, 3 - step)\"\n";
+  for (const std::string& lost : {reward, state, measure}) {
+    const auto spec = robotOf(text(kPendulum, kAngles + lost));
+    ASSERT_TRUE(spec);
+    Robot robot(spec);
+    Random random(1);
+    for (int episode = 1; episode <= 100; ++episode) {
+      EXPECT_EQ(robot.failure(), "");
+      robot.reset(random);
+      Outcome outcome;
+      for (int step = 1; step <= 3; ++step) {
+        EXPECT_EQ(outcome.ending, Ending::None);
+        outcome = robot.step(0);
+        EXPECT_TRUE(std::isfinite(outcome.reward));
+        for (const double x : robot.state()) EXPECT_TRUE(std::isfinite(x));
+      }
+      EXPECT_EQ(outcome.ending, Ending::Truncated);
+      EXPECT_EQ(robot.flewApart(), episode);
+    }
+    EXPECT_NE(robot.failure().find(" lost came to a number that is none"), std::string::npos) << robot.failure();
+  }
+}
+
 }  // namespace surefoot

@@ -65,11 +65,17 @@ TEST(WrongRobots, TellThePlaceAndTheReason) {
       {"on = \"goal\"", "on = \"gaol\"", ":6: there is no [[ending]] named \"gaol\" (did you mean goal?)."},
       {"mass = \"pole_mass\"", "mass = \"pole_mass * 1e300\"",
        ":8: [body.pole]: mass = 1e+300; allowed is 0.000001 … 1,000,000 kg."},
+      {"step_time = 0.005", "test_every = 5\nstep_time = 0.005",
+       ":1: test_every: a test of the greedy policy tells the robot's measures, and it has none; add a [[measure]], "
+       "such as the distance."},
+      {"step_time = 0.005", "step_time = \"5 ms\"",
+       ":16: step_time: a sign is missing before \"ms\"; units are not written."},
       {"step_time = 0.005", "step_time = 0", ":13: step_time = 0; allowed is 0.00001 … 10 s."},
       {"1 / (R * (1 + 0.005", "1 / (R - R) * (R * (1 + 0.005",
        ":14: per_torque: it comes to inf, which is no finite number."},
       {"[body.pole]", "[body.pole", ":11: a heading stands in brackets, [body.leg] or [[state]]."},
       {"[joint.rail]", "[[joint]]", ":3: it is written [joint.NAME]."},
+      {"\nheight = 0.25", "\nheight = \"-R\"", "+1:10: height = -0.05; allowed is 0.001 … 10000 m."},
       {"[point.tip]", "[point.pole]",
        ":8: there is another \"pole\" already; bodies, points, joints, actuators, "
        "states and constants share one space of names."},

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QDir>
 #include <QFile>
+#include <filesystem>
 
+#include "core/environment_programs.h"
 #include "tests/ui/experiment/experiment_window.h"
+#include "tests/ui/session/learn_and_answer.h"
 
 namespace surefoot {
 
@@ -77,9 +80,29 @@ TEST(ExperimentPage, AStoreOfAnotherVersionGoesOnOnlyIfThatIsWanted) {
   const Status refused = p.experiment().run();
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().message.find("9.9"), std::string::npos) << refused.error().message;
-  EXPECT_TRUE(p.experiment().needsConsent());
+  EXPECT_EQ(p.experiment().needs(), Experiment::Consent::OtherVersion);
   EXPECT_TRUE(p.experiment().run(true));
   EXPECT_TRUE(p.waitFor([&] { return p.experiment().state() == State::Complete; }, 60'000));
+}
+
+TEST(ExperimentPage, AsksBeforeARobotOfThePlanStartsItsProgram) {
+  ExperimentWindow p;
+  const std::string programs = std::string(SUREFOOT_SOURCE) + "/resources/robots/child";
+  p.registry.programs->setModules(programs);
+  std::filesystem::copy(programs, p.folder.filePath("car").toStdString());
+  const std::string plan =
+      "lives = 2\nreference = \"one\"\n[base]\nenvironment = \"car/car.toml\"\nepisodes = 2\n[[condition]]\n"
+      "name = \"one\"\n[[condition]]\nname = \"two\"\npolicy = \"softmax\"\n";
+  const QString path = p.folder.filePath("cars.toml");
+  ASSERT_TRUE(writeWhole("plan", path.toStdString(), plan));
+  p.page.open(path);
+  ASSERT_TRUE(p.waitFor([&] { return !p.experiment().isOpening(); }));
+  p.page.runOrPause();
+  ASSERT_TRUE(answersOf(*p.window).contains("Allow it, and go on"));
+  EXPECT_EQ(p.experiment().state(), State::Ready);
+  EXPECT_TRUE(p.experiment().storePath().empty());
+  answer(*p.window, "Allow it, and go on");
+  EXPECT_TRUE(p.waitFor([&] { return p.experiment().state() == State::Complete; }, 60'000)) << p.refusal;
 }
 
 }  // namespace surefoot

@@ -56,6 +56,15 @@ TEST(ChildFile, NamesNumbersThatAreNoStates) {
             "surefoot child 1\nname cliff-child\nstep_time 0.5\nsends column height\nlevels move\nparameters \n");
 }
 
+// A program is told of its parameters when an episode begins: a reward that held at once would not be the program's.
+TEST(ChildFile, ItsRewardsHoldFromTheNextEpisodeOn) {
+  const std::string reward = "[[parameter]]\nkey = \"prize\"\nvalue = 1\nrange = [0, 9]\ngroup = \"rewards\"\n";
+  const auto spec = robotOf(withCommand("[actuator.move]", reward + "[actuator.move]"));
+  ASSERT_TRUE(spec);
+  EXPECT_EQ(spec->parameters.front().when, When::NextEpisode);
+  EXPECT_EQ(spec->parameters.front().group, Group::Rewards);
+}
+
 TEST(ChildFile, IsInspectedWhileItsProgramIsStartedAnewAndAgain) {
   const ProgramHouse house;
   const EnvironmentInspection found = house.file->inspect();

@@ -2,7 +2,9 @@
 #include <signal.h>
 
 #include "core/saved/checkpoint.h"
+#include "physics/robot/child/program_files.h"
 #include "tests/physics/robot/child/programs.h"
+#include "tests/physics/robot/robot_files.h"
 
 namespace surefoot {
 
@@ -85,6 +87,8 @@ TEST(ChildRobot, ALifeThatItsProgramLeftIsSavedAndGoesOnElsewhere) {
 TEST(ChildRobot, NobodyStartsAProgramThatIsNotAllowed) {
   const ProgramHouse house(R"(["python3", "robot.py"])", kCliff, false);
   const auto life = house.life();
+  EXPECT_EQ(life->unanswered(), "");  // a life that is made starts nothing yet
+  life->begin();
   EXPECT_NE(life->unanswered().find("python3 robot.py"), std::string::npos) << life->unanswered();
   EXPECT_NE(life->unanswered().find("Nobody has allowed it"), std::string::npos);
   EXPECT_EQ(robotOf(*life).programId(), 0);
@@ -128,6 +132,7 @@ TEST(ChildRobot, WhatItSaysWrongIsTold) {
   expect(python("return [0], 0, False, False"), "1 numbers, but the file names 2: column row");
   expect(python("raise RuntimeError('the belt has slipped')"), "it says: RuntimeError: the belt has slipped");
   expect(python("print('x' * 300000); os._exit(3)"), "it ended with the exit code 3");
+  expect(python("os.write(1, b'?'); os.write(3, b'?' * 64); return [0, 0], 0, False, False"), "no frame of ours");
   expect(python("import time; time.sleep(60)"), "it did not answer within 5 s");
 }
 
@@ -143,6 +148,116 @@ TEST(ChildRobot, AProgramWithChanceOfItsOwnIsFoundOut) {
   killProgram(*life);
   life->step();
   EXPECT_NE(life->unanswered().find("does not do the same again"), std::string::npos) << life->unanswered();
+}
+
+TEST(ChildRobot, AProgramThatChangesWhileItsLifeGoesOnIsFoundOut) {
+  const ProgramHouse house;
+  const auto life = house.life();
+  liveTo(*life, 40);
+  std::ofstream(house.folder.file("robot.py"), std::ios::app) << "# changed\n";
+  liveTo(*life, 80);
+  EXPECT_EQ(life->unanswered(), "") << "it runs as it was";
+  killProgram(*life);
+  life->step();
+  EXPECT_NE(life->unanswered().find("is no longer the one that was read"), std::string::npos) << life->unanswered();
+}
+
+TEST(ChildRobot, TheFolderThatWasNamedLastIsTheOneThatIsMeant) {
+  const ProgramHouse house(R"(["python3", "robot.py"])", "from rules import serve\nserve()\n");
+  std::string rules = kCliff;
+  rules.replace(rules.find("surefoot_child.serve("), std::string::npos, "def serve(): surefoot_child.serve(Cliff())\n");
+  std::ofstream(house.folder.file("rules.py")) << rules;
+  const std::string other = house.folder.file("other");
+  std::filesystem::create_directory(other);
+  for (const char* same : {"robot.toml", "robot.py"})
+    std::filesystem::copy(house.folder.file(same), other + "/" + same);
+  const auto stays = rules.find("self.at = [0, 0]");
+  std::ofstream(other + "/rules.py") << rules.replace(stays, 16, "self.at = [5, 2]");
+  const auto opened = house.registry.files->open(other + "/robot.toml");
+  ASSERT_TRUE(opened);
+  house.registry.programs->allow((*opened)->program);
+  EXPECT_EQ((*opened)->entry.name, house.file->entry.name);
+  EXPECT_NE((*opened)->program, house.file->program);
+  const auto before = house.robot();
+  const auto after = house.life();
+  Random random(1);
+  before->reset(random);
+  after->begin();
+  EXPECT_EQ(before->state()[0], 0);
+  EXPECT_EQ(after->environment().state()[0], 5);
+}
+
+// A file of ours names where the robot lay. If another robot lies there now, its folder is nothing to this one.
+TEST(ChildRobot, OnlyTheSameRobotsFolderIsTaken) {
+  const ProgramHouse house;
+  const std::string place = house.folder.file("robot.toml");
+  auto registry = fullRegistry();
+  const auto same = registry.files->add(house.file->text, "/nowhere/q.safetensors", place);
+  ASSERT_TRUE(same) << same.error().message;
+  EXPECT_EQ((*same)->program, house.file->program);
+  std::string text = house.file->text;
+  const auto other = registry.files->add(text.replace(text.find("python3"), 7, "python9"), "/nowhere/q", place);
+  ASSERT_TRUE(other) << other.error().message;
+  EXPECT_NE((*other)->program.find(" in /nowhere with"), std::string::npos) << (*other)->program;
+}
+
+// A test of the greedy policy may take minutes in a slow program; who ends the life does not wait for it.
+TEST(ChildRobot, ATestThatIsGivenUpIsMadeAgain) {
+  const auto with = [](ProgramHouse& house) {
+    std::string text = house.file->text + "[[measure]]\nkey = \"at\"\nlast = \"column\"\n";
+    const auto opened = house.registry.files->add(text.replace(text.find("max_steps"), 9, "test_every = 2\nmax_steps"),
+                                                  house.folder.file("robot.toml"));
+    EXPECT_TRUE(opened) << (opened ? "" : opened.error().message);
+    house.file = *opened;
+    house.registry.programs->allowAll();
+    return house.life();
+  };
+  ProgramHouse one, other;
+  const auto undisturbed = with(one), stopped = with(other);
+  std::atomic<bool> stop = false;
+  for (int i = 0; i < 20'000; ++i) undisturbed->step(&stop);
+  int given = 0;
+  while (stopped->steps() < 20'000) {
+    stop = stopped->steps() % 3 != 0;
+    const std::int64_t before = stopped->steps();
+    stopped->step(&stop);
+    given += stopped->steps() == before;
+    if (stopped->steps() == before) stop = false, stopped->step(&stop);
+  }
+  EXPECT_GT(given, 0);
+  EXPECT_EQ(stopped->hash(), undisturbed->hash());
+  ASSERT_GT(undisturbed->greedyTests().size(), 5u);
+  ASSERT_EQ(stopped->greedyTests().size(), undisturbed->greedyTests().size());
+  for (std::size_t i = 0; i < stopped->greedyTests().size(); ++i)
+    EXPECT_EQ(stopped->greedyTests()[i].reward, undisturbed->greedyTests()[i].reward);
+}
+
+TEST(ChildRobot, WhatItsFormulasMakeOfItIsANumberOrTheEpisodeIsCutOff) {
+  const ProgramHouse house;
+  const auto robotWith = [&](const std::string& what, const std::string& with) {
+    std::string text = house.file->text;
+    const auto spec = robotOf(text.replace(text.find(what), what.size(), with));
+    house.registry.programs->allowAll();
+    return ChildRobot(spec, programOf(*spec, house.file->home.substr(0, house.file->home.rfind('/'))),
+                      house.file->home.substr(0, house.file->home.rfind('/')), house.registry.programs);
+  };
+  for (const auto& [what, with] : {std::pair{"value = -1\n", "value = \"1 / (child.column - child.column)\"\n"},
+                                   {"[[ending]]\n",
+                                    "[[state]]\nkey = \"lost\"\nrange = [0, 9]\nresolution = 1\n"
+                                    "value = \"sqrt(-1 - child.column)\"\n[[ending]]\n"}}) {
+    ChildRobot robot = robotWith(what, with);
+    Random random(1);
+    for (int episode = 1; episode <= 100; ++episode) {
+      EXPECT_EQ(robot.failure(), "");
+      robot.reset(random);
+      const Outcome outcome = robot.step(0);
+      EXPECT_EQ(outcome.ending, Ending::Truncated);
+      EXPECT_TRUE(std::isfinite(outcome.reward));
+      for (const double x : robot.state()) EXPECT_TRUE(std::isfinite(x));
+      EXPECT_EQ(robot.flewApart(), episode);
+    }
+    EXPECT_NE(robot.failure().find("came to a number that is none"), std::string::npos) << robot.failure();
+  }
 }
 
 TEST(ChildRobot, NothingOfItIsLeft) {
