@@ -67,6 +67,8 @@ int run(int argc, char** argv) {
   registerPhysics(registry);
   registry.files->setShelf(resourceFolder("robots"));
   registry.programs->setModules(resourceFolder("robots/child"));
+  registry.programs->stopWaitingWith(&watchForInterrupt());
+  registry.programs->setRemark(tell);
   if (const Status s = checkNoneIsEmpty(argc, argv); !s) return fail(s.error());
   const Result<Request> request = parseCommandLine(registry, argc, argv);
   if (!request) return fail(request.error());

@@ -12,6 +12,7 @@
 #include "app/process/resources.h"
 #include "app/reports/report.h"
 #include "core/basics/guarded_call.h"
+#include "core/environment_programs.h"
 #include "core/files/whole_file.h"
 #include "core/lessons/reading/lesson_reading.h"
 #include "core/text/printable.h"
@@ -57,15 +58,16 @@ std::string groupOf(const ShippedPlan& plan) {
   return plan.name.starts_with("5.") ? "Chapter 5: Softmax" : "Chapter 6: resolution, and two Q-functions";
 }
 
-/// Reports the window's life as `train` does, with the life's configuration at the end.
+/// Reports the window's life as `train` does, with the life's configuration at the end. `unanswered`: it stood still,
+/// because its environment did not answer.
 int report(const WindowRequest& request, const Configuration& configuration, const Life& life,
-           std::optional<WholeFile> log) {
+           const std::string& unanswered, std::optional<WholeFile> log) {
   const std::vector<LifeResult> lives = {summarise(life, 0, 0.0)};
   const Status logged = log ? log->commit(logAsCsv(lives, life.environment().task().stepTime)) : Status(Done{});
   const int printed = request.json ? print(resultAsJson(configuration, lives)) : kDone;
   if (!logged) return fail(logged.error());
   if (printed != kDone) return printed;
-  if (!life.unanswered().empty()) return fail({life.unanswered(), ErrorKind::Unanswered});
+  if (!unanswered.empty()) return fail({unanswered, ErrorKind::Unanswered});
   return life.diverged() ? fail({life.divergence(), ErrorKind::Diverged}) : kDone;
 }
 
@@ -188,8 +190,10 @@ int windowCommand(const Registry& registry, const WindowRequest& request, int ar
 
   QApplication::exec();
   application.tell = nullptr;
+  const std::string waiting = interrupted ? "" : session.life().snapshot().unanswered;
+  registry.programs->stopWaiting();  // nobody waits for an answer any more
   const std::unique_ptr<Life> life = session.life().finish();
-  const int code = report(request, session.life().configuration(), *life, std::move(log));
+  const int code = report(request, session.life().configuration(), *life, waiting, std::move(log));
   if (const auto& why = window.whyNotKept())
     return fail({fmt::format("the session is not kept for the next start: {}", why->message), why->kind});
   return code == kDone && interrupted && !life->finished() ? kInterrupted : code;

@@ -113,9 +113,13 @@ class Environment : public Configurable {
   /// Why the last reset() or step() did not happen, in one sentence; empty: it did. It can be tried again; a reset()
   /// that did not happen has left the generator as it was.
   virtual std::string unanswered() const { return {}; }
-  /// Episodes since the environment was made that were cut off because the world came to numbers that are none, or are
-  /// beyond all bounds.
-  virtual std::int64_t flewApart() const { return 0; }
+  /// Of episodes that were cut off because the world came to numbers that are none, or are beyond all bounds.
+  struct CutOffs {
+    std::int64_t all = 0, inARow = 0;
+  };
+  virtual CutOffs cutOffs() const { return {}; }
+  /// A saved life goes on: these happened before.
+  virtual void setCutOffs(const CutOffs& before) { static_cast<void>(before); }
 
   /// Pushes the body to the right by an impulse [N s], between two steps; false: there is no body to push.
   virtual bool push(double impulse) {

@@ -18,6 +18,20 @@ bool EnvironmentPrograms::isAllowed(std::string_view program) const {
   return all_ || allowed_.contains(program);
 }
 
+bool EnvironmentPrograms::isStopped() const {
+  return stopped_ || (flag_ && *flag_);
+}
+
+void EnvironmentPrograms::setRemark(std::function<void(const std::string&)> remark) {
+  const std::lock_guard lock(mutex_);
+  remark_ = std::move(remark);
+}
+
+void EnvironmentPrograms::remark(const std::string& sentence) const {
+  const std::lock_guard lock(mutex_);
+  if (remark_ && said_.insert(sentence).second) remark_(sentence);
+}
+
 void EnvironmentPrograms::setModules(std::string folder) {
   const std::lock_guard lock(mutex_);
   modules_ = std::move(folder);

@@ -12,6 +12,7 @@
 #include "app/reports/progress_line.h"
 #include "app/requests/requests.h"
 #include "core/basics/typed_json.h"
+#include "core/plans/plan_programs.h"
 
 namespace surefoot {
 
@@ -104,6 +105,7 @@ class Teller {
 
 int experimentCommand(const Registry& registry, const ExperimentRequest& request) {
   if (request.dryRun) return tellPlan(request);
+  if (const Status s = checkPrograms(registry, request.plan); !s) return fail(s.error());
   auto store = openStore(registry, request);
   if (!store) return fail(store.error());
   tellNote(*store);

@@ -26,7 +26,7 @@ int replayCommand(const Registry& registry, const ReplayRequest& request) {
   const int printed =
       print(request.json ? resultAsJson(journal->configuration, lives) : resultAsTable(journal->configuration, lives));
   if (printed != kDone) return printed;
-  if (!life->unanswered.empty()) return fail({life->unanswered, ErrorKind::Unanswered});
+  if (!life->unanswered.empty() && !watchForInterrupt()) return fail({life->unanswered, ErrorKind::Unanswered});
   const bool other = journal->livesVersion != kLivesVersion;
   if (*options.interrupted && life->steps < journal->steps)
     return fail({fmt::format("interrupted at step {} of {}.", life->steps, journal->steps), ErrorKind::Interrupted});

@@ -44,9 +44,11 @@ std::vector<Row> rowsOf(std::span<const Reproduced> recipes) {
 std::string numberText(double v) {
   return fmt::format("{:.{}f}", v, decimalsOf(v));
 }
-std::string thesisText(const nlohmann::json& thesis) {
-  if (thesis.is_number()) return fmt::format("{:g}", thesis.get<double>());
-  return thesis.is_string() ? thesis.get<std::string>() : "";
+/// "-45, p 1.4e-05"
+std::string thesisText(const Judgement& j) {
+  const std::string p = j.thesisP ? ", p " + shortPText(*j.thesisP) : "";
+  if (j.thesis.is_number()) return fmt::format("{:g}", j.thesis.get<double>()) + p;
+  return j.thesis.is_string() ? j.thesis.get<std::string>() : "";
 }
 std::string oursText(const Judgement& j) {
   if (!j.ours) return "";
@@ -117,7 +119,7 @@ std::string asHtmlTable(const std::vector<Row>& rows) {
         "<tr><td class=n>{}{}</td><td>{}{}</td><td>{}</td><td class=n>{}</td><td class=n>{}</td><td "
         "class={}>{}</td></tr>\n",
         j.id, r.preset == "lab" ? "<br><small>lab preset</small>" : "", escapedForHtml(j.says),
-        j.note.empty() ? "" : "<br><small>" + escapedForHtml(j.note) + "</small>", escapedForHtml(thesisText(j.thesis)),
+        j.note.empty() ? "" : "<br><small>" + escapedForHtml(j.note) + "</small>", escapedForHtml(thesisText(j)),
         oursText(j), escapedForHtml(pText(j)), nameOf(j.verdict), nameOf(j.verdict));
   }
   return out + "</table>\n";
@@ -151,7 +153,7 @@ std::string asMarkdownTable(const std::vector<Row>& rows) {
   for (const Row& r : rows) {
     const Judgement& j = *r.judgement;
     out += fmt::format("| {}{} | {} | {} | {} | {} | {} | {} |\n", j.id, r.preset == "lab" ? " (lab)" : "",
-                       escapedForMarkdown(j.says), escapedForMarkdown(thesisText(j.thesis)), oursText(j), pText(j),
+                       escapedForMarkdown(j.says), escapedForMarkdown(thesisText(j)), oursText(j), pText(j),
                        nameOf(j.verdict), escapedForMarkdown(j.note));
   }
   return out;

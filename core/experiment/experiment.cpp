@@ -20,7 +20,7 @@ LifeResult summarise(const Life& life, int index, double cpuSeconds) {
   r.simulatedSeconds = life.simulatedSeconds();
   r.averageReward = life.log().averageReward();
   r.statesOutside = life.agent().statesOutside();
-  r.flewApart = life.environment().flewApart();
+  r.flewApart = life.environment().cutOffs().all;
   r.testSeconds = life.testSeconds();
   r.cpuSeconds = std::max(0.0, cpuSeconds - r.testSeconds);
   r.hash = life.hash();
@@ -131,7 +131,7 @@ Result<std::vector<LifeResult>> runLives(const Registry& registry, const Configu
     return s.error();
   std::vector<LifeResult> lives;
   for (auto& result : results)
-    if (result && !anything) return Error{result->unanswered, ErrorKind::Unanswered};
+    if (result && !anything && !pool.stopping()) return Error{result->unanswered, ErrorKind::Unanswered};
   for (auto& result : results)
     if (result) lives.push_back(std::move(*result));
   return lives;

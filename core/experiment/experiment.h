@@ -23,7 +23,7 @@ struct LifeResult {
   double simulatedSeconds = 0.0;   ///< NaN: no clock
   double averageReward = 0.0;      ///< mean of the last 80 episodes
   std::int64_t statesOutside = 0;  ///< states outside the range that the features cover
-  std::int64_t flewApart = 0;      ///< Environment::flewApart
+  std::int64_t flewApart = 0;      ///< Environment::cutOffs
   double cpuSeconds = 0.0;         ///< CPU time of its thread for learning
   double testSeconds = 0.0;        ///< CPU time of its thread for greedy tests
   std::vector<MemoryUse> memory;   ///< memory of its tables

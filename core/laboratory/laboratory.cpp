@@ -138,9 +138,9 @@ class Laboratory {
       life->keepInputs();
     }
     liveOn(*life, meter, [&] { note(kept_.keep(name, checkpointOf(*life, c, false))); });
-    if (!life->unanswered().empty()) return Error{life->unanswered(), ErrorKind::Unanswered};
+    if (!life->unanswered().empty() && !pool_.stopping()) return Error{life->unanswered(), ErrorKind::Unanswered};
     if (life->diverged()) return Error{"pre-learning: " + life->divergence(), ErrorKind::Diverged};
-    if (!life->finished()) return Done{};
+    if (!life->finished() || !life->unanswered().empty()) return Done{};
     const EpisodeLog& log = life->log();
     const bool reached = !c.until || log.averageReward() >= *c.until;
     return taught(shared, std::make_shared<const TensorFile>(qFileOf(*life, c)),
@@ -200,8 +200,8 @@ class Laboratory {
       note(kept_.keep(task.name, std::move(file)));
     };
     liveOn(*life, meter, keep);
-    if (!life->unanswered().empty()) return Error{life->unanswered(), ErrorKind::Unanswered};
-    if (!life->finished()) return Done{};
+    if (!life->unanswered().empty() && !pool_.stopping()) return Error{life->unanswered(), ErrorKind::Unanswered};
+    if (!life->finished() || !life->unanswered().empty()) return Done{};
     if (const Status s = save(task, *life, before); !s) return keep(), s;
     kept_.drop(task.name);
     if (task.shared && task.shared->used()) kept_.drop(KeptLives::nameOf(task.shared->what, task.shared->number));

@@ -175,9 +175,10 @@ class Life {
   Action action_ = 0;
   bool inEpisode_ = false;
   bool environmentChanged_ = false;
-  std::string failure_;     // of the environment: it can not go on
-  std::string unanswered_;  // its last answer did not come
-  bool away_ = false;       // it has not been taken to where this saved life was
+  std::string failure_;           // of the environment: it can not go on
+  std::string unanswered_;        // its last answer did not come
+  bool away_ = false;             // it has not been taken to where this saved life was
+  Environment::CutOffs cutOffs_;  // when the life was saved
   GreedyTester tester_;
   std::optional<double> rule_;  // threshold by the rule of thumb, after the last episode
   bool everyStep_ = false;      // a schedule changes with every step

@@ -68,6 +68,11 @@ void Life::transfer(Archive& archive) {
   archive.list("episode.start", inputs_.start, task.state.size());
   archive.list("episode.push_steps", inputs_.pushSteps, kMostInputs);
   archive.list("episode.push_impulses", inputs_.pushImpulses, kMostInputs);
+  if (!archive.reading()) cutOffs_ = environment_->cutOffs();
+  if (archive.reading() ? archive.has("cut_off.all") : cutOffs_.all > 0) {  // most lives have none
+    archive.value("cut_off.all", cutOffs_.all, 0, kMostLifeSteps);
+    archive.value("cut_off.in_a_row", cutOffs_.inARow, 0, kMostLifeSteps);
+  }
   archive.under("log.", [&] { log_.transfer(archive); });
   tester_.transfer(archive);
   if (!archive.reading()) agent_->transferValues(archive);  // when reading, the agent was made from them
@@ -95,10 +100,12 @@ bool Life::goBack() {
   unanswered_.clear();
   away_ = false;
   worldRandom_ = Random(inputs_.random);
+  environment_->setCutOffs(cutOffs_);
   if (!inEpisode_ && inputs_.actions.empty()) return true;  // an episode was to begin
   Ending ending = Ending::None;
   const bool whole = repeat(inputs_, *environment_, worldRandom_, ending, [](Action) {});
   if (ending == Ending::Unanswered) unanswered_ = environment_->unanswered();
+  environment_->setCutOffs(cutOffs_);  // an episode that was cut off has been so once more
   away_ = !unanswered_.empty();
   if (away_) return false;
   if (whole && (ending == Ending::None) == inEpisode_) return true;

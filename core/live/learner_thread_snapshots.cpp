@@ -44,7 +44,7 @@ void LearnerThread::fill(Snapshot& s) const {
   s.turbo = turbo_;
   s.pace = pace_;
   s.unanswered = life_->unanswered();
-  s.flewApart = environment.flewApart();
+  s.flewApart = environment.cutOffs().all;
   s.unansweredTries = unansweredTries_;
   s.finished = life_->finished() && !life_->diverged() && s.unanswered.empty();
   s.trouble = life_->diverged() ? life_->divergence() : "";

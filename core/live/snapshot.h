@@ -32,7 +32,7 @@ struct Snapshot {
   double pace = 1.0;                 ///< the pace in force now
   bool finished = false;             ///< the limit that was asked for is reached
   std::string trouble;               ///< why it had to stop before, or empty
-  std::int64_t flewApart = 0;        ///< Environment::flewApart
+  std::int64_t flewApart = 0;        ///< Environment::cutOffs
   std::string unanswered{};          ///< Life::unanswered: it stands still, and can be told to run again
   std::int64_t unansweredTries = 0;  ///< how often that has happened
 };

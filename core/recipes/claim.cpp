@@ -240,9 +240,17 @@ Result<Judgement> judge(const Registry& registry, const Claim& claim, const std:
 
 nlohmann::ordered_json judgementAsJson(const Judgement& j) {
   const auto orNull = [](const std::optional<double>& v) { return numberAsJson(v.value_or(std::nan(""))); };
-  return {{"id", j.id},           {"says", j.says},         {"thesis", j.thesis}, {"ours", orNull(j.ours)},
-          {"low", orNull(j.low)}, {"high", orNull(j.high)}, {"p", orNull(j.p)},   {"verdict", nameOf(j.verdict)},
-          {"counts", j.counts},   {"note", j.note}};
+  return {{"id", j.id},
+          {"says", j.says},
+          {"thesis", j.thesis},
+          {"thesis_p", orNull(j.thesisP)},
+          {"ours", orNull(j.ours)},
+          {"low", orNull(j.low)},
+          {"high", orNull(j.high)},
+          {"p", orNull(j.p)},
+          {"verdict", nameOf(j.verdict)},
+          {"counts", j.counts},
+          {"note", j.note}};
 }
 
 // A part between two * is searched from the left: its first place leaves the most room for later parts.

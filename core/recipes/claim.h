@@ -42,9 +42,9 @@
 //   effect-order  `conditions` in pairs: the first of a pair gains less on its reference than the second on its own, in
 //                 standard deviations (`relative`: in per cent)
 //   best          of each of `groups` (lists of conditions) the one with the lowest mean: its value of the parameter
-//                 `along` is the same in all (the intervals overlap, none of them takes in all values), or that of the
-//                 first is `relation` = lower or not-lower than those of the others; of one group: its interval holds
-//                 the thesis's value and is no wider than half of the values
+//                 `along` is the same in all (the intervals overlap, none of them takes in more than half of the
+//                 values), or that of the first is `relation` = lower or not-lower than those of the others; of one
+//                 group: its interval holds the thesis's value, and no more than half of the values
 //   bands-overlap the 95 % bands of the learning curve and of the reference's overlap at 95 % of all moments; undecided
 //                 where they are wider than half of what the curve reaches
 //   dips          the average reward falls below that of the `first` episodes (10), where is found by one half of the
@@ -98,6 +98,7 @@ struct Judgement {
   std::string id, says, note;
   std::string counts = "test";               ///< see Claim
   nlohmann::json thesis;                     ///< a number, a text or null
+  std::optional<double> thesisP;             ///< that the thesis prints with it
   std::optional<double> ours, low, high, p;  ///< p: the worst of several
   Verdict verdict = Verdict::Undecided;
 };

@@ -48,6 +48,7 @@ class Judge {
         random_(seed) {
     j_.id = claim.id, j_.says = claim.says, j_.counts = claim.counts;
     j_.thesis = arguments_.value("thesis", nlohmann::json());
+    if (const auto p = arguments_.find("thesis_p"); p != arguments_.end()) j_.thesisP = p->get<double>();
   }
 
   Result<Judgement> judge();

@@ -67,27 +67,27 @@ Verdict Judge::best() {
   std::vector<double> ours;
   for (const Evidence* e : everything) ours.push_back(mean(*e));
   std::vector<Interval> intervals;
-  bool open = false;
+  bool open = false;  // more than half of the values may be the best of a group
   for (std::size_t g = 0; g < values.size(); ++g) {
     std::vector<double> bests = drawn(everything, [&](const auto& means) { return bestOf(means, g); });
     if (bests.empty()) return tooFew();
     std::sort(bests.begin(), bests.end());
     intervals.push_back({bestOf(ours, g), quantileOfSorted(bests, 0.025), quantileOfSorted(bests, 0.975)});
-    const auto [least, most] = std::minmax_element(values[g].begin(), values[g].end());
-    open = open || (intervals[g].low <= *least && intervals[g].high >= *most && *least < *most);
+    const auto held =
+        std::count_if(values[g].begin(), values[g].end(), [&](double v) { return overlaps(intervals[g], v, v); });
+    open = open || 2 * held > static_cast<std::ptrdiff_t>(values[g].size());
     note(fmt::format("best {:g} ({:g} … {:g})", intervals[g].value, intervals[g].low, intervals[g].high));
   }
   report(intervals[0]);
   if (alone) {
     const double thesis = number("thesis");
-    const auto [least, most] = std::minmax_element(values[0].begin(), values[0].end());
     if (!overlaps(intervals[0], thesis, thesis)) return Verdict::Differs;
-    return intervals[0].high - intervals[0].low > (*most - *least) / 2 ? tooFew() : Verdict::Agrees;
+    return open ? tooFew() : Verdict::Agrees;
   }
   if (relation == "same") {
     const bool same = std::all_of(intervals.begin(), intervals.end(),
                                   [&](const Interval& i) { return overlaps(i, intervals[0].low, intervals[0].high); });
-    return same && open ? tooFew() : agreesIf(same);  // every value may be the best of one group
+    return same && open ? tooFew() : agreesIf(same);
   }
   return ofShare(share(everything, [&](const auto& means) {
     for (std::size_t g = 1; g < values.size(); ++g) {

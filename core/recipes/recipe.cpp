@@ -180,6 +180,7 @@ Status readClaims(const Json& blocks, const std::vector<std::string>& measures, 
                              {"relative", Takes::Flag},
                              {"counts", Takes::Text},
                              {"lab_conditions", Takes::Texts},
+                             {"lab_says", Takes::Text},
                              {"draws", Takes::Text},
                              {"alongs", Takes::Texts},
                              {"within", Takes::Number},
@@ -279,6 +280,7 @@ Result<Recipe> onLabPreset(const Registry& registry, const std::string& path, co
     if (claim.counts == "fitted") claim.counts = "test";  // nothing was fitted to this preset
     const auto own = claim.arguments.find("lab_conditions");
     if (own != claim.arguments.end()) claim.arguments["conditions"] = *own;
+    if (const auto says = claim.arguments.find("lab_says"); says != claim.arguments.end()) claim.says = *says;
   }
   std::set<std::string> needed;
   auto& conditions = recipe->plan.conditions;

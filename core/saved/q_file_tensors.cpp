@@ -99,7 +99,7 @@ class Checker {
     if (t.name == "greedy_tests") return within(kColumns * (episodes_ + 1));
     if (t.name.starts_with("episode.")) return within(steps_ + kMarks);
     if (t.name.starts_with("learning.")) return within(4 * weights_ + kMarks);
-    for (const char* few : {"log.", "random."})
+    for (const char* few : {"log.", "random.", "cut_off."})
       if (t.name.starts_with(few)) return within(kFew);
     for (const char* one : {"action", "environment_changed", "greedy_test_seed", "in_episode", "pre_learned", "steps"})
       if (t.name == one) return within(1);

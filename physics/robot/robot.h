@@ -40,7 +40,8 @@ class Robot final : public Environment {
   const RobotNumbers& numbers() const { return numbers_; }
   RobotWorld& world() { return *world_; }
   const RobotValues& values() const { return values_; }
-  std::int64_t flewApart() const override { return mishaps_.count(); }
+  CutOffs cutOffs() const override { return mishaps_.counts(); }
+  void setCutOffs(const CutOffs& before) override { mishaps_.setCounts(before); }
   std::string failure() const override { return mishaps_.failure(values_.spec(), values_.parameters()); }
 
  private:

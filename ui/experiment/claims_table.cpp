@@ -77,7 +77,8 @@ void ClaimsTable::refresh() {
     const bool percent = experiment_.isInPercent(j.id);
     const QString unit = percent ? QStringLiteral(" %") : QString();
     put(*this, row, Thesis,
-        j.thesis.is_number()   ? toText(fixedText(j.thesis.get<double>(), 0)) + unit
+        j.thesis.is_number() ? toText(fixedText(j.thesis.get<double>(), 0)) + unit +
+                                   (j.thesisP ? tr(", p %1").arg(pText(*j.thesisP)) : QString())
         : j.thesis.is_string() ? shownName(j.thesis.get<std::string>())
                                : QString(),
         false, true);

@@ -140,7 +140,6 @@ class Experiment final : public QObject {
   Status begin(Prepare prepare);
   void adopt(Opened opened);
   Status openToRun(bool otherVersion);
-  std::vector<std::shared_ptr<const EnvironmentFile>> programsToAllow() const;
   void leave();
   std::string placeForResults() const;
   void setState(State state);

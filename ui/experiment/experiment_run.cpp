@@ -10,6 +10,7 @@
 
 #include "core/environment_library.h"
 #include "core/environment_programs.h"
+#include "core/plans/plan_programs.h"
 #include "ui/experiment/experiment.h"
 #include "ui/style/symbol_text.h"
 
@@ -27,12 +28,9 @@ Status Experiment::run(bool otherVersion) {
   needs_ = Consent::None;
   if (state_ == State::Running || state_ == State::Complete) return Done{};
   if (!plan_) return whyNot_.empty() ? Status(Done{}) : Error{whyNot_, ErrorKind::File};
-  if (const auto programs = programsToAllow(); !programs.empty()) {
+  if (const Status s = checkPrograms(registry_, *plan_); !s) {
     needs_ = Consent::Programs;
-    Random random(0);
-    const auto robot = programs.front()->entry.make();
-    robot->reset(random);  // it says what it would start, and where
-    return Error{robot->unanswered(), ErrorKind::Unanswered};
+    return s;
   }
   if (thread_)
     thread_->setPaused(false);
@@ -45,22 +43,9 @@ Status Experiment::run(bool otherVersion) {
   return Done{};
 }
 
-std::vector<std::shared_ptr<const EnvironmentFile>> Experiment::programsToAllow() const {
-  std::vector<std::shared_ptr<const EnvironmentFile>> files;
-  const auto look = [&](const Configuration& c) {
-    const auto& file = c.environmentFile;
-    if (file && !file->starts.empty() && registry_.programs && !registry_.programs->isAllowed(file->program))
-      files.push_back(file);
-  };
-  for (const Condition& condition : plan_->conditions) {
-    look(condition.configuration);
-    if (condition.preLearning) look(condition.preLearning->configuration);
-  }
-  return files;
-}
-
 void Experiment::allowProgram() {
-  if (const auto programs = programsToAllow(); !programs.empty()) registry_.programs->allow(programs.front()->program);
+  if (const auto programs = programsToAllow(registry_, *plan_); !programs.empty())
+    registry_.programs->allow(programs.front()->program);
 }
 
 Status Experiment::openToRun(bool otherVersion) {

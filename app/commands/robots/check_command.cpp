@@ -9,6 +9,7 @@
 #include "app/process/exit_code.h"
 #include "core/basics/typed_json.h"
 #include "core/environment_library.h"
+#include "core/environment_programs.h"
 #include "core/files/read_file.h"
 #include "physics/robot/reading/robot_reading.h"
 
@@ -44,7 +45,8 @@ int checkCommand(const Registry& registry, const CheckRequest& asked) {
   if (!file) return tellWrong(request, complaints);
   const auto spec = readRobot(*text, complaints);
   const EnvironmentInspection found = file->inspect();
-  if (!found.unanswered.empty()) return fail({found.unanswered, ErrorKind::Unanswered});
+  if (!found.unanswered.empty())
+    return fail({found.unanswered, registry.programs->isStopped() ? ErrorKind::Interrupted : ErrorKind::Unanswered});
   if (!request.json) return print(robotReport(*spec, found, request.file));
   auto json = robotReportAsJson(*spec, found);
   json["errors"] = nlohmann::ordered_json::array();

@@ -71,7 +71,7 @@ int trainCommand(const Registry& registry, const TrainRequest& request) {
       return fail({message, ErrorKind::Diverged});
     }
   for (const LifeResult& life : *lives)
-    if (!life.unanswered.empty())
+    if (!life.unanswered.empty() && !watchForInterrupt())
       return fail({life.unanswered + (request.checkpoint ? " The life can go on: --resume " + *request.checkpoint : ""),
                    ErrorKind::Unanswered});
   const auto complete =

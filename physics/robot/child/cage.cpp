@@ -3,8 +3,11 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <chrono>
+#include <mutex>
+#include <optional>
 
 #include "physics/robot/child/cage_folders.h"
 #include "physics/robot/child/process.h"
@@ -39,6 +42,8 @@ std::vector<std::string> bubblewrap() {
                                     "--unshare-all",
                                     "--unshare-user",
                                     "--disable-userns",
+                                    "--cap-drop",
+                                    "ALL",
                                     "--die-with-parent",
                                     "--new-session",
                                     "--ro-bind",
@@ -48,49 +53,62 @@ std::vector<std::string> bubblewrap() {
                                     "/dev",
                                     "--proc",
                                     "/proc"};
+  if (geteuid() == 0) words.insert(words.end(), {"--ro-bind", "/proc/sys", "/proc/sys"});  // it is root's, even so
   addEmpty(words, "/dev/shm", kLargestFile);
   return words;
 }
 
 /// What is hidden, what of it is shown again, and that only a temporary folder and an empty home can be written to.
-void addFolders(std::vector<std::string>& words, const std::set<fs::path>& shown) {
+void addFolders(std::vector<std::string>& words, const ShownFolders& shown) {
   std::set<fs::path> writable;
   std::error_code error;
   writable.insert(fs::canonical("/tmp", error));
   for (const fs::path& home : foldersIn("HOME")) writable.insert(home);
   const std::set<fs::path> hidden = hiddenFolders();
   for (const fs::path& path : hidden) addEmpty(words, path.string(), path == "/tmp" ? kLargestFile : kSmallFolder);
-  for (const fs::path& path : shown) words.insert(words.end(), {"--ro-bind", path.string(), path.string()});
+  for (const auto& [link, target] : shown.links)
+    words.insert(words.end(), {"--symlink", target.string(), link.string()});
+  for (const fs::path& path : shown.paths) words.insert(words.end(), {"--ro-bind", path.string(), path.string()});
   for (const fs::path& path : hidden)
     if (!writable.contains(path)) words.insert(words.end(), {"--remount-ro", path.string()});
+  words.insert(words.end(), {"--remount-ro", "/dev"});
+}
+
+/// Ends by itself, with 0 if a cage could be made.
+Result<bool> tryCage() {
+  constexpr std::chrono::seconds kPatience(20);
+  std::vector<std::string> words = limits();
+  for (std::string& word : bubblewrap()) words.push_back(std::move(word));
+  words.emplace_back("true");
+  auto trial = Process::start(words, childEnvironment(""));
+  if (!trial) return false;
+  std::byte nothing{};
+  const auto read = (*trial)->read(std::span(&nothing, 1), Process::Clock::now() + kPatience);
+  if (read == Process::Reading::TimedOut) return Error{"bubblewrap does not answer, so it cannot be caged"};
+  return (*trial)->end() == "it ended with the exit code 0";
 }
 
 }  // namespace
 
-bool hasCage() {
-  static const bool can = [] {
-    std::vector<std::string> words = limits();
-    for (std::string& word : bubblewrap()) words.push_back(std::move(word));
-    words.emplace_back("true");
-    auto trial = Process::start(words, childEnvironment(""));
-    if (!trial) return false;
-    std::byte nothing{};
-    static_cast<void>((*trial)->read(std::span(&nothing, 1), Process::Clock::now() + std::chrono::seconds(5)));
-    return (*trial)->end() == "it ended with the exit code 0";
-  }();
+Result<bool> hasCage() {
+  static std::mutex mutex;
+  static std::optional<bool> known;
+  const std::lock_guard lock(mutex);
+  if (known) return *known;
+  const auto can = tryCage();
+  if (can) known = *can;
   return can;
 }
 
 Result<std::vector<std::string>> caged(const std::vector<std::string>& command, const std::string& folder,
                                        const std::string& modules) {
   std::vector<std::string> words = limits();
-  if (hasCage()) {
-    if (const Status s = checkCageFolder(folder); !s) return s.error();
+  const auto cage = hasCage();
+  if (!cage) return cage.error();
+  if (*cage) {
+    const ShownFolders shown = shownFolders(command.front(), folder, modules);
+    if (const Status s = checkCageFolders(command, folder, shown); !s) return s.error();
     for (std::string& word : bubblewrap()) words.push_back(std::move(word));
-    std::set<fs::path> shown = shownFolders(command.front(), folder);
-    shown.insert(folder);
-    std::error_code error;
-    if (const fs::path real = fs::canonical(modules, error); !error) shown.insert(real);
     addFolders(words, shown);
     words.insert(words.end(), {"--chdir", folder, "--", "prlimit", fmt::format("--nproc={}", kMostProcesses)});
   } else {
@@ -116,9 +134,11 @@ std::vector<std::string> childEnvironment(const std::string& modules) {
 }
 
 const char* cageText() {
-  return hasCage() ? "in a cage: without network; it can read its folder, the system and your programs in PATH with "
-                     "their libraries, and write to a temporary folder"
-                   : "with your rights, for bubblewrap is not there to cage it";
+  const auto cage = hasCage();
+  return cage && *cage
+             ? "in a cage: without network; it can read its folder, the system and your programs in PATH with "
+               "their libraries, and write to a temporary folder"
+             : "with your rights, for bubblewrap is not there to cage it";
 }
 
 }  // namespace surefoot

@@ -20,6 +20,8 @@ static_assert(std::endian::native == std::endian::little);  // frames are
 
 constexpr std::chrono::seconds kHelloPatience(60), kAnswerPatience(5);  // Python takes its time to import things
 
+constexpr const char* kStopped = "it was left, for all is to end";
+
 std::span<const std::byte> bytesOf(std::string_view text) {
   return std::as_bytes(std::span(text));
 }
@@ -43,6 +45,7 @@ Error ChildLink::ended(const std::string& why) {
 }
 
 Status ChildLink::send(FrameKind kind, std::span<const std::byte> content) {
+  if (stopped_()) return ended(kStopped);
   if (process_->saysMore()) return ended("it says more than it is asked (does it print to its standard output?)");
   const FrameHead head{static_cast<std::uint32_t>(kind), static_cast<std::uint32_t>(content.size())};
   out_.resize(sizeof head + content.size());
@@ -56,11 +59,13 @@ Status ChildLink::receive(FrameKind kind, std::span<std::byte> content, std::chr
   FrameHead head;
   const auto until = Process::Clock::now() + patience;
   const auto fill = [&](std::span<std::byte> bytes) -> Status {
-    switch (process_->read(bytes, until)) {
+    switch (process_->read(bytes, until, stopped_)) {
       case Process::Reading::Done:
         return Done{};
       case Process::Reading::Ended:
         return ended(process_->end());
+      case Process::Reading::Stopped:
+        return ended(kStopped);
       case Process::Reading::TimedOut:
         break;
     }

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -22,12 +23,16 @@ std::string helloText(const RobotSpec& spec, double stepTime);
 
 class ChildLink {
  public:
-  /// `folder`: where the command is run; `modules`: of Python.
-  ChildLink(const RobotSpec& spec, std::string folder) : spec_(spec), folder_(std::move(folder)) {}
+  /// `folder`: where the command is run; `stopped`: nobody waits for answers any more.
+  ChildLink(const RobotSpec& spec, std::string folder, std::function<bool()> stopped)
+      : spec_(spec),
+        folder_(std::move(folder)),
+        stopped_(std::move(stopped)) {}
 
   const std::string& folder() const { return folder_; }
   bool isRunning() const { return process_ != nullptr; }
   int id() const { return process_ ? process_->id() : 0; }
+  /// `modules`: of Python.
   Status start(double stepTime, const std::string& modules);
   /// The numbers that the program sends at the beginning of an episode; the three of its own are 0.
   Status reset(const std::array<std::uint64_t, 4>& random, std::span<const double> parameters,
@@ -43,6 +48,7 @@ class ChildLink {
 
   const RobotSpec& spec_;
   std::string folder_;
+  std::function<bool()> stopped_;
   std::unique_ptr<Process> process_;
   std::vector<std::byte> out_;
 };

@@ -17,7 +17,7 @@ ChildRobot::ChildRobot(std::shared_ptr<const RobotSpec> spec, std::string progra
     : values_(std::move(spec)),
       program_(std::move(program)),
       programs_(std::move(programs)),
-      link_(values_.spec(), std::move(folder)),
+      link_(values_.spec(), std::move(folder), [this] { return programs_->isStopped(); }),
       numbers_(values_.spec().child.sends.size(), 0.0) {
   ChildRobot::parametersChanged();
 }
@@ -68,6 +68,9 @@ Status ChildRobot::start() {
         fmt::format("The program of the robot {}, {}, is no longer the one that was read: a file in {} has changed. "
                     "Open the robot anew.",
                     values_.spec().name, commandText(values_.spec()), link_.folder())};
+  if (const auto cage = hasCage(); cage && !*cage)
+    programs_->remark(
+        fmt::format("The robot {} starts {} {}.", values_.spec().name, commandText(values_.spec()), cageText()));
   return link_.start(*values_.task().stepTime, programs_->modules());
 }
 

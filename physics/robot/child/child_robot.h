@@ -30,7 +30,8 @@ class ChildRobot final : public Environment {
   Outcome step(Action action) override;
   bool answersAtOnce() const override { return false; }
   std::string unanswered() const override { return why_; }
-  std::int64_t flewApart() const override { return mishaps_.count(); }
+  CutOffs cutOffs() const override { return mishaps_.counts(); }
+  void setCutOffs(const CutOffs& before) override { mishaps_.setCounts(before); }
   std::string failure() const override { return mishaps_.failure(values_.spec(), values_.parameters()); }
   std::span<const double> state() const override { return values_.state(); }
   std::span<const double> measures() const override { return values_.measures(); }

@@ -65,7 +65,8 @@ void Process::keepErrors() {
 // A call of the system for an answer that comes soon: the socket's own patience is short, and in between errors are
 // read, lest a program that writes many of them waits for us. When the time is over, what has come is looked at once
 // more: this process may itself have stood still (Ctrl+Z).
-Process::Reading Process::read(std::span<std::byte> bytes, Clock::time_point until) {
+Process::Reading Process::read(std::span<std::byte> bytes, Clock::time_point until,
+                               const std::function<bool()>& stopped) {
   while (!bytes.empty()) {
     if (at_ == filled_) {
       const bool late = Clock::now() >= until;
@@ -73,6 +74,7 @@ Process::Reading Process::read(std::span<std::byte> bytes, Clock::time_point unt
       if (got < 0 && (errno == EINTR || errno == EAGAIN)) {
         keepErrors();
         if (late) return Reading::TimedOut;
+        if (stopped && stopped()) return Reading::Stopped;
         continue;
       }
       if (got <= 0) return Reading::Ended;
@@ -98,7 +100,10 @@ std::string Process::end() {
   keepErrors();
   std::string_view errors = lastErrors_;
   while (!errors.empty() && std::isspace(static_cast<unsigned char>(errors.back()))) errors.remove_suffix(1);
-  const std::string last = printable(shortened(errors.substr(errors.rfind('\n') + 1)));
+  constexpr std::size_t kMost = 200;  // the end of a line says what is wrong
+  errors.remove_prefix(errors.rfind('\n') + 1);
+  const std::string cut = errors.size() > kMost ? "…" : "";
+  const std::string last = cut + printable(errors.substr(errors.size() - std::min(errors.size(), kMost)));
   const std::string behind = last.empty() ? "" : fmt::format("; its last words: {}", last);
   if (!ended) return "it closed its output" + behind;
   const int code = WEXITSTATUS(status);

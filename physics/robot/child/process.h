@@ -6,6 +6,7 @@
 #include <array>
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -27,9 +28,9 @@ class Process {
   /// False: it has ended, or does not read.
   bool write(std::span<const std::byte> bytes);
   using Clock = std::chrono::steady_clock;
-  enum class Reading { Done, Ended, TimedOut };
-  /// Fills all of `bytes` until then, or says why not.
-  Reading read(std::span<std::byte> bytes, Clock::time_point until);
+  enum class Reading { Done, Ended, TimedOut, Stopped };
+  /// Fills all of `bytes` until then, or says why not. `stopped`, which may be null, is asked while it waits.
+  Reading read(std::span<std::byte> bytes, Clock::time_point until, const std::function<bool()>& stopped = {});
   /// More has been read from it than read() has given away.
   bool saysMore() const { return at_ != filled_; }
 

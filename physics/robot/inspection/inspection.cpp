@@ -133,7 +133,7 @@ class Inspection {
     }
     seen_.episodes = static_cast<int>(found_.begins.size());
     found_.meanSteps = static_cast<double>(kInspectedSteps) / seen_.episodes;
-    found_.flewApart = robot_.flewApart();
+    found_.flewApart = robot_.cutOffs().all;
     for (std::size_t j = 0; j < atLimit.size(); ++j)
       if (box2d_->numbers().joints[j].limits)
         found_.atLimits.emplace_back(spec_->joints[j].name, atLimit[j] / static_cast<double>(kInspectedSteps));

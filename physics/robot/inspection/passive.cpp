@@ -58,7 +58,7 @@ PassiveEnergy energyOf(const std::shared_ptr<const RobotSpec>& spec) {
   PassiveEnergy energy;
   energy.begins = energy.ends = robot.world().energy();
   const int steps = std::max(1, static_cast<int>(kSeconds / robot.numbers().stepTime));
-  for (int i = 0; i < steps && robot.flewApart() == 0; ++i) {
+  for (int i = 0; i < steps && robot.cutOffs().all == 0; ++i) {
     robot.step(0);
     energy.ends = robot.world().energy();
     energy.largestMotion = std::max(energy.largestMotion, robot.world().motion());

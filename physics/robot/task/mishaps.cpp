@@ -6,8 +6,8 @@
 namespace surefoot {
 
 Outcome Mishaps::cutOff(RobotValues& values) {
-  ++count_;
-  ++inARow_;
+  ++counts_.all;
+  ++counts_.inARow;
   notFinite_ = values.notFinite();
   values.forgetEnding();
   Outcome outcome;
@@ -16,7 +16,7 @@ Outcome Mishaps::cutOff(RobotValues& values) {
 }
 
 std::string Mishaps::failure(const RobotSpec& spec, std::span<const double> parameters) const {
-  if (inARow_ < kMostInARow) return {};
+  if (counts_.inARow < kMostInARow) return {};
   if (!notFinite_.empty())
     return fmt::format(
         "The robot {} was cut off in {} episodes in a row: {} came to a number that is none, as a "

@@ -3,7 +3,6 @@
 // many in a row the robot cannot go on.
 #pragma once
 
-#include <cstdint>
 #include <span>
 #include <string>
 
@@ -17,16 +16,16 @@ class Mishaps {
   /// Cuts an episode off; the state stays the last that was a number.
   Outcome cutOff(RobotValues& values);
   /// An episode ended as it should.
-  void wentWell() { inARow_ = 0; }
+  void wentWell() { counts_.inARow = 0; }
 
-  std::int64_t count() const { return count_; }
+  const Environment::CutOffs& counts() const { return counts_; }
+  void setCounts(const Environment::CutOffs& counts) { counts_ = counts; }
   /// Why no further episode is possible, in one sentence; empty: it is.
   std::string failure(const RobotSpec& spec, std::span<const double> parameters) const;
 
  private:
   static constexpr int kMostInARow = 100;
-  std::int64_t count_ = 0;
-  int inARow_ = 0;
+  Environment::CutOffs counts_;
   std::string notFinite_;  ///< the last time
 };
 

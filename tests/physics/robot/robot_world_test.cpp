@@ -2,6 +2,7 @@
 // Worlds of robots from files: the same bits fresh and used, mechanics by hand, LEO's own controller.
 #include <numbers>
 
+#include "core/saved/checkpoint.h"
 #include "tests/full_registry.h"
 #include "tests/physics/robot/robot_files.h"
 
@@ -182,7 +183,7 @@ TEST(RobotWorlds, WhatAlwaysFliesApartStopsTheLifeWithItsParameter) {
   ASSERT_TRUE(life) << life.error().message;
   while (!(*life)->finished()) (*life)->step();
   EXPECT_TRUE((*life)->diverged());
-  EXPECT_EQ((*life)->environment().flewApart(), 100);
+  EXPECT_EQ((*life)->environment().cutOffs().all, 100);
   EXPECT_NE((*life)->divergence().find("environment.slip = 0.5"), std::string::npos) << (*life)->divergence();
 }
 
@@ -195,8 +196,34 @@ TEST(RobotWorlds, WhatFliesApartIsCutOffAndCounted) {
   const Outcome outcome = robot.step(0);
   EXPECT_EQ(outcome.ending, Ending::Truncated);
   EXPECT_EQ(outcome.event, Event::None);
-  EXPECT_EQ(robot.flewApart(), 1);
+  EXPECT_EQ(robot.cutOffs().all, 1);
   for (const double x : robot.state()) EXPECT_TRUE(std::isfinite(x));
+}
+
+// What ends a life after a hundred such episodes counts those before it was saved, too.
+TEST(RobotWorlds, ASavedLifeRemembersHowOftenItWasCutOff) {
+  Registry registry = fullRegistry();
+  const auto file =
+      registry.files->add(text(kPendulum, "effort = \"1 / (hinge.angle - hinge.angle)\"\n" + kAngles), "t");
+  ASSERT_TRUE(file) << file.error().message;
+  Names names;
+  names.environment = (*file)->entry.name;
+  auto configuration = configure(registry, names, {});
+  ASSERT_TRUE(configuration) << configuration.error().message;
+  configuration->episodes = 1000;
+  auto life = makeLife(registry, *configuration, 0, false);
+  ASSERT_TRUE(life) << life.error().message;
+  (*life)->keepInputs();
+  for (int i = 0; i < 37; ++i) (*life)->step();
+  const auto saved = std::make_shared<const TensorFile>(checkpointOf(**life, *configuration, false));
+  auto resumed = resume(registry, saved, {});
+  ASSERT_TRUE(resumed) << resumed.error().message;
+  for (Life* one : {life->get(), resumed->life.get()}) {
+    while (!one->finished()) one->step();
+    EXPECT_EQ(one->log().totals().episodes, 100);
+    EXPECT_EQ(one->environment().cutOffs().all, 100);
+  }
+  EXPECT_EQ(resumed->life->hash(), (*life)->hash());
 }
 
 TEST(RobotWorlds, AFormulaThatComesToNoNumberCutsTheEpisodeOff) {
@@ -219,7 +246,7 @@ TEST(RobotWorlds, AFormulaThatComesToNoNumberCutsTheEpisodeOff) {
         for (const double x : robot.state()) EXPECT_TRUE(std::isfinite(x));
       }
       EXPECT_EQ(outcome.ending, Ending::Truncated);
-      EXPECT_EQ(robot.flewApart(), episode);
+      EXPECT_EQ(robot.cutOffs().all, episode);
     }
     EXPECT_NE(robot.failure().find(" lost came to a number that is none"), std::string::npos) << robot.failure();
   }

@@ -254,7 +254,7 @@ TEST(ChildRobot, WhatItsFormulasMakeOfItIsANumberOrTheEpisodeIsCutOff) {
       EXPECT_EQ(outcome.ending, Ending::Truncated);
       EXPECT_TRUE(std::isfinite(outcome.reward));
       for (const double x : robot.state()) EXPECT_TRUE(std::isfinite(x));
-      EXPECT_EQ(robot.flewApart(), episode);
+      EXPECT_EQ(robot.cutOffs().all, episode);
     }
     EXPECT_NE(robot.failure().find("came to a number that is none"), std::string::npos) << robot.failure();
   }

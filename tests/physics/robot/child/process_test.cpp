@@ -39,6 +39,20 @@ TEST(Process, AnAnswerThatCameInTimeCountsHoweverLateWeLook) {
   FAIL() << "it was not seen";
 }
 
+TEST(Process, NobodyWaitsOnceAllIsToEnd) {
+  const auto process = shell("sleep 60");
+  std::array<std::byte, 1> bytes;
+  EXPECT_EQ(process->read(bytes, Clock::now() + std::chrono::minutes(10), [] { return true; }),
+            Process::Reading::Stopped);
+}
+
+TEST(Process, OfItsLastWordsTheEndIsKept) {
+  const auto process = shell("echo '" + std::string(300, 'x') + " no such file' >&2; exit 3");
+  std::array<std::byte, 1> bytes;
+  EXPECT_EQ(process->read(bytes, Clock::now() + std::chrono::seconds(10)), Process::Reading::Ended);
+  EXPECT_TRUE(process->end().ends_with("xx no such file"));
+}
+
 TEST(Process, AFloodOfErrorsDoesNotHoldUs) {
   const auto process = shell("yes 'no, no' >&2");
   std::array<std::byte, 1> bytes;
