@@ -36,6 +36,8 @@ class ActionValueFunction {
   virtual void evaluate(std::span<const double> state, Layer layer, std::span<double> q) const = 0;
   /// Whether Layer::Positive and Layer::Negative differ from the sum.
   virtual bool split() const { return false; }
+  /// Whether there is a Layer::Risk.
+  virtual bool hasRisk() const { return false; }
   /// Mean over the features of s of how often each was visited (its state was updated, for any action).
   virtual double visits(std::span<const double> state) const = 0;
   /// Share of the features of s that were ever visited, 0 … 1.

@@ -2,7 +2,6 @@
 // A learner: chooses actions and learns from what comes back.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -28,7 +27,8 @@ class Agent : public Scheduling {
   /// Learns from a terminal outcome: the value of the state after it is 0.
   virtual void end(const Outcome& outcome) = 0;
   /// Learns from an outcome cut off by a time limit: the value of `state`, where it would have gone on, is estimated.
-  virtual void truncate(const Outcome& outcome, std::span<const double> state, Random& random) = 0;
+  /// Returns the action that would have been taken there.
+  virtual Action truncate(const Outcome& outcome, std::span<const double> state, Random& random) = 0;
 
   /// The episode is given up: nothing is learned from its last action any more.
   virtual void abandon() = 0;
@@ -56,14 +56,18 @@ class Agent : public Scheduling {
   /// Writes or reads everything else that a life needs to go on in the middle of an episode.
   virtual void transferLearning(Archive& archive) = 0;
 
+  /// Where the risk of each action in the next state stands when an action is chosen; it must outlive its use.
+  virtual void showRisk(std::span<const double> risk) { risk_ = risk; }
   /// The policy from the next choice on. It must outlive its use.
   virtual void setPolicy(const Policy& policy) { policy_ = &policy; }
 
  protected:
-  /// An action drawn from π, counted if it explores.
-  Action draw(std::span<const double> q, std::span<const double> pi, Random& random) {
+  /// An action drawn from the policy's π, which is left in `pi`; counted if it explores.
+  Action draw(std::span<const double> q, std::span<const double> losses, std::span<double> pi, Random& random) {
+    const ActionView view{q, risk_, losses};
+    policy_->probabilities(view, pi);
     const Action a = sample(pi, random);
-    explored_ += q[static_cast<std::size_t>(a)] < *std::max_element(q.begin(), q.end());
+    explored_ += policy_->explores(view, a);
     return a;
   }
 
@@ -74,6 +78,7 @@ class Agent : public Scheduling {
   }
 
   const Policy* policy_ = nullptr;
+  std::span<const double> risk_;
 
  private:
   std::int64_t explored_ = 0;

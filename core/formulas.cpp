@@ -16,6 +16,12 @@ constexpr std::array kLearning = {
     Line{"policy.temperature", "π(a) = exp(Q(s, a)/τ) / Σ_b exp(Q(s, b)/τ)"},
     Line{"policy.threshold", "A⁺ = {a: Q(s, a) > threshold}; exploring steps pick from A⁺"},
     Line{"policy.below", "π(a outside A⁺) = ε·p/(n − |A⁺|), p the share below"},
+    Line{"policy.risk", "weight: π on Q − w·ρ; filter: among {a: ρ(s, a) ≤ limit}; losses: π on Q⁺ + k·Q⁻"},
+    Line{"policy.risk_weight", "π on Q(s, a) − w·ρ(s, a)"},
+    Line{"policy.risk_limit", "π among {a: ρ(s, a) ≤ limit}; where there is none, among the least risky"},
+    Line{"policy.losses_factor", "π on Q⁺(s, a) + k·Q⁻(s, a)"},
+    Line{"risk.learn", "ρ(s, a) ← ρ(s, a) + α·(1 after a fall, 0 after another end, else γ·ρ(s′, a′), − ρ(s, a))"},
+    Line{"risk.discount", "ρ = Pr(fall), a fall k steps later counting γᵏ"},
     Line{"_schedule", "linear: v = start + (end − start)·min(t/T, 1); exponential: v = end + (start − end)·2^(−t/T)"},
     Line{"_end", "v → end as t grows: v = end for t ≥ T (linear), half as far at every T (exponential)"},
     Line{"_over", "T in v = start + (end − start)·min(t/T, 1) and v = end + (start − end)·2^(−t/T)"},
@@ -32,6 +38,7 @@ constexpr std::array kLearning = {
     Line{"split.by", "terms: r⁺ = Σ of terms above 0; sum: r⁺ = max(r, 0), r⁻ = min(r, 0)"}};
 
 constexpr std::array kRepresentation = {
+    Line{"risk.initial", "ρ(s, a) = initial where nothing is known"},
     Line{".tilings", "Q(s, a) = Σ of n weights, one of each tiling; tiling i is displaced by i/n of a tile and more"},
     Line{".scale", "tile width = span/(resolution·scale)"},
     Line{".width", "σ of a Gaussian = width·its own σ"},

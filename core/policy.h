@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An action-selection rule: from the values of the actions to the probability of each.
+// An action-selection rule: from the values of the actions to the probability of each. Every policy can be cautious
+// (caution.h): then it chooses by other values, or among fewer actions.
 #pragma once
 
+#include <algorithm>
 #include <span>
 
 #include "core/basics/random.h"
 #include "core/basics/types.h"
+#include "core/caution.h"
 #include "core/parameters.h"
 #include "core/schedule.h"
 
@@ -13,10 +16,49 @@ namespace surefoot {
 
 class Policy : public Scheduling {
  public:
-  /// q̂(s, ·) → π(· | s). Both spans have one entry an action, 1 to kMaxActions; `q` is finite, `pi` sums to 1. Hot;
-  /// any thread, as long as none changes the settings meanwhile.
-  virtual void probabilities(std::span<const double> q, std::span<double> pi) const = 0;
+  void declare(Fields& f) final {
+    declareRule(f);
+    caution_.declare(f);
+  }
+  void advance(const LifeTime& time) final {
+    advanceRule(time);
+    caution_.advance(time);
+  }
+  bool everyStep() const final { return ruleChangesEveryStep() || caution_.everyStep(); }
+
+  /// q̂(s, ·) → π(· | s). All spans have one entry an action, 1 to kMaxActions; `q` is finite, `pi` sums to 1. Hot; any
+  /// thread, as long as none changes the settings meanwhile.
+  void probabilities(const ActionView& view, std::span<double> pi) const {
+    if (!caution_.actsOn(view)) return among(view.q, pi);
+    cautious(view, pi, &Policy::among);
+  }
+  /// π of the greedy policy under the same caution.
+  void greedy(const ActionView& view, std::span<double> pi) const;
+  /// Whether an action is not the best by what the policy chooses by. Hot.
+  bool explores(const ActionView& view, Action a) const {
+    if (caution_.actsOn(view)) return exploresCautiously(view, a);
+    return view.q[static_cast<std::size_t>(a)] < *std::max_element(view.q.begin(), view.q.end());
+  }
+  const Caution& caution() const { return caution_; }
+
+ protected:
+  virtual void declareRule(Fields& f) = 0;
+  virtual void advanceRule(const LifeTime&) {}
+  virtual bool ruleChangesEveryStep() const { return false; }
+  /// The rule itself: π from values, for as many actions as there are.
+  virtual void among(std::span<const double> q, std::span<double> pi) const = 0;
+
+ private:
+  using Rule = void (Policy::*)(std::span<const double>, std::span<double>) const;
+  void cautious(const ActionView& view, std::span<double> pi, Rule rule) const;
+  bool exploresCautiously(const ActionView& view, Action a) const;
+  void amongBest(std::span<const double> q, std::span<double> pi) const;
+
+  Caution caution_;
 };
+
+/// π(a) ← share / (number of maximisers) for every maximiser of q, 0 for the others.
+void shareAmongGreedy(std::span<const double> q, double share, std::span<double> pi);
 
 /// Draws an action from π with one random number: the first a with u < π(0) + … + π(a).
 inline Action sample(std::span<const double> pi, Random& random) {

@@ -20,7 +20,7 @@ int probabilitiesCommand(const Registry& registry, const ProbabilitiesRequest& r
   parameters.applyTo(*policy, "policy.");
 
   std::vector<double> pi(request.q.size());
-  policy->probabilities(request.q, pi);
+  policy->probabilities({.q = request.q}, pi);
   if (request.json) {
     const nlohmann::ordered_json json = {{"q", request.q}, {"policy", request.policy}, {"probabilities", pi}};
     return print(jsonText(json) + "\n");

@@ -10,13 +10,14 @@
 #include "app/requests/requests.h"
 #include "core/basics/typed_json.h"
 #include "core/text/words.h"
+#include "core/values_of_state.h"
 
 namespace surefoot {
 
 namespace {
 
 struct Answer {
-  std::vector<double> q, positive, negative, pi;
+  std::vector<double> q, positive, negative, risk, pi;
   std::string policy;
   double visits = 0.0;
 };
@@ -37,11 +38,12 @@ Result<Answer> answer(const Registry& registry, const QueryRequest& request, Sto
   const auto policy = makePolicy(registry, a.policy, f.configuration.parameters);
   if (!policy) return policy.error();
 
-  a.q.resize(f.task().actions.size());
-  a.pi.resize(a.q.size());
-  f.values().evaluate(state, Layer::Sum, a.q);
+  ValuesOfState here;
+  here.evaluate(f.values(), state);
+  a.pi.resize(here.q.size());
   (*policy)->advance({});
-  (*policy)->probabilities(a.q, a.pi);
+  (*policy)->probabilities(here.view(), a.pi);
+  a.q = std::move(here.q), a.risk = std::move(here.risk);
   a.visits = f.values().visits(state);
   if (!f.values().split()) return a;
   for (const auto& [layer, part] : {std::pair{Layer::Positive, &a.positive}, std::pair{Layer::Negative, &a.negative}}) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/agents/representation.h"
+#include "core/agents/risk.h"
 #include "core/agents/sarsa_2q.h"
 #include "core/agents/scripted.h"
 #include "core/agents/shaped.h"
@@ -30,6 +31,24 @@ struct ShapingParts {
   }
 };
 
+/// The other option: the risk of a fall, learned beside the values.
+struct RiskParts {
+  RiskSettings risk;
+  EstimateSettings learning;
+  RepresentationSettings representation;
+  explicit RiskParts(const Task& task) : representation(task) {}
+  void declare(const std::string& features, Fields& f) {
+    f.under("risk.", "ρ", [&](Fields& g) {
+      learning.declare(g);
+      representation.declare(features, g);
+    });
+    for (const auto& field : f.all())
+      if (field.parameter.key.starts_with("risk.")) f.setOrder(field.parameter.key, 3);
+    f.setNeeds("risk.", "risk.learn");
+    f.under("risk.", "", [&](Fields& g) { risk.declare(g); });
+  }
+};
+
 /// An estimate's features and its learning, as numbers; the initial values are shared by all estimates of an agent.
 struct EstimateParts {
   EstimateSettings learning;
@@ -44,7 +63,8 @@ struct OneEstimate {
   ControlSettings control;
   InitialValue initial;
   ShapingParts shaping;
-  explicit OneEstimate(const Task& task) : estimate(task), shaping(task) {}
+  RiskParts risk;
+  explicit OneEstimate(const Task& task) : estimate(task), shaping(task), risk(task) {}
   Fields fields(const std::string& features) {
     Fields f("agent.");
     estimate.learning.declare(f);
@@ -54,6 +74,7 @@ struct OneEstimate {
       initial.declare(g);
     });
     shaping.declare(features, f);
+    risk.declare(features, f);
     return f;
   }
 };
@@ -72,7 +93,13 @@ struct TwoEstimates {
   InitialValue initial;
   RewardSplit split;
   ShapingParts shaping;
-  explicit TwoEstimates(const Task& task) : positive(task), negative(task), split(termsOf(task)), shaping(task) {}
+  RiskParts risk;
+  explicit TwoEstimates(const Task& task)
+      : positive(task),
+        negative(task),
+        split(termsOf(task)),
+        shaping(task),
+        risk(task) {}
   Fields fields(const std::string& features) {
     Fields f("agent.");
     control.declare(f);
@@ -91,6 +118,7 @@ struct TwoEstimates {
     f.under("split.", "", [&](Fields& g) { split.declare(g); });
     f.under("features.", "", [&](Fields& g) { initial.declare(g); });
     shaping.declare(features, f);
+    risk.declare(features, f);
     return f;
   }
 };
@@ -112,8 +140,23 @@ Result<Settings> settingsFrom(const AgentParts& parts) {
                   s.initial.low, s.initial.high)};
 }
 
-/// The agent itself, or with shaping around it; it gets the stored tables, if they were given.
-Result<std::unique_ptr<Agent>> complete(std::unique_ptr<Agent> agent, const ShapingParts& s, const AgentParts& parts) {
+/// An agent that learns the risk of a fall, too.
+Result<std::unique_ptr<Agent>> withRisk(std::unique_ptr<Agent> agent, const RiskParts& r, const AgentParts& parts) {
+  auto features = makeFeatures(parts.task, parts.features, r.representation);
+  if (!features) return Error{"risk: " + features.error().message};
+  return std::visit(
+      [&]<class F>(F& map) -> Result<std::unique_ptr<Agent>> {
+        const InitialValue initial{r.risk.initial, r.risk.initial};
+        auto risk = makeEstimate("risk", std::move(map), parts.actions(), initial, 0, r.learning, parts.stored);
+        if (!risk) return risk.error();
+        return std::unique_ptr<Agent>(std::make_unique<RiskAgent<F>>(std::move(agent), std::move(*risk), r.risk));
+      },
+      *features);
+}
+
+/// The agent itself, or with shaping around it and risk beside it; it gets the stored tables, if they were given.
+Result<std::unique_ptr<Agent>> complete(std::unique_ptr<Agent> agent, const ShapingParts& s, const RiskParts& r,
+                                        const AgentParts& parts) {
   if (s.shaping.kind != Shaping::Off) {
     auto features = makeFeatures(parts.task, parts.features, s.representation);
     if (!features) return Error{"shaping: " + features.error().message};
@@ -129,6 +172,11 @@ Result<std::unique_ptr<Agent>> complete(std::unique_ptr<Agent> agent, const Shap
         *features);
     if (!shaped) return shaped.error();
     agent = std::move(*shaped);
+  }
+  if (r.risk.learn == RiskLearning::On) {
+    auto both = withRisk(std::move(agent), r, parts);
+    if (!both) return both.error();
+    agent = std::move(*both);
   }
   if (parts.stored) {
     Archive archive = Archive::reader(*parts.stored);
@@ -149,7 +197,8 @@ Result<std::unique_ptr<Agent>> makeControl(const AgentParts& parts) {
         auto estimate = makeEstimate("q", std::move(map), parts.actions(), s->initial, parts.weightSeed,
                                      s->estimate.learning, parts.stored);
         if (!estimate) return estimate.error();
-        return complete(std::make_unique<TdControl<Target, F>>(std::move(*estimate), s->control), s->shaping, parts);
+        return complete(std::make_unique<TdControl<Target, F>>(std::move(*estimate), s->control), s->shaping, s->risk,
+                        parts);
       },
       *features);
 }
@@ -170,7 +219,7 @@ Result<std::unique_ptr<Agent>> makeSarsa2Q(const AgentParts& parts) {
                                   s->negative.learning, parts.stored);
         if (!minus) return minus.error();
         return complete(std::make_unique<Sarsa2Q<P, N>>(std::move(*plus), std::move(*minus), s->control, s->split),
-                        s->shaping, parts);
+                        s->shaping, s->risk, parts);
       },
       *positive, *negative);
 }

@@ -47,10 +47,11 @@ class Sarsa2Q final : public Agent {
     learn(outcome, 0.0, 0);
     clearTraces();
   }
-  void truncate(const Outcome& outcome, std::span<const double> state, Random& random) override {
+  Action truncate(const Outcome& outcome, std::span<const double> state, Random& random) override {
     const Action next = choose(state, random);
     learn(outcome, control_.discount, next);
     clearTraces();
+    return next;
   }
 
   void abandon() override { clearTraces(); }
@@ -100,8 +101,7 @@ class Sarsa2Q final : public Agent {
     positive_.arrive(state, qPositive_);
     negative_.arrive(state, qNegative_);
     for (std::size_t a = 0; a < q_.size(); ++a) q_[a] = qPositive_[a] + qNegative_[a];
-    policy_->probabilities(q_, pi_);
-    return draw(q_, pi_, random);
+    return draw(q_, qNegative_, pi_, random);
   }
   /// `discount` is γ, or 0 after a terminal step.
   void learn(const Outcome& outcome, double discount, Action next) {

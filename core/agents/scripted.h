@@ -15,7 +15,7 @@ class Scripted final : public Agent {
   Action start(std::span<const double>, Random&) override { return kHandMade; }
   Action step(const Outcome&, std::span<const double>, Random&) override { return kHandMade; }
   void end(const Outcome&) override {}
-  void truncate(const Outcome&, std::span<const double>, Random&) override {}
+  Action truncate(const Outcome&, std::span<const double>, Random&) override { return kHandMade; }
   void abandon() override {}
   const ActionValueFunction& values() const override { return values_; }
   void eligibility(std::vector<Eligibility>& z) const override { z.clear(); }

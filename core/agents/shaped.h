@@ -41,6 +41,7 @@ class ShapedAgent final : public Agent {
   void advance(const LifeTime& time) override { agent_->advance(time); }
   bool everyStep() const override { return agent_->everyStep(); }
   void setPolicy(const Policy& policy) override { agent_->setPolicy(policy); }
+  void showRisk(std::span<const double> risk) override { agent_->showRisk(risk); }
 
   Action start(std::span<const double> state, Random& random) override {
     lookAt(state);
@@ -53,8 +54,8 @@ class ShapedAgent final : public Agent {
     return agent_->step(shaped, state, random);
   }
   void end(const Outcome& outcome) override { agent_->end(shape(outcome, 0.0)); }
-  void truncate(const Outcome& outcome, std::span<const double> state, Random& random) override {
-    agent_->truncate(shape(outcome, lookAt(state)), state, random);
+  Action truncate(const Outcome& outcome, std::span<const double> state, Random& random) override {
+    return agent_->truncate(shape(outcome, lookAt(state)), state, random);
   }
 
   void abandon() override {

@@ -50,10 +50,11 @@ class TdControl final : public Agent {
     estimate_.clearTrace();
   }
 
-  void truncate(const Outcome& outcome, std::span<const double> state, Random& random) override {
+  Action truncate(const Outcome& outcome, std::span<const double> state, Random& random) override {
     const Action next = choose(state, random);
     learn(outcome.reward, control_.discount * Target::value(q_, pi_, next));
     estimate_.clearTrace();
+    return next;
   }
 
   void abandon() override { estimate_.clearTrace(); }
@@ -86,8 +87,7 @@ class TdControl final : public Agent {
   /// A′ ~ π(·|S′); leaves q̂(S′, ·) in q_ and π(·|S′) in pi_.
   Action choose(std::span<const double> state, Random& random) {
     estimate_.arrive(state, q_);
-    policy_->probabilities(q_, pi_);
-    return draw(q_, pi_, random);
+    return draw(q_, {}, pi_, random);
   }
 
   void learn(double reward, double next) { estimate_.learn(a_, reward, next, control_.discount, control_.traces); }

@@ -45,7 +45,8 @@ struct Outcome {
   std::array<double, kMaxRewardTerms> terms{};
 };
 
-/// Which estimate to look at: the whole q̂, or one of the two parts that Sarsa_2Q keeps (thesis, section 6.1.2).
-enum class Layer : std::uint8_t { Sum, Positive, Negative };
+/// Which estimate to look at: the whole q̂, one of the two parts that Sarsa_2Q keeps (thesis, section 6.1.2), or the
+/// risk of a fall.
+enum class Layer : std::uint8_t { Sum, Positive, Negative, Risk };
 
 }  // namespace surefoot

@@ -171,6 +171,8 @@ Result<LifeParts> makeParts(const Registry& registry, const Configuration& c, st
     if (const Status s = checkTask(*c.start, task); !s) return s.error();
   auto agent = (*agentEntry)->make({task, c.names.features, c.parameters, weightSeed, c.start.get()});
   if (!agent) return agent.error();
+  if (const Status s = (*policy)->caution().check((*agent)->values().hasRisk(), (*agent)->values().split()); !s)
+    return s.error();
   LifeParts parts{std::move(environment), std::move(*policy), std::move(*agent), c.parameters, c.names.policy, {}};
   parts.preLearned = c.start != nullptr;
   if (!parts.environment->task().measures.empty()) {

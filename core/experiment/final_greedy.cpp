@@ -15,7 +15,7 @@ Result<FinalGreedy> finalGreedy(const Registry& registry, Configuration configur
   FinalGreedy final;
   double steps = 0;
   while (final.episodes < kMostEpisodes && (final.episodes < kLeastEpisodes || steps < most)) {
-    const std::string why = tester.test(life.agent().values(), ++final.episodes, life.steps());
+    const std::string why = tester.test(life.agent().values(), life.policy(), ++final.episodes, life.steps());
     if (!why.empty()) return Error{why, ErrorKind::Unanswered};
     steps += static_cast<double>(tester.tests().back().steps);
   }

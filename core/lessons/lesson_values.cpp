@@ -116,11 +116,10 @@ double LessonValues::valueOf(const LessonQuantity& quantity, const Life& life, c
     default:
       return quantity.before ? before_[static_cast<std::size_t>(quantity.kind)] : counterOf(life, quantity.kind);
   }
-  q_.resize(static_cast<std::size_t>(values.actions()));
-  pi_.resize(q_.size());
-  values.evaluate(state, Layer::Sum, q_);
-  if (quantity.kind == Of::ActionValue) return q_[quantity.index];
-  life.policy().probabilities(q_, pi_);
+  here_.evaluate(values, state);
+  if (quantity.kind == Of::ActionValue) return here_.q[quantity.index];
+  pi_.resize(here_.q.size());
+  life.policy().probabilities(here_.view(), pi_);
   return pi_[quantity.index];
 }
 

@@ -10,6 +10,7 @@
 
 #include "core/lessons/lesson.h"
 #include "core/life/life.h"
+#include "core/values_of_state.h"
 
 namespace surefoot {
 
@@ -70,7 +71,8 @@ class LessonValues {
   std::map<std::size_t, double> predicted_, observed_;
   std::map<std::size_t, std::vector<double>> lives_;
   double replays_ = 0;
-  mutable std::vector<double> values_, q_, pi_;  // room for valuesFor()
+  mutable ValuesOfState here_;
+  mutable std::vector<double> values_, pi_;  // room for valuesFor()
 };
 
 }  // namespace surefoot

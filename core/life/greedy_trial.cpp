@@ -4,14 +4,13 @@
 #include <algorithm>
 
 #include "core/basics/cpu_time.h"
-#include "core/policies/greedy.h"
 
 namespace surefoot {
 
 GreedyTester::GreedyTester(std::unique_ptr<Environment> environment, std::uint64_t seed)
     : environment_(std::move(environment)),
       seed_(seed) {
-  if (environment_) q_.resize(environment_->task().actions.size()), pi_.resize(q_.size());
+  if (environment_) pi_.resize(environment_->task().actions.size());
 }
 
 void GreedyTester::follow(Environment& environment) {
@@ -23,8 +22,8 @@ void GreedyTester::follow(Environment& environment) {
   environment_->parametersChanged();
 }
 
-std::string GreedyTester::test(const ActionValueFunction& values, std::int64_t episode, std::int64_t lifeSteps,
-                               const std::atomic<bool>* giveUp) {
+std::string GreedyTester::test(const ActionValueFunction& values, const Policy& policy, std::int64_t episode,
+                               std::int64_t lifeSteps, const std::atomic<bool>* giveUp) {
   constexpr std::int64_t kLongest = 10'000;  // steps: a life that is to stop must first finish its test
   const double begin = threadCpuSeconds();
   Random random(mix64(seed_ ^ static_cast<std::uint64_t>(episode)));
@@ -35,8 +34,8 @@ std::string GreedyTester::test(const ActionValueFunction& values, std::int64_t e
   Outcome outcome;
   do {
     if (giveUp && giveUp->load(std::memory_order_relaxed)) return {};
-    values.evaluate(environment_->state(), Layer::Sum, q_);
-    shareAmongGreedy(q_, 1.0, pi_);
+    here_.evaluate(values, environment_->state());
+    policy.greedy(here_.view(), pi_);
     outcome = environment_->step(sample(pi_, random));
     ++test.steps;
     test.reward += outcome.reward;

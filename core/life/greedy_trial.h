@@ -11,6 +11,8 @@
 #include "core/action_value.h"
 #include "core/environment.h"
 #include "core/files/archive.h"
+#include "core/policy.h"
+#include "core/values_of_state.h"
 
 namespace surefoot {
 
@@ -37,8 +39,9 @@ class GreedyTester {
   /// Gives the test environment the parameters of the life's environment.
   void follow(Environment& environment);
   /// A sentence if the environment did not answer: the test did not happen. Empty: it did, or was given up.
-  std::string test(const ActionValueFunction& values, std::int64_t episode, std::int64_t lifeSteps,
-                   const std::atomic<bool>* giveUp = nullptr);
+  /// `policy`: its caution is the greedy policy's, too.
+  std::string test(const ActionValueFunction& values, const Policy& policy, std::int64_t episode,
+                   std::int64_t lifeSteps, const std::atomic<bool>* giveUp = nullptr);
 
   const std::vector<GreedyTest>& tests() const { return tests_; }
   /// CPU time of the tests made by this process [s].
@@ -48,7 +51,8 @@ class GreedyTester {
  private:
   std::unique_ptr<Environment> environment_;
   std::uint64_t seed_;
-  std::vector<double> q_, pi_;
+  ValuesOfState here_;
+  std::vector<double> pi_;
   std::vector<GreedyTest> tests_;
   double cpuSeconds_ = 0.0;
 };

@@ -61,7 +61,7 @@ bool Life::owesTest() const {
 }
 
 void Life::test(const std::atomic<bool>* giveUp) {
-  if (owesTest()) unanswered_ = tester_.test(agent_->values(), log_.totals().episodes, steps_, giveUp);
+  if (owesTest()) unanswered_ = tester_.test(agent_->values(), *policy_, log_.totals().episodes, steps_, giveUp);
 }
 
 void Life::tellTime(bool inTheMiddle) {
@@ -138,6 +138,11 @@ Status Life::set(std::string_view key, double value) {
     applyTo(*environment_, "environment.");
     if (environmentChanged_) tester_.follow(*environment_);
     applyTo(*policy_, "policy.");
+    if (const Status s = policy_->caution().check(agent_->values().hasRisk(), agent_->values().split()); !s) {
+      static_cast<void>(static_cast<bool>(parameters_.set(key, before)));
+      parameters_.applyTo(*policy_, "policy.");
+      return s;
+    }
     applyTo(*agent_, "agent.");
     tellTime();
   }

@@ -32,6 +32,8 @@ void LearnerThread::fill(Snapshot& s) const {
   values.evaluate(s.state, Layer::Sum, s.q);
   const bool split = values.split();
   for (auto* part : {&s.qPositive, &s.qNegative}) part->resize(split ? s.q.size() : 0);
+  s.risk.resize(values.hasRisk() ? s.q.size() : 0);
+  if (values.hasRisk()) values.evaluate(s.state, Layer::Risk, s.risk);
   if (split) {
     values.evaluate(s.state, Layer::Positive, s.qPositive);
     values.evaluate(s.state, Layer::Negative, s.qNegative);

@@ -23,6 +23,7 @@ struct Snapshot {
   std::vector<double> state, pose;
   std::vector<double> fallenPose;            ///< pose of the last fall, unless turbo was on
   std::vector<double> q;                     ///< q̂(s, ·) in that state
+  std::vector<double> risk;                  ///< ρ(state, ·), where it is learned; else empty
   std::vector<double> qPositive, qNegative;  ///< its two parts, where the agent keeps them apart; else empty
   std::vector<NamedStep> learned;            ///< what the estimates learned in the last step
   std::vector<double> stateBefore;           ///< the state in which that step was made; empty in turbo

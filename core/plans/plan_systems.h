@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/parameters.h"
+#include "core/experiment/configuration.h"
 #include "core/plans/plan_file.h"
 
 namespace surefoot {

@@ -26,11 +26,11 @@ struct Exploration {
 };
 
 class EpsilonGreedy final : public Policy {
- public:
-  void declare(Fields& f) override { exploration_.declare(f); }
-  void advance(const LifeTime& time) override { exploration_.epsilon.advance(time); }
-  bool everyStep() const override { return exploration_.epsilon.everyStep(); }
-  void probabilities(std::span<const double> q, std::span<double> pi) const override;
+ protected:
+  void declareRule(Fields& f) override { exploration_.declare(f); }
+  void advanceRule(const LifeTime& time) override { exploration_.epsilon.advance(time); }
+  bool ruleChangesEveryStep() const override { return exploration_.epsilon.everyStep(); }
+  void among(std::span<const double> q, std::span<double> pi) const override;
 
  private:
   Exploration exploration_;

@@ -6,13 +6,10 @@
 
 namespace surefoot {
 
-/// π(a) ← share / (number of maximisers) for every maximiser of q, 0 for the others.
-void shareAmongGreedy(std::span<const double> q, double share, std::span<double> pi);
-
 class Greedy final : public Policy {
- public:
-  void declare(Fields&) override {}
-  void probabilities(std::span<const double> q, std::span<double> pi) const override { shareAmongGreedy(q, 1.0, pi); }
+ protected:
+  void declareRule(Fields&) override {}
+  void among(std::span<const double> q, std::span<double> pi) const override { shareAmongGreedy(q, 1.0, pi); }
 };
 
 }  // namespace surefoot

@@ -7,7 +7,7 @@
 
 namespace surefoot {
 
-void Softmax::probabilities(std::span<const double> q, std::span<double> pi) const {
+void Softmax::among(std::span<const double> q, std::span<double> pi) const {
   double best = q[0];
   for (const double value : q) best = std::max(best, value);
   const double temperature = settings_.temperature.now();

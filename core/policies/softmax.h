@@ -31,10 +31,12 @@ class Softmax final : public Policy {
 
   Softmax() = default;
   explicit Softmax(const Settings& settings) : settings_(settings) {}
-  void declare(Fields& f) override { settings_.declare(f); }
-  void advance(const LifeTime& time) override { settings_.temperature.advance(time); }
-  bool everyStep() const override { return settings_.temperature.everyStep(); }
-  void probabilities(std::span<const double> q, std::span<double> pi) const override;
+
+ protected:
+  void declareRule(Fields& f) override { settings_.declare(f); }
+  void advanceRule(const LifeTime& time) override { settings_.temperature.advance(time); }
+  bool ruleChangesEveryStep() const override { return settings_.temperature.everyStep(); }
+  void among(std::span<const double> q, std::span<double> pi) const override;
 
  private:
   Settings settings_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/policies/threshold_restricted.h"
 
-#include "core/policies/greedy.h"
+#include "core/policy.h"
 
 namespace surefoot {
 
@@ -35,7 +35,7 @@ void ThresholdRestricted::Settings::declare(Fields& f) {
                  .origin = "thesis, section 4.2"});
 }
 
-void ThresholdRestricted::probabilities(std::span<const double> q, std::span<double> pi) const {
+void ThresholdRestricted::among(std::span<const double> q, std::span<double> pi) const {
   const double epsilon = settings_.exploration.epsilon.now();
   const double threshold = settings_.threshold.now();
   const auto n = static_cast<double>(q.size());

@@ -22,15 +22,17 @@ class ThresholdRestricted final : public Policy {
 
   ThresholdRestricted() = default;
   explicit ThresholdRestricted(const Settings& settings) : settings_(settings) {}
-  void declare(Fields& f) override { settings_.declare(f); }
-  void advance(const LifeTime& time) override {
+
+ protected:
+  void declareRule(Fields& f) override { settings_.declare(f); }
+  void advanceRule(const LifeTime& time) override {
     settings_.threshold.advance(time);
     settings_.exploration.epsilon.advance(time);
   }
-  bool everyStep() const override {
+  bool ruleChangesEveryStep() const override {
     return settings_.threshold.everyStep() || settings_.exploration.epsilon.everyStep();
   }
-  void probabilities(std::span<const double> q, std::span<double> pi) const override;
+  void among(std::span<const double> q, std::span<double> pi) const override;
 
  private:
   Settings settings_;

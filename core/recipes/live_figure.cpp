@@ -27,7 +27,7 @@ Result<FigureSeries> probabilities(const Registry& registry, const FigureSpec& s
   const auto policy = makePolicy(registry, c->names.policy, c->parameters);
   if (!policy) return policy.error();
   std::vector<double> pi(spec.q.size());
-  (*policy)->probabilities(spec.q, pi);
+  (*policy)->probabilities({.q = spec.q}, pi);
   FigureSeries series{.name = e.name(), .policy = c->names.policy, .x = {}, .y = {}, .marked = {}};
   for (std::size_t a = 0; a < pi.size(); ++a) {
     series.x.push_back(static_cast<double>(a + 1));

@@ -11,12 +11,14 @@ namespace {
 /// A policy that chooses the action it was given.
 class Dictated final : public Policy {
  public:
-  void declare(Fields&) override {}
-  void probabilities(std::span<const double>, std::span<double> pi) const override {
+  Action action = 0;
+
+ protected:
+  void declareRule(Fields&) override {}
+  void among(std::span<const double>, std::span<double> pi) const override {
     std::fill(pi.begin(), pi.end(), 0.0);
     pi[static_cast<std::size_t>(action)] = 1.0;
   }
-  Action action = 0;
 };
 
 Result<std::unique_ptr<Agent>> makeAgent(const Registry& registry, const Configuration& c, const Task& task) {

@@ -66,7 +66,7 @@ void policy(benchmark::State& state, const char* name) {
   const std::vector<double> q = {1.0, 60.0, 3.0, 70.0, 5.0};
   std::vector<double> pi(q.size());
   for (auto _ : state) {
-    policy->probabilities(q, pi);
+    policy->probabilities({.q = q}, pi);
     benchmark::DoNotOptimize(pi.data());
   }
 }

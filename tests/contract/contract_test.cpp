@@ -94,7 +94,7 @@ TEST(Contract, EveryPolicyIsADistributionForAnyValues) {
       const double scale = std::pow(10.0, random.uniform(-3, 6));
       for (double& value : q)
         value = trial % 3 == 0 ? std::floor(random.uniform(-2, 2)) : random.uniform(-scale, scale);
-      policy->probabilities(q, pi);
+      policy->probabilities({.q = q}, pi);
       double sum = 0;
       for (const double p : pi) {
         ASSERT_GE(p, 0.0) << entry.name;
@@ -112,7 +112,7 @@ TEST(Contract, EveryPolicyTakesTheMostActionsThereMayBe) {
   std::vector<double> q(kMaxActions), pi(kMaxActions);
   for (std::size_t a = 0; a < q.size(); ++a) q[a] = static_cast<double>(a);
   for (const PolicyEntry& entry : fullRegistry().policies) {
-    entry.make()->probabilities(q, pi);
+    entry.make()->probabilities({.q = q}, pi);
     double sum = 0;
     for (const double p : pi) sum += p;
     EXPECT_NEAR(sum, 1.0, 1e-9) << entry.name;

@@ -81,7 +81,7 @@ TEST(Scheduled, APolicyFollowsIt) {
   std::vector<double> pi(2);
   for (const auto& [episode, temperature] : {std::pair{0, 4.0}, std::pair{5, 2.5}, std::pair{10, 1.0}}) {
     softmax.advance({episode, 0});
-    softmax.probabilities(q, pi);
+    softmax.probabilities({.q = q}, pi);
     EXPECT_NEAR(pi[1] / pi[0], std::exp(1 / temperature), 1e-12);
   }
 }

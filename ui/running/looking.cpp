@@ -82,6 +82,7 @@ void Looking::show(double seconds) {
     shown_.q = now.q;
     shown_.qPositive = now.qPositive;
     shown_.qNegative = now.qNegative;
+    shown_.risk = now.risk;
     shown_.action = now.action;
   }
   if (falls == fallsBefore_ + 1) sinceFall_.start();  // one fall; a larger jump means that another world is shown
@@ -94,6 +95,8 @@ void Looking::show(double seconds) {
 
 void Looking::fillParts(const ActionValueFunction& values) {
   for (auto* part : {&shown_.qPositive, &shown_.qNegative}) part->resize(values.split() ? shown_.q.size() : 0);
+  shown_.risk.resize(values.hasRisk() ? shown_.q.size() : 0);
+  if (values.hasRisk()) values.evaluate(shown_.state, Layer::Risk, shown_.risk);
   if (!values.split()) return;
   values.evaluate(shown_.state, Layer::Positive, shown_.qPositive);
   values.evaluate(shown_.state, Layer::Negative, shown_.qNegative);

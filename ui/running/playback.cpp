@@ -48,6 +48,8 @@ Playback playbackOf(const Fall& fall, const Registry& registry, const std::strin
     frame.q.resize(n);
     if (playback.values) {
       playback.values->evaluate(frame.state, Layer::Sum, frame.q);
+      frame.risk.resize(playback.values->hasRisk() ? n : 0);
+      if (playback.values->hasRisk()) playback.values->evaluate(frame.state, Layer::Risk, frame.risk);
       if (playback.values->split()) {
         frame.qPositive.resize(n), frame.qNegative.resize(n);
         playback.values->evaluate(frame.state, Layer::Positive, frame.qPositive);

@@ -17,6 +17,7 @@ namespace surefoot {
 /// The state that the panels show: from the learner's world, in turbo from the viewer's, or from a playback.
 struct Shown {
   std::vector<double> state, pose, q;
+  std::vector<double> risk;                  ///< ρ; empty where it is not learned
   std::vector<double> qPositive, qNegative;  ///< empty where the agent keeps one estimate
   Action action = kNoAction;
   std::optional<bool> explores{};  ///< `action` was not the best by what the robot knew then; only in a replayed fall

@@ -14,14 +14,13 @@ Viewer::Viewer(std::unique_ptr<Environment> environment, std::unique_ptr<Policy>
     : environment_(std::move(environment)),
       policy_(std::move(policy)),
       random_(seed) {
-  q_.resize(environment_->task().actions.size());
-  pi_.resize(q_.size());
+  pi_.resize(environment_->task().actions.size());
   if (environment_->answersAtOnce()) environment_->reset(random_);
 }
 
 void Viewer::choose(const ActionValueFunction& values) {
-  values.evaluate(environment_->state(), Layer::Sum, q_);
-  policy_->probabilities(q_, pi_);
+  here_.evaluate(values, environment_->state());
+  policy_->probabilities(here_.view(), pi_);
   action_ = sample(pi_, random_);
 }
 

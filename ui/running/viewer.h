@@ -10,6 +10,7 @@
 #include "core/environment.h"
 #include "core/life/hand.h"
 #include "core/policy.h"
+#include "core/values_of_state.h"
 
 namespace surefoot {
 
@@ -37,7 +38,8 @@ class Viewer {
   std::unique_ptr<Environment> environment_;
   std::unique_ptr<Policy> policy_;
   Random random_;
-  std::vector<double> q_, pi_;
+  ValuesOfState here_;
+  std::vector<double> pi_;
   Action action_ = 0;
   Hand hand_;
   double time_ = 0.0;  // not yet lived [s]

@@ -49,8 +49,8 @@ std::unique_ptr<Agent> sarsa2q(const InitialValue& positive, const InitialValue&
 /// Feeds one recorded stream of states, actions and rewards to an agent, whatever it would like to do.
 class Stream1e5 final : public Policy {
  public:
-  void declare(Fields&) override {}
-  void probabilities(std::span<const double>, std::span<double> pi) const override {
+  void declareRule(Fields&) override {}
+  void among(std::span<const double>, std::span<double> pi) const override {
     for (std::size_t a = 0; a < pi.size(); ++a) pi[a] = a == action ? 1.0 : 0.0;
   }
   std::size_t action = 0;

@@ -14,8 +14,8 @@ class Scripted final : public Policy {
  public:
   Action action = 0;
   double second = 0.0;
-  void declare(Fields&) override {}
-  void probabilities(std::span<const double> q, std::span<double> pi) const override {
+  void declareRule(Fields&) override {}
+  void among(std::span<const double> q, std::span<double> pi) const override {
     for (std::size_t a = 0; a < q.size(); ++a) pi[a] = static_cast<int>(a) == action ? 1.0 : 0.0;
     if (second > 0.0) pi[0] = 1.0 - second, pi[1] = second;
   }

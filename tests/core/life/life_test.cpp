@@ -48,7 +48,7 @@ TEST(Life, APolicyParameterHoldsAtOnce) {
   auto life = lifeOf(r, pendulumConfiguration(r));
   ASSERT_TRUE(life->set("policy.epsilon", 1.0));
   std::vector<double> pi(5);
-  life->policy().probabilities(std::vector<double>{1, 2, 3, 4, 5}, pi);
+  life->policy().probabilities({.q = std::vector<double>{1, 2, 3, 4, 5}}, pi);
   EXPECT_DOUBLE_EQ(pi[0], 0.2);
   ASSERT_EQ(life->changes().size(), 1u);
   EXPECT_EQ(life->changes()[0].key, "policy.epsilon");
@@ -71,7 +71,7 @@ TEST(Life, ANewPolicyTakesItsParametersFromTheLife) {
   ASSERT_EQ(life->changes().size(), 2u);
   EXPECT_EQ(life->changes()[1].after, "softmax");
   std::vector<double> pi(2);
-  life->policy().probabilities(std::vector<double>{0, 10}, pi);
+  life->policy().probabilities({.q = std::vector<double>{0, 10}}, pi);
   EXPECT_NEAR(pi[0], 0.5, 1e-4);
 }
 

@@ -10,6 +10,7 @@
 #include "core/findings/evidence.h"
 #include "core/laboratory/laboratory.h"
 #include "core/life/rule_of_thumb.h"
+#include "core/policies/greedy.h"
 #include "core/saved/checkpoint.h"
 #include "core/store/csv_export.h"
 #include "tests/app/folder.h"
@@ -74,7 +75,7 @@ TEST(Walking, GreedyTestsAreEpisodesThatDoNotCount) {
 
   auto environment = makeEnvironment(registry, c);
   GreedyTester again(std::move(*environment), deriveSeed(c.seed, 0, Stream::Tests));
-  again.test(*values, 20, 0);
+  again.test(*values, Greedy(), 20, 0);
   EXPECT_EQ(again.tests()[0].steps, tests[1].steps);
   EXPECT_EQ(again.tests()[0].reward, tests[1].reward);
   EXPECT_EQ(again.tests()[0].measures, tests[1].measures);

@@ -18,7 +18,7 @@ namespace {
 
 std::vector<double> probabilities(const Policy& policy, const std::vector<double>& q) {
   std::vector<double> pi(q.size());
-  policy.probabilities(q, pi);
+  policy.probabilities({.q = q}, pi);
   return pi;
 }
 

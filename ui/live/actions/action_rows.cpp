@@ -68,6 +68,7 @@ void ActionRows::rebuild() {
   q_.clear();
   positive_.clear();
   negative_.clear();
+  risk_.clear();
   fitScale();
   numberWidth_ = 0;
   nextFrame();
@@ -89,7 +90,7 @@ void ActionRows::nextFrame() {
   for (Column& column : columns_) {
     column.policy->advance(time);
     column.pi.resize(q_.size());
-    column.policy->probabilities(q_, column.pi);
+    column.policy->probabilities({q_, risk_, negative_}, column.pi);
   }
   sumLevels();
   const QFont font = textFont(13, 500);
@@ -111,6 +112,7 @@ void ActionRows::takeValues() {
     q_ = shown.q;
     positive_ = shown.qPositive;
     negative_ = shown.qNegative;
+    risk_ = shown.risk;
     chosen_ = shown.action;
     return;
   }
@@ -118,6 +120,8 @@ void ActionRows::takeValues() {
   q_.resize(n);
   looking_.valuesShown()->evaluate(state, Layer::Sum, q_);
   for (auto* part : {&positive_, &negative_}) part->resize(looking_.valuesShown()->split() ? n : 0);
+  risk_.resize(looking_.valuesShown()->hasRisk() ? n : 0);
+  if (!risk_.empty()) looking_.valuesShown()->evaluate(state, Layer::Risk, risk_);
   if (!looking_.valuesShown()->split()) return;
   looking_.valuesShown()->evaluate(state, Layer::Positive, positive_);
   looking_.valuesShown()->evaluate(state, Layer::Negative, negative_);

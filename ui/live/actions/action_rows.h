@@ -98,8 +98,8 @@ class ActionRows final : public Painted<>, public CsvSource {
   Editing& editing_;
   std::set<std::string> policies_;  // with a column
   std::vector<Column> columns_;
-  std::vector<double> q_, positive_, negative_;  // the parts are empty if the agent keeps one estimate
-  std::vector<std::vector<Level>> levels_;       // [action variable][level]; empty: an action is one number
+  std::vector<double> q_, positive_, negative_, risk_;  // what the agent does not learn is empty
+  std::vector<std::vector<Level>> levels_;              // [action variable][level]; empty: an action is one number
   Action chosen_ = kNoAction;
   double numberWidth_ = 0;          // the widest number of Q so far, in the usual size of text [px]
   double low_ = -100, high_ = 200;  // scale of Q
