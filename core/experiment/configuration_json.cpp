@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 #include "core/environment_library.h"
@@ -47,11 +48,21 @@ Status readEnvironmentText(const Registry& registry, const Json& json, const std
   return Done{};
 }
 
+/// Parameters that came later are written only where they are not as usual: files that do not use them stay as they
+/// were, and so do the contents of stores.
+bool isLeftOut(const Parameters::Entry& entry) {
+  constexpr std::string_view kLater[] = {"risk.", "policy.risk", "policy.losses"};
+  const bool later = std::any_of(std::begin(kLater), std::end(kLater),
+                                 [&](std::string_view prefix) { return entry.parameter.key.starts_with(prefix); });
+  return later && entry.value == entry.parameter.fallback;
+}
+
 }  // namespace
 
 ordered_json parametersAsJson(const Parameters& list) {
   ordered_json parameters = ordered_json::object();
   for (const auto& entry : list.all()) {
+    if (isLeftOut(entry)) continue;
     const Parameter& p = entry.parameter;
     if (p.kind == Kind::Choice)
       parameters[p.key] = formatValue(p, entry.value);

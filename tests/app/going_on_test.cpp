@@ -193,6 +193,15 @@ TEST_F(GoingOn, ACheckpointOfAnotherVersionIsToldAndRefusedUnlessWanted) {
   expectRefusal("train --minutes 1 --other-version", 2, {"--resume"});
 }
 
+// The contents that RESULTS.md prints are those of any version: what a new version can do more is not in them.
+TEST_F(GoingOn, ContentsAreThoseOfEarlierVersions) {
+  std::ofstream(file("pinned.toml")) << "title = \"Two walks\"\nlives = 3\nreference = \"one\"\n[base]\n"
+                                        "environment = \"pendulum\"\nepisodes = 40\n[[condition]]\nname = \"one\"\n"
+                                        "[[condition]]\nname = \"two\"\npolicy = \"softmax\"\nagent = \"sarsa-2q\"\n";
+  const Finished run = surefoot("experiment " + file("pinned.toml") + " --out " + file("pinned.sqlite"));
+  EXPECT_NE(run.out.find("6 of 6 lives, content c601d7510c509164"), std::string::npos) << run.out << run.err;
+}
+
 TEST_F(GoingOn, TheSamePlanAndQFunctionInTwoFoldersAreTheSameLives) {
   const std::string plan =
       "lives = 2\n[base]\nminutes = 0.2\n[pre-learning]\nfile = \"q.st\"\n[[condition]]\n"

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "core/agents/td_control.h"
+#include "core/experiment/configuration_json.h"
 #include "core/policies/greedy.h"
 #include "tests/core/experiment/test_setup.h"
 
@@ -103,6 +104,20 @@ TEST(Risk, ARuleThatNeedsWhatIsNotLearnedIsRefused) {
   EXPECT_FALSE(life->set("policy.risk", 2.0));
   EXPECT_EQ(life->parameters().get("policy.risk"), 0);
   EXPECT_TRUE(life->changes().empty());
+}
+
+// Files and stores that do not use it stay as they were.
+TEST(Risk, IsWrittenOnlyWhereItIsUsed) {
+  const Registry registry = fullRegistry();
+  const auto plain = configure(registry, {.environment = "pendulum", .agent = "sarsa"}, {});
+  for (const auto& [key, value] : configurationAsJson(*plain)["parameters"].items())
+    EXPECT_TRUE(!key.starts_with("risk.") && !key.starts_with("policy.risk") && !key.starts_with("policy.losses"));
+  const std::vector<Assignment> used = {{"risk.learn", "on"}, {"risk.scale", "0.5"}, {"policy.risk", "filter"}};
+  const auto with = configure(registry, {.environment = "pendulum", .agent = "sarsa"}, used);
+  const auto again = configurationFromJson(registry, Json::parse(configurationAsJson(*with).dump()), "file");
+  ASSERT_TRUE(again) << again.error().message;
+  for (const auto& entry : with->parameters.all())
+    EXPECT_EQ(again->parameters.get(entry.parameter.key), entry.value) << entry.parameter.key;
 }
 
 // On the cliff, walked at random.
