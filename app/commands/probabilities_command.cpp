@@ -19,6 +19,8 @@ int probabilitiesCommand(const Registry& registry, const ProbabilitiesRequest& r
     if (const Status s = parameters.set(a.key, std::string_view(a.value)); !s) return fail(s.error());
   parameters.applyTo(*policy, "policy.");
 
+  // Nothing but values is known here.
+  if (const Status s = policy->caution().check(false, false); !s) return fail(s.error());
   std::vector<double> pi(request.q.size());
   policy->probabilities({.q = request.q}, pi);
   if (request.json) {

@@ -39,6 +39,11 @@ TEST(Probabilities, RefusesMoreActionsThanThereMayBe) {
   expectRefusal("probabilities --q " + q, 2, {"10000", "4096"});
 }
 
+TEST(Probabilities, RefusesCautionThatKnowsNoRisk) {
+  expectRefusal("probabilities --q 1,2 --policy trl --set policy.risk=filter", 2,
+                {"policy.risk = filter", "risk.learn"});
+}
+
 TEST(Probabilities, RefusesAParameterOfAnotherPolicy) {
   expectRefusal("probabilities --q 1,2 --policy softmax --set policy.threshold=1", 2, {"policy.threshold", "trl"});
   expectRefusal("probabilities --q 1,2 --policy softmax --set agent.discount=1", 2, {"agent.discount"});

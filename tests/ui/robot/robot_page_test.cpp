@@ -2,7 +2,6 @@
 #include "ui/robot/robot_page.h"
 
 #include <QAbstractButton>
-#include <QFileDialog>
 #include <QLineEdit>
 #include <QTemporaryDir>
 #include <QTextBlock>
@@ -243,70 +242,6 @@ TEST(RobotPage, FindsWordsAroundTheEnd) {
   EXPECT_EQ(places, 3) << "the hopper has three bodies";
   press(*find, Qt::Key_Escape);
   EXPECT_FALSE(find->isVisible());
-}
-
-TEST(RobotPage, SaveSavesTheRobotHereAndUndoEndsAtItsText) {
-  Window w;
-  w.registry.files->setShelf(kRobots.toStdString());
-  const QTemporaryDir folder;
-  const QString path = folder.filePath("mine.toml");
-  ASSERT_TRUE(writeWhole("robot", path.toStdString(), *readText((kRobots + "segway.toml").toStdString())));
-  w.window->openFile(path);
-  auto& text = *w.window->robotPage().findChild<RobotText*>();
-  const QString before = text.toPlainText();
-  QTest::keyClicks(&text, "# mine");
-  QTest::keyClick(&text, Qt::Key_Return);
-  QTest::keyClick(w.window.get(), Qt::Key_S, Qt::ControlModifier);
-  EXPECT_FALSE(w.window->robotPage().isEdited());
-  EXPECT_TRUE(toText(*readText(path.toStdString())).startsWith("# mine"));
-  for (QAction* action : w.window->findChildren<QAction*>())
-    for (int i = 0; i < 20 && action->text().startsWith("&Undo"); ++i) action->trigger();
-  EXPECT_EQ(text.toPlainText(), before);
-}
-
-TEST(RobotPage, ShowsTheRobotOfTheLifeUntilAnotherIsChosen) {
-  Window w;
-  w.registry.files->setShelf(kRobots.toStdString());
-  const QTemporaryDir folder;
-  const std::string mine = folder.filePath("mine.toml").toStdString();
-  ASSERT_TRUE(writeWhole("robot", mine, *readText((kRobots + "acrobot.toml").toStdString())));
-  RobotPage& page = w.window->robotPage();
-  const auto& text = *page.findChild<RobotText*>();
-  const auto begin = [&](const std::string& robot) {
-    w.window->setPage(0);
-    const auto life = w.session->life().snapshot().life;
-    EXPECT_TRUE(w.session->newLives().beginEnvironment(robot));
-    EXPECT_TRUE(w.waitFor([&] { return w.session->life().snapshot().life != life; }));
-    w.window->setPage(3);
-  };
-  begin(mine);
-  EXPECT_EQ(page.fileName(), "mine.toml");
-  begin("hopper");
-  EXPECT_TRUE(text.toPlainText().contains("name = \"hopper\""));
-  EXPECT_EQ(page.fileName(), "a new robot") << "what comes with the program is not written to";
-  page.beginLike("biped");
-  begin(mine);
-  EXPECT_TRUE(text.toPlainText().contains("name = \"biped\"")) << "it was chosen";
-}
-
-TEST(RobotPage, ANewRobotGetsTheNameOfItsFile) {
-  Window w;
-  w.registry.files->setShelf(kRobots.toStdString());
-  const QTemporaryDir folder;
-  RobotPage& page = w.window->robotPage();
-  w.window->setPage(3);
-  page.beginLike("segway");
-  ASSERT_TRUE(w.waitFor([&] { return !page.isChecking(); }));
-  page.saveAs();
-  auto* dialog = page.findChild<QFileDialog*>();
-  ASSERT_TRUE(dialog);
-  const QString path = folder.filePath("My Wobbly.toml");
-  Q_EMIT dialog->fileSelected(path);
-  dialog->close();
-  const QString saved = toText(*readText(path.toStdString()));
-  EXPECT_TRUE(saved.contains("\nname = \"my-wobbly\"")) << saved.left(300).toStdString();
-  EXPECT_TRUE(saved.contains("\ntitle = \"My wobbly\""));
-  EXPECT_FALSE(page.isEdited());
 }
 
 TEST(RobotPage, LetItLearnBeginsALifeOfThisRobot) {
