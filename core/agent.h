@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,16 @@
 #include "core/policy.h"
 
 namespace surefoot {
+
+/// Acts in place of the policy while the risk of a fall is too high (policy.guardian). Looking changes nothing.
+class Guardian {
+ public:
+  virtual ~Guardian() = default;
+  /// Its action in the state that the agent is in. Hot.
+  virtual Action act(std::span<const double> state) const = 0;
+};
+
+class Calibration;
 
 /// One episode is start, step, step, …, then end or truncate. Used by one thread. Everything random comes from the
 /// generator handed in; looking (const) changes nothing. None of the four calls allocates or locks.
@@ -44,6 +55,12 @@ class Agent : public Scheduling {
   virtual std::int64_t statesOutside() const = 0;
   /// How many of the actions so far were not the best by q̂: the agent explored. Counted from when it was made.
   virtual std::int64_t explored() const { return explored_; }
+  /// How many of the actions so far were the guardian's.
+  virtual std::int64_t guarded() const { return guarded_; }
+  /// What ρ said, and what came; null: it is not learned.
+  virtual const Calibration* calibration() const { return nullptr; }
+  /// Λ of a falls budget: what a fall costs more than the environment says; none: there is no budget.
+  virtual std::optional<double> priceOfFall() const { return std::nullopt; }
 
   /// The estimates by name, with the layout of their features. A file fits this agent only if its layouts are the same.
   virtual Json layouts() const = 0;
@@ -60,28 +77,43 @@ class Agent : public Scheduling {
   virtual void showRisk(std::span<const double> risk) { risk_ = risk; }
   /// The policy from the next choice on. It must outlive its use.
   virtual void setPolicy(const Policy& policy) { policy_ = &policy; }
+  /// Who acts where the policy asks for a guardian; it must outlive its use.
+  virtual void setGuardian(const Guardian* guardian) { guardian_ = guardian; }
 
  protected:
-  /// An action drawn from the policy's π, which is left in `pi`; counted if it explores.
-  Action draw(std::span<const double> q, std::span<const double> losses, std::span<double> pi, Random& random) {
-    const ActionView view{q, risk_, losses};
+  /// What an agent chooses by in a state: the state, q̂(s, ·), and Q⁻(s, ·) where q̂ is split.
+  struct Seen {
+    std::span<const double> state, q, losses{};
+  };
+  /// An action drawn from the policy's π, which is left in `pi`, or the guardian's; counted if it explores.
+  Action draw(const Seen& seen, std::span<double> pi, Random& random) {
+    const ActionView view{seen.q, risk_, seen.losses};
     policy_->probabilities(view, pi);
     const Action a = sample(pi, random);
+    if (policy_->caution().guards() && guardian_ && !risk_.empty()) {
+      isGuarded_ = policy_->caution().guards(risk_[static_cast<std::size_t>(a)], isGuarded_);
+      if (isGuarded_) return ++guarded_, guardian_->act(seen.state);
+    }
     explored_ += policy_->explores(view, a);
     return a;
   }
 
   /// Part of transferLearning(); older files lack it.
-  void transferExplored(Archive& archive) {
-    if (!archive.reading() || archive.has("explored"))
-      archive.value("explored", explored_, 0, std::numeric_limits<std::int64_t>::max());
+  void transferChosen(Archive& archive) {
+    constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
+    if (!archive.reading() || archive.has("explored")) archive.value("explored", explored_, 0, kMost);
+    if (archive.reading() ? !archive.has("guarded") : guarded_ == 0) return;
+    archive.value("guarded", guarded_, 0, kMost);
+    archive.value("is_guarded", isGuarded_, 0, 1);
   }
 
   const Policy* policy_ = nullptr;
   std::span<const double> risk_;
 
  private:
-  std::int64_t explored_ = 0;
+  const Guardian* guardian_ = nullptr;
+  std::int64_t explored_ = 0, guarded_ = 0;
+  bool isGuarded_ = false;  ///< the guardian acts
 };
 
 }  // namespace surefoot

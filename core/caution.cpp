@@ -16,8 +16,12 @@ const char* nameOf(CautionRule rule) {
   return kRules[static_cast<int>(rule)];
 }
 
-Status Caution::check(bool hasRisk, bool split) const {
-  if (rule_ == CautionRule::Off || (rule_ == CautionRule::Losses ? split : hasRisk)) return Done{};
+Status Caution::check(const CautionNeeds& has) const {
+  if (guards() && !has.handMade)
+    return Error{"policy.guardian = hand-made: the environment has no hand-made controller; choose nobody."};
+  if (guards() && !has.risk)
+    return Error{"policy.guardian = hand-made: it needs the risk of a fall, which is learned with risk.learn = on."};
+  if (rule_ == CautionRule::Off || (rule_ == CautionRule::Losses ? has.losses : has.risk)) return Done{};
   return Error{fmt::format("policy.risk = {}: it needs {}.", nameOf(rule_),
                            rule_ == CautionRule::Losses ? "expected losses apart, as the agent sarsa-2q learns them"
                                                         : "the risk of a fall, which is learned with risk.learn = on")};
@@ -27,41 +31,63 @@ void Caution::declare(Fields& f) {
   f.choice(rule_, {.key = "risk",
                    .title = "Caution",
                    .when = When::Now,
-                   .group = Group::Policy,
+                   .group = Group::Risk,
                    .help = "What the policy does with the risk of a fall, or with the losses of Sarsa_2Q.",
                    .origin = "ours: off, as in the thesis",
-                   .choices = {std::begin(kRules), std::end(kRules)},
-                   .order = 3});
-  const auto declare = [&](Scheduled& value, Parameter p) {
-    p.when = When::Now, p.group = Group::Policy, p.order = 3, p.needs = "risk";
+                   .choices = {std::begin(kRules), std::end(kRules)}});
+  const auto declare = [&](Scheduled& value, std::vector<std::string> rules, Parameter p) {
+    p.when = When::Now, p.group = Group::Risk, p.needs = "risk", p.needsOne = std::move(rules);
     value.declare(f, p);
   };
-  declare(weight_, {.key = "risk_weight",
-                    .title = "Weight of risk",
-                    .symbol = "w",
-                    .low = 0.0,
-                    .high = 1e6,
-                    .sliderLow = 0.0,
-                    .sliderHigh = 6400.0,
-                    .help = "Caution = weight: a certain fall costs an action so much of its value.",
-                    .origin = "ours: in place of a fall reward of -3000"});
-  declare(limit_, {.key = "risk_limit",
-                   .title = "Limit of risk",
-                   .low = 0.0,
-                   .high = 1.0,
-                   .sliderLow = 0.0,
-                   .sliderHigh = 0.2,
-                   .help = "Caution = filter or explore: actions that fall with a higher probability are left out.",
-                   .origin = "ours"});
-  declare(factor_, {.key = "losses_factor",
-                    .title = "Factor of losses",
-                    .symbol = "k",
-                    .low = 0.0,
-                    .high = 1e4,
-                    .sliderLow = 0.0,
-                    .sliderHigh = 64.0,
-                    .help = "Caution = losses: expected losses count so many times.",
-                    .origin = "ours: 1 is Sarsa_2Q of the thesis"});
+  declare(weight_, {"weight"},
+          {.key = "risk_weight",
+           .title = "Weight of risk",
+           .symbol = "w",
+           .low = 0.0,
+           .high = 1e6,
+           .sliderLow = 0.0,
+           .sliderHigh = 6400.0,
+           .help = "A certain fall costs an action so much of its value.",
+           .origin = "ours: in place of a fall reward of -3000"});
+  declare(limit_, {"filter", "explore"},
+          {.key = "risk_limit",
+           .title = "Limit of risk",
+           .low = 0.0,
+           .high = 1.0,
+           .sliderLow = 0.0,
+           .sliderHigh = 1.0,
+           .sliderBend = 0.01,
+           .help = "Actions that fall with a higher probability are left out.",
+           .origin = "ours"});
+  declare(factor_, {"losses"},
+          {.key = "losses_factor",
+           .title = "Factor of losses",
+           .symbol = "k",
+           .low = 0.0,
+           .high = 1e4,
+           .sliderLow = 0.0,
+           .sliderHigh = 64.0,
+           .help = "Expected losses count so many times.",
+           .origin = "ours: 1 is Sarsa_2Q of the thesis"});
+  f.choice(guardedBy_, {.key = "guardian",
+                        .title = "Guardian",
+                        .when = When::Now,
+                        .group = Group::Risk,
+                        .help = "Who acts while the policy's action is too risky; the learner learns from it.",
+                        .origin = "ours: nobody, as in the thesis",
+                        .choices = {"nobody", "hand-made"},
+                        .order = 3});
+  f.real(guardianLimit_, {.key = "guardian_limit",
+                          .title = "Limit of the guardian",
+                          .label = "Guardian from",
+                          .low = 0.0,
+                          .high = 1.0,
+                          .when = When::Now,
+                          .group = Group::Risk,
+                          .help = "The guardian acts from this risk on, until the risk is below half of it.",
+                          .origin = "ours",
+                          .order = 3,
+                          .needs = "guardian"});
 }
 
 void Caution::advance(const LifeTime& time) {

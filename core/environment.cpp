@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace surefoot {
 
 std::optional<std::size_t> measureAt(const std::vector<TaskMeasure>& measures, std::string_view key) {
@@ -15,6 +18,18 @@ std::size_t levelOf(const Task& task, std::size_t action, std::size_t variable) 
   for (std::size_t j = task.actionVariables.size(); j-- > variable + 1;)
     action /= task.actionVariables[j].levels.size();
   return action % task.actionVariables[variable].levels.size();
+}
+
+Action actionOf(const Task& task, std::span<const std::size_t> levels) {
+  std::size_t action = 0;
+  for (std::size_t j = 0; j < levels.size(); ++j) action = action * task.actionVariables[j].levels.size() + levels[j];
+  return static_cast<Action>(action);
+}
+
+std::size_t nearestLevel(std::span<const double> levels, double value) {
+  const auto nearest = std::min_element(levels.begin(), levels.end(),
+                                        [&](double a, double b) { return std::abs(a - value) < std::abs(b - value); });
+  return static_cast<std::size_t>(nearest - levels.begin());
 }
 
 Status checkState(const Task& task, std::span<const double> state) {

@@ -78,6 +78,10 @@ std::optional<std::size_t> measureAt(const std::vector<TaskMeasure>& measures, s
 
 /// Which level of an action variable an action has.
 std::size_t levelOf(const Task& task, std::size_t action, std::size_t variable);
+/// The action with these levels of the action variables.
+Action actionOf(const Task& task, std::span<const std::size_t> levels);
+/// The place of the level that is nearest to a value; of two, the first.
+std::size_t nearestLevel(std::span<const double> levels, double value);
 
 /// Whether these are values of all state variables, each within its range; a sentence that names the first that is not.
 Status checkState(const Task& task, std::span<const double> state);
@@ -120,6 +124,9 @@ class Environment : public Configurable {
   virtual CutOffs cutOffs() const { return {}; }
   /// A saved life goes on: these happened before.
   virtual void setCutOffs(const CutOffs& before) { static_cast<void>(before); }
+
+  /// The action that is nearest to what the hand-made controller would do now; only for tasks with Task::handMade. Hot.
+  virtual Action handMadeAction() const { return kNoAction; }
 
   /// Pushes the body to the right by an impulse [N s], between two steps; false: there is no body to push.
   virtual bool push(double impulse) {

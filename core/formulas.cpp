@@ -14,12 +14,18 @@ using Line = std::pair<std::string_view, std::string_view>;
 constexpr std::array kLearning = {
     Line{"policy.epsilon", "π(a) = (1 − ε)·[a is greedy] + ε/n"},
     Line{"policy.temperature", "π(a) = exp(Q(s, a)/τ) / Σ_b exp(Q(s, b)/τ)"},
+    Line{"policy.omega", "π(a) = exp(β·Q(s, a))/Σ_b exp(β·Q(s, b)), β so that Σ π·Q = ln(Σ_b exp(ω·Q(s, b))/n)/ω"},
     Line{"policy.threshold", "A⁺ = {a: Q(s, a) > threshold}; exploring steps pick from A⁺"},
     Line{"policy.below", "π(a outside A⁺) = ε·p/(n − |A⁺|), p the share below"},
     Line{"policy.risk", "weight: π on Q − w·ρ; filter: among {a: ρ(s, a) ≤ limit}; losses: π on Q⁺ + k·Q⁻"},
     Line{"policy.risk_weight", "π on Q(s, a) − w·ρ(s, a)"},
     Line{"policy.risk_limit", "π among {a: ρ(s, a) ≤ limit}; where there is none, among the least risky"},
     Line{"policy.losses_factor", "π on Q⁺(s, a) + k·Q⁻(s, a)"},
+    Line{"policy.guardian", "hand-made: it acts from ρ(s, a) > limit until ρ(s, a) ≤ limit/2, a drawn by the policy"},
+    Line{"policy.guardian_limit", "ρ(s, a) > limit"},
+    Line{"agent.budget", "r ← r − Λ·[fall]; Λ ← max(0, Λ + η·(falls − d)) after every episode"},
+    Line{"agent.falls_budget", "Λ ← max(0, Λ + η·(falls − d)) after every episode"},
+    Line{"agent.budget_rate", "Λ ← max(0, Λ + η·(falls − d)) after every episode"},
     Line{"risk.learn", "ρ(s, a) ← ρ(s, a) + α·(1 after a fall, 0 after another end, else γ·ρ(s′, a′), − ρ(s, a))"},
     Line{"risk.discount", "ρ = Pr(fall), a fall k steps later counting γᵏ"},
     Line{"_schedule", "linear: v = start + (end − start)·min(t/T, 1); exponential: v = end + (start − end)·2^(−t/T)"},
@@ -127,7 +133,8 @@ std::string formulaOf(const Parameter& p) {
   if (p.group == Group::Rewards) return lookUp(kRewards, key);
   if (p.group == Group::Model) return lookUp(kModel, key);
   const std::string learning = p.group == Group::Representation ? "" : lookUp(kLearning, key);
-  return learning.empty() && p.group == Group::Representation ? lookUp(kRepresentation, key) : learning;
+  const bool representation = p.group == Group::Representation || p.group == Group::Risk;
+  return learning.empty() && representation ? lookUp(kRepresentation, key) : learning;
 }
 
 }  // namespace surefoot

@@ -18,6 +18,10 @@ std::vector<Word> policies() {
            "The worse an action, the rarer it is taken. The temperature τ says how much worse counts: high, and all "
            "actions are nearly alike; low, and it is nearly greedy.",
            "thesis, eq. 2.3 and chapter 5; Sutton & Barto 2018, section 13.1"},
+          {"mellowmax", "Mellowmax", "π(a) = exp(β·Q(s, a))/Σ_b exp(β·Q(s, b)); Σ_a π·Q = ln(Σ_a exp(ω·Q(s, a))/n)/ω",
+           "A Softmax whose temperature 1/β fits each state: where actions differ much it is nearly greedy, where they "
+           "hardly differ nearly even. One ω holds for all states.",
+           "Asadi & Littman 2017, arXiv 1612.05628"},
           {"trl", "TRL",
            "π(a) = (1 − ε)·greedy(a) + ε·(1 − p)/|A⁺| in A⁺ = {a: Q(s, a) > threshold}, + ε·p/(n − |A⁺|) outside",
            "Threshold-restricted learning: ε-greedy whose exploring steps pick among the actions that are worth more "
@@ -43,6 +47,11 @@ std::vector<Word> learningRules() {
        "Sarsa with the mean over the policy in place of the one action that is drawn: the same values with less "
        "chance in them.",
        "Sutton & Barto 2018, section 6.6"},
+      {"true-online-sarsa", "True online Sarsa(λ)",
+       "z ← γλz + (1 − αγλ·zᵀx)x;  w ← w + α(δ + Q − Q_old)z − α(Q − Q_old)x",
+       "Sarsa(λ) with dutch traces and a correction, so that after every step the weights are those of the forward "
+       "view, which looks ahead at the returns.",
+       "van Seijen et al. 2016, JMLR 17:145; Sutton & Barto 2018, section 12.8"},
       {"scripted", "Hand-made", "", "The environment's own controller. It does not learn.",
        "wcaarls/grl, addons/leosim"}};
 }

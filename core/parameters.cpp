@@ -89,6 +89,12 @@ void Fields::setOrder(std::string_view key, int order) {
     if (field.parameter.key == key) field.parameter.order = order;
 }
 
+void Fields::setPlace(std::string_view key, Group group, int order) {
+  setOrder(key, order);
+  for (Field& field : fields_)
+    if (field.parameter.key == key) field.parameter.group = group;
+}
+
 void Fields::setNeeds(std::string_view prefix, const std::string& choice) {
   for (Field& field : fields_)
     if (field.parameter.key.starts_with(prefix)) field.parameter.needs = choice;
@@ -96,7 +102,11 @@ void Fields::setNeeds(std::string_view prefix, const std::string& choice) {
 
 void Parameters::add(const Fields& fields) {
   for (const Fields::Field& field : fields.all())
-    if (!find(field.parameter.key)) entries_.push_back({field.parameter, field.get()});
+    if (!find(field.parameter.key)) entries_.push_back({field.parameter, field.get(), field.get()});
+}
+
+void Parameters::setUsual() {
+  for (Entry& e : entries_) e.usual = e.value;
 }
 
 const Parameters::Entry* Parameters::find(std::string_view key) const {
@@ -113,6 +123,16 @@ double Parameters::get(std::string_view key) const {
   const Entry* entry = find(key);
   expects(entry, "a key that a component declares");
   return entry->value;
+}
+
+const Parameters::Entry* Parameters::idleBecauseOf(const Parameter& parameter) const {
+  const Entry* choice = find(parameter.needs);
+  if (!choice) return nullptr;
+  const auto& wanted = parameter.needsOne;
+  const std::string now = formatValue(choice->parameter, choice->value);
+  const bool idle =
+      wanted.empty() ? choice->value == 0.0 : std::find(wanted.begin(), wanted.end(), now) == wanted.end();
+  return idle ? choice : idleBecauseOf(choice->parameter);
 }
 
 Error Parameters::unknown(std::string_view key) const {

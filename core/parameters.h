@@ -23,7 +23,7 @@ namespace surefoot {
 enum class When { Now, NextEpisode, NewTable };
 
 /// Under which heading a form shows the parameter.
-enum class Group { Policy, Learning, Rewards, Representation, Model };
+enum class Group { Policy, Risk, Learning, Rewards, Representation, Model };
 
 enum class Kind { Real, Integer, Choice };
 
@@ -46,10 +46,11 @@ struct Parameter {
   std::string help{};    ///< one sentence
   std::string origin{};  ///< where the default comes from: thesis, lab file, calibrated, ours
   Kind kind = Kind::Real;
-  std::vector<std::string> choices{};  ///< names of the values 0, 1, … of a choice
-  int order = 1;                       ///< 1: always in the form; 2: in a larger window; 3: only when asked for
-  std::string needs{};                 ///< key of a choice; while it has its first value, this parameter has no effect
-  double fallback = 0.0;               ///< the default; filled in from the member
+  std::vector<std::string> choices{};   ///< names of the values 0, 1, … of a choice
+  int order = 1;                        ///< 1: always in the form; 2: in a larger window; 3: only when asked for
+  std::string needs{};                  ///< key of a choice; while it has its first value, this parameter has no effect
+  std::vector<std::string> needsOne{};  ///< the values of that choice with which it has one; empty: all but the first
+  double fallback = 0.0;                ///< the default; filled in from the member
 };
 
 /// "any number from 0 to 1", "a whole number from 1 to 64", "one of replacing, accumulating".
@@ -97,6 +98,7 @@ class Fields {
   void under(const std::string& prefix, const std::string& title, const std::function<void(Fields&)>& declare);
   /// Moves a parameter declared so far to another place in the form (Parameter::order).
   void setOrder(std::string_view key, int order);
+  void setPlace(std::string_view key, Group group, int order);
   /// Parameters declared so far with keys that begin with `prefix` have no effect while `choice` has its first value.
   void setNeeds(std::string_view prefix, const std::string& choice);
   const std::vector<Field>& all() const { return fields_; }
@@ -121,6 +123,7 @@ class Parameters {
   struct Entry {
     Parameter parameter;
     double value;
+    double usual;  ///< its value under the names alone, which a preset and a scenario may set
   };
 
   /// Appends what `fields` declares, with the members' values, unless the key is there already.
@@ -130,9 +133,14 @@ class Parameters {
   const std::vector<Entry>& all() const { return entries_; }
   const Entry* find(std::string_view key) const;
   double get(std::string_view key) const;  ///< asserts that the key is there
+  /// The choice because of which a parameter has no effect now; null: it has one.
+  const Entry* idleBecauseOf(const Parameter& parameter) const;
 
   Status set(std::string_view key, std::string_view text);
   Status set(std::string_view key, double value);
+
+  /// The values now are the usual ones.
+  void setUsual();
 
   /// Copies every value into the member of the same key.
   void apply(const Fields& fields) const;

@@ -28,6 +28,7 @@ void Scheduled::declare(Fields& f, const Parameter& parameter, bool byRule) {
   f.choice(kind_, p);
 
   p.needs = parameter.key + "_schedule";
+  p.needsOne = {};
   p.key = parameter.key + "_end";
   p.label = "End value";
   p.title = parameter.title + ", end";

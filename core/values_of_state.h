@@ -9,6 +9,11 @@
 
 namespace surefoot {
 
+/// What caution can use of a learner's values, in a task with a hand-made controller or without.
+inline CautionNeeds usableBy(const ActionValueFunction& values, bool handMade) {
+  return {.risk = values.hasRisk(), .losses = values.split(), .handMade = handMade};
+}
+
 struct ValuesOfState {
   std::vector<double> q{};       ///< q̂(s, ·)
   std::vector<double> risk{};    ///< ρ(s, ·); empty: the function has none

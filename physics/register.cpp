@@ -28,7 +28,7 @@ AssignmentEntry scenario(const char* name, const char* title, const char* help, 
 /// A preset with learning parameters that suit the compass walker; the thesis's values are for the pendulum.
 AssignmentEntry compassPreset(const char* name, const char* title, const char* help, double slope) {
   AssignmentEntry entry{{name, title, help}, "compass", {{"environment.slope", slope}}};
-  for (const std::string estimate : {"agent.", "positive.", "negative."}) {
+  for (const std::string estimate : {"agent.", "positive.", "negative.", "risk."}) {
     entry.values.push_back({estimate + "step_size", 0.3});
     entry.values.push_back({estimate + "trace_decay", 0.95});
   }
@@ -42,7 +42,7 @@ using Values = std::vector<std::pair<std::string, double>>;
 
 /// Adds the value for every estimate that a learning rule may have.
 void addForEstimates(Values& values, const std::string& key, double value) {
-  for (const char* estimate : {"agent.", "positive.", "negative."}) values.push_back({estimate + key, value});
+  for (const char* estimate : {"agent.", "positive.", "negative.", "risk."}) values.push_back({estimate + key, value});
 }
 void addForFeatures(Values& values, const std::string& key, double value) {
   for (const char* features : {"features.", "positive.", "negative."}) values.push_back({features + key, value});
@@ -55,6 +55,7 @@ AssignmentEntry leoPreset(const char* name, const char* title, const char* help,
   addForEstimates(entry.values, "trace_decay", 0.8582);
   addForFeatures(entry.values, "initial_high", 0.01);
   addForFeatures(entry.values, "memory", 1 << 18);
+  entry.values.push_back({"risk.memory", 1 << 18});
   entry.values.push_back({"agent.discount", 0.9962});
   return entry;
 }

@@ -20,7 +20,7 @@ int probabilitiesCommand(const Registry& registry, const ProbabilitiesRequest& r
   parameters.applyTo(*policy, "policy.");
 
   // Nothing but values is known here.
-  if (const Status s = policy->caution().check(false, false); !s) return fail(s.error());
+  if (const Status s = policy->caution().check({}); !s) return fail(s.error());
   std::vector<double> pi(request.q.size());
   policy->probabilities({.q = request.q}, pi);
   if (request.json) {

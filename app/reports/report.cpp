@@ -68,6 +68,21 @@ OrderedJson testsAsJson(const LifeResult& r) {
   return columns;
 }
 
+OrderedJson binAsJson(const Calibration::Bin& bin) {
+  OrderedJson json = {{"actions", bin.count}, {"said", bin.said}, {"fell", bin.fell}};
+  if (std::isfinite(bin.low)) json["from"] = bin.low;
+  if (std::isfinite(bin.high)) json["to"] = bin.high;
+  return json;
+}
+
+/// What ρ said of the last actions, and what came.
+OrderedJson calibrationAsJson(const Calibration::Report& report) {
+  OrderedJson json = binAsJson(report.all);
+  json["half_width"] = report.halfWidth;
+  for (const Calibration::Bin& bin : report.bins) json["bins"].push_back(binAsJson(bin));
+  return json;
+}
+
 /// "213.5 ± 8.9": mean and 95 % half-width (Student t over the lives); just the value for one life.
 std::string meanText(const std::vector<double>& values, int decimals) {
   const auto interval = meanInterval(values);
@@ -98,6 +113,7 @@ std::string resultAsJson(const Configuration& configuration, const std::vector<L
         {"hash", fmt::format("{:016x}", r.hash)}};
     if (isMovedByProgram(configuration)) life["same_bits"] = "machine";
     for (const NamedValue& m : measuresOf(r)) life[m.name] = finite(m.value);
+    if (r.calibration) life["risk_calibration"] = calibrationAsJson(*r.calibration);
     if (!r.greedyTests.empty()) life["test_seconds"] = finite(r.testSeconds);
     if (!r.greedyTests.empty()) life["greedy_tests"] = testsAsJson(r);
     if (r.flewApart > 0) life["flew_apart"] = r.flewApart;
@@ -176,7 +192,20 @@ std::string resultAsTable(const Configuration& c, const std::vector<LifeResult>&
                                          return std::nan("");
                                        },
                                        1));
-  if (std::any_of(lives.begin(), lives.end(), [](const LifeResult& r) { return r.flewApart > 0; }))
+  const auto has = [&](auto what) { return std::any_of(lives.begin(), lives.end(), what); };
+  if (has([](const LifeResult& r) { return r.guarded > 0; }))
+    row("guardian acted, %", column([](const LifeResult& r) { return 100 * r.guarded; }, 1));
+  if (has([](const LifeResult& r) { return r.calibration && r.calibration->all.count > 0; })) {
+    const auto percent = [&](auto part) {
+      return column([&](const LifeResult& r) { return r.calibration ? 100 * part(r.calibration->all) : std::nan(""); },
+                    1);
+    };
+    row("risk said at the end, %", percent([](const Calibration::Bin& b) { return b.said; }));
+    row("fell where it was said, %", percent([](const Calibration::Bin& b) { return b.fell; }));
+  }
+  if (has([](const LifeResult& r) { return r.priceOfFall.has_value(); }))
+    row("price of a fall", column([](const LifeResult& r) { return r.priceOfFall.value_or(std::nan("")); }, 1));
+  if (has([](const LifeResult& r) { return r.flewApart > 0; }))
     row("episodes that flew apart", column([](const LifeResult& r) { return static_cast<double>(r.flewApart); }, 1));
   row("simulated minutes", column([](const LifeResult& r) { return r.simulatedSeconds / 60.0; }, 2));
   row("steps per CPU-second",

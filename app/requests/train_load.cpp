@@ -47,17 +47,15 @@ Result<Configuration> configurationUpon(const Registry& registry, const TensorFi
   if (!version && !fromOther)
     if (const Status s = checkSame(file, "--environment", environment, names.environment); !s) return s.error();
   if (const Status s = checkSame(file, "--features", chosen.features, names.features); !s) return s.error();
-  const auto usual = configure(registry, names, {});
   Names wanted = namesOr(chosen, names);
   if (environment && *environment != names.environment) {  // its own presets and scenarios
     wanted.preset = chosen.preset.value_or("");
     wanted.scenario = chosen.scenario.value_or("");
   }
   auto ours = configure(registry, wanted, {});
-  if (!usual) return usual.error();
   if (!ours) return ours.error();
-  for (const auto& [parameter, value] : theirs->parameters.all())
-    if (value != usual->parameters.get(parameter.key) && ours->parameters.find(parameter.key))
+  for (const auto& [parameter, value, usual] : theirs->parameters.all())
+    if (value != usual && ours->parameters.find(parameter.key))
       if (const Status s = ours->parameters.set(parameter.key, value); !s) return s.error();
   const auto preset = findPreset(registry, ours->names.environment, chosen.preset.value_or(""));
   if (const Status s = bring(preset, chosen.preset.has_value(), ours->parameters); !s) return s.error();

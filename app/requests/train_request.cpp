@@ -96,8 +96,7 @@ Status checkDifferentFiles(const TrainOptions& o) {
 /// An error for parameters that are given but have no effect, because the part that they belong to is off.
 Status checkEffect(const Parameters& parameters, const std::vector<Assignment>& assignments) {
   for (const Assignment& a : assignments) {
-    const Parameters::Entry* choice = parameters.find(parameters.find(a.key)->parameter.needs);
-    if (choice && choice->value == 0.0)
+    if (const Parameters::Entry* choice = parameters.idleBecauseOf(parameters.find(a.key)->parameter))
       return Error{fmt::format("{}: it has no effect while {} is {}.", a.key, choice->parameter.key,
                                formatValue(choice->parameter, choice->value))};
   }
@@ -234,7 +233,9 @@ Result<TrainRequest> makeTrainRequest(const Registry& registry, const TrainOptio
     if (const Status s = checkPolicyKeys(registry, c.names.policy, *assignments); !s) return s.error();
     if (const Status s = checkEffect(c.parameters, *assignments); !s) return s.error();
   }
-  if (loaded) request.note = originOf(registry, *loaded, c);
+  if (loaded)
+    for (const std::string& note : {originOf(registry, *loaded, c), riskNote(*loaded, c)})
+      if (!note.empty()) request.note += (request.note.empty() ? "" : "\n") + note;
   if (const Status s = readExtent(o, c); !s) return s.error();
   if (const Status s = checkOneLife(o, c); !s) return s.error();
   if (const Status s = checkDifferentFiles(o); !s) return s.error();

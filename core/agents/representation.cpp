@@ -17,20 +17,28 @@ void RepresentationSettings::declare(const std::string& features, Fields& f) {
 
 namespace {
 
+/// Every `from` in a text becomes `to`.
+std::string replaced(std::string text, std::string_view from, std::string_view to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != text.npos; at += to.size()) text.replace(at, from.size(), to);
+  return text;
+}
+
+/// Feature maps name their settings as those of q̂; other estimates have another prefix.
 template <class F>
-Result<AnyFeatures> any(Result<F> features) {
-  if (!features) return features.error();
-  return AnyFeatures(std::move(*features));
+Result<AnyFeatures> any(Result<F> features, const std::string& prefix) {
+  if (features) return AnyFeatures(std::move(*features));
+  return Error{replaced(features.error().message, "features.", prefix)};
 }
 
 }  // namespace
 
-Result<AnyFeatures> makeFeatures(const Task& task, const std::string& features, const RepresentationSettings& s) {
-  if (features == "table") return any(Table::create(task));
-  if (features == "radial-basis") return any(RadialBasis::create(task, s.gaussians));
+Result<AnyFeatures> makeFeatures(const Task& task, const std::string& features, const RepresentationSettings& s,
+                                 const std::string& prefix) {
+  if (features == "table") return any(Table::create(task), prefix);
+  if (features == "radial-basis") return any(RadialBasis::create(task, s.gaussians), prefix);
   expects(features == "tile-coder", "the names of feature maps were checked before");
-  if (s.tiles.memory > 0) return any(HashedTileCoder::create(task, s.tiles));
-  return any(TileCoder::create(task, s.tiles));
+  if (s.tiles.memory > 0) return any(HashedTileCoder::create(task, s.tiles), prefix);
+  return any(TileCoder::create(task, s.tiles), prefix);
 }
 
 Status checkLayout(const TensorFile& stored, const std::string& name, const Json& layout,

@@ -26,7 +26,9 @@ struct RepresentationSettings {
 };
 
 /// The features named `features`, or why they do not fit the task.
-Result<AnyFeatures> makeFeatures(const Task& task, const std::string& features, const RepresentationSettings& settings);
+/// `prefix` is that of the settings' keys, "features.".
+Result<AnyFeatures> makeFeatures(const Task& task, const std::string& features, const RepresentationSettings& settings,
+                                 const std::string& prefix);
 
 /// An estimate for `actions` actions. If `stored` is given, its tables are read later (Agent::transferValues); that
 /// they fit is checked here, before any memory is taken. `name` is the estimate's in files.

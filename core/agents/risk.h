@@ -12,8 +12,9 @@
 #include <memory>
 #include <utility>
 
-#include "core/agent.h"
+#include "core/agents/agent_around.h"
 #include "core/agents/risk_values.h"
+#include "core/calibration.h"
 #include "core/values/estimate.h"
 
 namespace surefoot {
@@ -28,71 +29,70 @@ struct RiskSettings {
 };
 
 template <FeatureMap F>
-class RiskAgent final : public Agent {
+class RiskAgent final : public AgentAround {
  public:
   RiskAgent(std::unique_ptr<Agent> agent, Estimate<F> risk, const RiskSettings& settings)
-      : agent_(std::move(agent)),
+      : AgentAround(std::move(agent)),
         estimate_(std::move(risk)),
         settings_(settings),
-        values_(agent_->values(), estimate_.values()),
+        values_(inner().values(), estimate_.values()),
+        calibration_(settings.discount),
         next_(static_cast<std::size_t>(values_.actions())) {
-    agent_->showRisk(next_);
+    inner().showRisk(next_);
   }
   RiskAgent(const RiskAgent&) = delete;  // values_ looks at the members
 
   void declare(Fields& f) override {
-    agent_->declare(f);
+    inner().declare(f);
     f.under("risk.", "ρ", [&](Fields& g) { estimate_.settings().declare(g); });
   }
   void advance(const LifeTime& time) override {
-    agent_->advance(time);
+    inner().advance(time);
     estimate_.settings().stepSize.advance(time);
   }
-  bool everyStep() const override { return agent_->everyStep() || estimate_.settings().stepSize.everyStep(); }
-  void setPolicy(const Policy& policy) override { agent_->setPolicy(policy); }
+  bool everyStep() const override { return inner().everyStep() || estimate_.settings().stepSize.everyStep(); }
 
   Action start(std::span<const double> state, Random& random) override {
     estimate_.arrive(state, next_);
     estimate_.go();
-    return a_ = agent_->start(state, random);
+    return a_ = inner().start(state, random);
   }
   Action step(const Outcome& outcome, std::span<const double> state, Random& random) override {
     estimate_.arrive(state, next_);
-    const Action next = agent_->step(outcome, state, random);
+    const Action next = inner().step(outcome, state, random);
     learn(outcome, next_[static_cast<std::size_t>(next)]);
     estimate_.go();
     return a_ = next;
   }
   void end(const Outcome& outcome) override {
-    agent_->end(outcome);
+    inner().end(outcome);
     learn(outcome, 0.0);
-    estimate_.clearTrace();
+    close();
   }
   Action truncate(const Outcome& outcome, std::span<const double> state, Random& random) override {
     estimate_.arrive(state, next_);
-    const Action next = agent_->truncate(outcome, state, random);
+    const Action next = inner().truncate(outcome, state, random);
     learn(outcome, next_[static_cast<std::size_t>(next)]);
-    estimate_.clearTrace();
+    close();
     return next;
   }
   void abandon() override {
-    agent_->abandon();
+    inner().abandon();
     estimate_.clearTrace();
+    calibration_.abandon();
   }
 
   const ActionValueFunction& values() const override { return values_; }
-  void eligibility(std::vector<Eligibility>& z) const override { agent_->eligibility(z); }
   std::vector<NamedStep> lastSteps() const override {
-    std::vector<NamedStep> steps = agent_->lastSteps();
+    std::vector<NamedStep> steps = inner().lastSteps();
     steps.push_back(estimate_.lastStep("risk"));
     return steps;
   }
-  bool diverged() const override { return agent_->diverged() || estimate_.diverged(); }
-  std::int64_t statesOutside() const override { return agent_->statesOutside(); }
-  std::int64_t explored() const override { return agent_->explored(); }
+  bool diverged() const override { return inner().diverged() || estimate_.diverged(); }
+  const Calibration* calibration() const override { return &calibration_; }
 
   Json layouts() const override {
-    Json layouts = agent_->layouts();
+    Json layouts = inner().layouts();
     layouts["risk"] = estimate_.values().features().layout();
     return layouts;
   }
@@ -101,17 +101,18 @@ class RiskAgent final : public Agent {
     if (layer == Layer::Risk)
       estimate_.values().fit(state, q, share, visits);
     else
-      agent_->fit(state, layer, q, share, visits);
+      inner().fit(state, layer, q, share, visits);
   }
   void transferValues(Archive& archive) override {
-    agent_->transferValues(archive);
+    inner().transferValues(archive);
     archive.under("risk.", [&] { estimate_.values().transfer(archive); });
   }
   void transferLearning(Archive& archive) override {
-    agent_->transferLearning(archive);
+    inner().transferLearning(archive);
     archive.under("risk.", [&] {
       archive.value("action", a_, 0, values_.actions() - 1);
       estimate_.transferLearning(archive);
+      calibration_.transfer(archive);
     });
   }
 
@@ -120,13 +121,21 @@ class RiskAgent final : public Agent {
     const bool fell = outcome.event == Event::Fall;
     const double gamma = settings_.discount;
     estimate_.learn(a_, fell ? 1.0 : 0.0, fell ? 0.0 : gamma * next, gamma, TraceSettings{});
-    if (fell) estimate_.clearTrace();
+    calibration_.say(estimate_.last().before);
+    if (!fell) return;
+    estimate_.clearTrace();
+    calibration_.end(true);
+  }
+  /// The episode is over; nothing is open any more if it ended in a fall.
+  void close() {
+    estimate_.clearTrace();
+    calibration_.end(false);
   }
 
-  std::unique_ptr<Agent> agent_;
   Estimate<F> estimate_;
   RiskSettings settings_;
   RiskValues<F> values_;
+  Calibration calibration_;
   std::vector<double> next_;  ///< ρ(S′, ·)
   Action a_ = 0;
 };

@@ -90,7 +90,7 @@ class Sarsa2Q final : public Agent {
   }
   void transferLearning(Archive& archive) override {
     archive.value("action", a_, 0, static_cast<int>(q_.size()) - 1);
-    transferExplored(archive);
+    transferChosen(archive);
     archive.under("positive.", [&] { positive_.transferLearning(archive); });
     archive.under("negative.", [&] { negative_.transferLearning(archive); });
   }
@@ -101,7 +101,7 @@ class Sarsa2Q final : public Agent {
     positive_.arrive(state, qPositive_);
     negative_.arrive(state, qNegative_);
     for (std::size_t a = 0; a < q_.size(); ++a) q_[a] = qPositive_[a] + qNegative_[a];
-    return draw(q_, qNegative_, pi_, random);
+    return draw({state, q_, qNegative_}, pi_, random);
   }
   /// `discount` is γ, or 0 after a terminal step.
   void learn(const Outcome& outcome, double discount, Action next) {

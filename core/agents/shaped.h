@@ -12,7 +12,7 @@
 #include <memory>
 #include <utility>
 
-#include "core/agent.h"
+#include "core/agents/agent_around.h"
 #include "core/values/estimate.h"
 
 namespace surefoot {
@@ -28,65 +28,50 @@ struct ShapingSettings {
 };
 
 template <FeatureMap F>
-class ShapedAgent final : public Agent {
+class ShapedAgent final : public AgentAround {
  public:
   /// `term` is the place of F among the named terms of an outcome.
   ShapedAgent(std::unique_ptr<Agent> agent, Estimate<F> potential, const ShapingSettings& settings, std::size_t term)
-      : agent_(std::move(agent)),
+      : AgentAround(std::move(agent)),
         potential_(std::move(potential)),
         settings_(settings),
         term_(term) {}
 
-  void declare(Fields& f) override { agent_->declare(f); }
-  void advance(const LifeTime& time) override { agent_->advance(time); }
-  bool everyStep() const override { return agent_->everyStep(); }
-  void setPolicy(const Policy& policy) override { agent_->setPolicy(policy); }
-  void showRisk(std::span<const double> risk) override { agent_->showRisk(risk); }
-
   Action start(std::span<const double> state, Random& random) override {
     lookAt(state);
     potential_.go();
-    return agent_->start(state, random);
+    return inner().start(state, random);
   }
   Action step(const Outcome& outcome, std::span<const double> state, Random& random) override {
     const Outcome shaped = shape(outcome, lookAt(state));
     potential_.go();
-    return agent_->step(shaped, state, random);
+    return inner().step(shaped, state, random);
   }
-  void end(const Outcome& outcome) override { agent_->end(shape(outcome, 0.0)); }
+  void end(const Outcome& outcome) override { inner().end(shape(outcome, 0.0)); }
   Action truncate(const Outcome& outcome, std::span<const double> state, Random& random) override {
-    return agent_->truncate(shape(outcome, lookAt(state)), state, random);
+    return inner().truncate(shape(outcome, lookAt(state)), state, random);
   }
 
   void abandon() override {
-    agent_->abandon();
+    inner().abandon();
     potential_.clearTrace();
   }
 
-  const ActionValueFunction& values() const override { return agent_->values(); }
   /// V(s), the potential.
   const ActionValueFunction& potential() const { return potential_.values(); }
-  void eligibility(std::vector<Eligibility>& z) const override { agent_->eligibility(z); }
-  std::vector<NamedStep> lastSteps() const override { return agent_->lastSteps(); }
-  bool diverged() const override { return agent_->diverged() || potential_.diverged(); }
-  std::int64_t statesOutside() const override { return agent_->statesOutside(); }
-  std::int64_t explored() const override { return agent_->explored(); }
+  bool diverged() const override { return inner().diverged() || potential_.diverged(); }
 
   Json layouts() const override {
-    Json layouts = agent_->layouts();
+    Json layouts = inner().layouts();
     layouts["potential"] = potential_.values().features().layout();
     return layouts;
   }
-  void fit(std::span<const double> state, Layer layer, std::span<const double> q, double share,
-           double visits) override {
-    agent_->fit(state, layer, q, share, visits);
-  }
   void transferValues(Archive& archive) override {
-    agent_->transferValues(archive);
+    inner().transferValues(archive);
     archive.under("potential.", [&] { potential_.values().transfer(archive); });
   }
   void transferLearning(Archive& archive) override {
-    agent_->transferLearning(archive);
+    inner().transferLearning(archive);
     archive.under("potential.", [&] { potential_.transferLearning(archive); });
   }
 
@@ -112,7 +97,6 @@ class ShapedAgent final : public Agent {
     return sum;
   }
 
-  std::unique_ptr<Agent> agent_;
   Estimate<F> potential_;
   ShapingSettings settings_;
   std::size_t term_;

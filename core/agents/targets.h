@@ -17,6 +17,10 @@ struct SarsaTarget {
   static bool cutsTrace(std::span<const double>, Action) { return false; }
 };
 
+/// True online Sarsa(λ) (van Seijen et al. 2016, JMLR 17; Sutton & Barto 2018, section 12.7): the target of Sarsa, with
+/// dutch traces and a correction of what the update before has changed (Estimate::learnTrueOnline).
+struct TrueOnlineTarget : SarsaTarget {};
+
 /// Q-learning (thesis, eq. 2.7), with Watkins's traces (Sutton & Barto 2018, section 12.10): max_b q̂(S′, b); the trace
 /// is cut before an exploratory action. An action counts as greedy if its value is the greatest, however it was drawn.
 struct WatkinsTarget {

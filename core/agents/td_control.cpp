@@ -15,7 +15,10 @@ void ControlSettings::declare(Fields& f) {
                     .group = Group::Learning,
                     .help = "What a reward one step later is still worth.",
                     .origin = "thesis, section 3.1.4"});
-  traces.declare(f);
+  if (dutch)
+    traces.declareCutoff(f);
+  else
+    traces.declare(f);
 }
 
 }  // namespace surefoot

@@ -3,6 +3,7 @@
 // and Expected Sarsa(λ), which differ in their target only.
 #pragma once
 
+#include <type_traits>
 #include <utility>
 
 #include "core/agent.h"
@@ -15,6 +16,7 @@ namespace surefoot {
 struct ControlSettings {
   double discount = 0.98;  ///< γ
   TraceSettings traces;
+  bool dutch = false;  ///< true online: of the traces' settings only the cut-off has a meaning
   void declare(Fields& f);
 };
 
@@ -33,13 +35,14 @@ class TdControl final : public Agent {
 
   Action start(std::span<const double> state, Random& random) override {
     a_ = choose(state, random);
+    old_ = 0.0;
     estimate_.go();
     return a_;
   }
 
   Action step(const Outcome& outcome, std::span<const double> state, Random& random) override {
     const Action next = choose(state, random);
-    learn(outcome.reward, control_.discount * Target::value(q_, pi_, next));
+    learn(outcome.reward, Target::value(q_, pi_, next));
     if (Target::cutsTrace(q_, next)) estimate_.clearTrace();
     estimate_.go();
     return a_ = next;
@@ -52,7 +55,7 @@ class TdControl final : public Agent {
 
   Action truncate(const Outcome& outcome, std::span<const double> state, Random& random) override {
     const Action next = choose(state, random);
-    learn(outcome.reward, control_.discount * Target::value(q_, pi_, next));
+    learn(outcome.reward, Target::value(q_, pi_, next));
     estimate_.clearTrace();
     return next;
   }
@@ -79,23 +82,34 @@ class TdControl final : public Agent {
   }
   void transferLearning(Archive& archive) override {
     archive.value("action", a_, 0, static_cast<int>(q_.size()) - 1);
-    transferExplored(archive);
+    transferChosen(archive);
+    if constexpr (kTrueOnline) archive.value("old", old_);
     archive.under("q.", [&] { estimate_.transferLearning(archive); });
   }
 
  private:
+  static constexpr bool kTrueOnline = std::is_same_v<Target, TrueOnlineTarget>;
+
   /// A′ ~ π(·|S′); leaves q̂(S′, ·) in q_ and π(·|S′) in pi_.
   Action choose(std::span<const double> state, Random& random) {
     estimate_.arrive(state, q_);
-    return draw(q_, {}, pi_, random);
+    return draw({state, q_}, pi_, random);
   }
 
-  void learn(double reward, double next) { estimate_.learn(a_, reward, next, control_.discount, control_.traces); }
+  /// `next` is the value of S′.
+  void learn(double reward, double next) {
+    const double gamma = control_.discount;
+    if constexpr (kTrueOnline)
+      estimate_.learnTrueOnline(a_, reward, gamma * next, old_, gamma, control_.traces.cutoff), old_ = next;
+    else
+      estimate_.learn(a_, reward, gamma * next, gamma, control_.traces);
+  }
 
   Estimate<F> estimate_;
   ControlSettings control_;
   std::vector<double> q_, pi_;  // one entry an action
   Action a_ = 0;
+  double old_ = 0.0;  // true online: q̂(S, A) before the update in which it was the next value
 };
 
 }  // namespace surefoot

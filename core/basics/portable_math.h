@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// exp, cos and sin with the same bits on every machine. The C library's own differs between processors with and without
-// fused multiply-add, and one differing bit in a probability sends two lives apart.
+// exp, log, cos and sin with the same bits on every machine. The C library's own differs between processors with and
+// without fused multiply-add, and one differing bit in a probability sends two lives apart.
 #pragma once
 
 #include <bit>
@@ -46,6 +46,24 @@ inline double portableExp(double x) {
   if (k > 1023) return sum * powerOfTwo(1023) * powerOfTwo(k - 1023);
   if (k < -1022) return sum * powerOfTwo(-1000) * powerOfTwo(k + 1000);  // subnormal results are rounded once
   return sum * powerOfTwo(k);
+}
+
+/// ln x for finite x > 0, to about 2 units in the last place. Method: x = m·2ᵏ with m from √½ to √2, and with
+/// s = (m − 1)/(m + 1), below 0.172, ln m = 2 (s + s³/3 + s⁵/5 + …) up to s²¹ (remainder < 1e-18).
+inline double portableLog(double x) {
+  constexpr double kLn2High = 6.93147180369123816490e-01, kLn2Low = 1.90821492927058770002e-10;
+  constexpr double kSqrt2 = 1.41421356237309504880, kTwoTo54 = 18014398509481984.0;
+  std::int64_t k = -1023;
+  if (x < std::numeric_limits<double>::min()) x *= kTwoTo54, k -= 54;  // subnormal
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  k += static_cast<std::int64_t>(bits >> 52);
+  double m = std::bit_cast<double>((bits & ((std::uint64_t{1} << 52) - 1)) | (std::uint64_t{1023} << 52));
+  if (m > kSqrt2) m *= 0.5, ++k;
+  const double s = (m - 1.0) / (m + 1.0), square = s * s;
+  double sum = 0.0;
+  for (int n = 21; n >= 3; n -= 2) sum = (sum + 1.0 / n) * square;
+  const auto kReal = static_cast<double>(k);
+  return kReal * kLn2High + (kReal * kLn2Low + 2.0 * (s + s * sum));
 }
 
 /// cos(x + quarters·½π) for abs(x) up to a thousand or so, to about 1e-15; beyond that it is less exact, and from 1e9

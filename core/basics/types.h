@@ -16,11 +16,11 @@ inline constexpr Action kNoAction = -1;
 /// The environment's own, hand-made controller acts in this step; only for tasks with Task::handMade.
 inline constexpr Action kHandMade = -2;
 
-/// Most actions an environment may have, most state variables and most reward terms. Buffers of these sizes live on
-/// the stack.
+/// Most actions an environment may have, most state variables and most reward terms: those of its task, and two that
+/// an agent may add (shaping, the price of a fall). Buffers of these sizes live on the stack.
 inline constexpr int kMaxActions = 4096;
 inline constexpr int kMaxStateVariables = 32;
-inline constexpr int kMaxRewardTerms = 8;
+inline constexpr int kMaxTaskTerms = 8, kMaxRewardTerms = kMaxTaskTerms + 2;
 /// Most measures of an episode (Task::measures).
 inline constexpr std::size_t kMaxMeasures = 4;
 /// The measures of an episode besides its reward and its falls; unused places are 0.

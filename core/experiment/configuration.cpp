@@ -62,6 +62,7 @@ Result<Configuration> configure(const Registry& registry, const Names& names,
     return s.error();
   if (const Status s = assign(scenariosOf(registry, here), findScenario(registry, here, scenario), scenario, c); !s)
     return s.error();
+  c.parameters.setUsual();
   for (const Assignment& a : assignments)
     if (const Status s = c.parameters.set(a.key, std::string_view(a.value)); !s) return s.error();
   return c;
@@ -171,8 +172,7 @@ Result<LifeParts> makeParts(const Registry& registry, const Configuration& c, st
     if (const Status s = checkTask(*c.start, task); !s) return s.error();
   auto agent = (*agentEntry)->make({task, c.names.features, c.parameters, weightSeed, c.start.get()});
   if (!agent) return agent.error();
-  if (const Status s = (*policy)->caution().check((*agent)->values().hasRisk(), (*agent)->values().split()); !s)
-    return s.error();
+  if (const Status s = (*policy)->caution().check(usableBy((*agent)->values(), task.handMade)); !s) return s.error();
   LifeParts parts{std::move(environment), std::move(*policy), std::move(*agent), c.parameters, c.names.policy, {}};
   parts.preLearned = c.start != nullptr;
   if (!parts.environment->task().measures.empty()) {

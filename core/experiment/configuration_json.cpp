@@ -51,10 +51,11 @@ Status readEnvironmentText(const Registry& registry, const Json& json, const std
 /// Parameters that came later are written only where they are not as usual: files that do not use them stay as they
 /// were, and so do the contents of stores.
 bool isLeftOut(const Parameters::Entry& entry) {
-  constexpr std::string_view kLater[] = {"risk.", "policy.risk", "policy.losses"};
+  constexpr std::string_view kLater[] = {"risk.",        "policy.risk",  "policy.losses",      "policy.guardian",
+                                         "policy.omega", "agent.budget", "agent.falls_budget", "split.price_of_fall"};
   const bool later = std::any_of(std::begin(kLater), std::end(kLater),
                                  [&](std::string_view prefix) { return entry.parameter.key.starts_with(prefix); });
-  return later && entry.value == entry.parameter.fallback;
+  return later && entry.value == entry.usual;
 }
 
 }  // namespace

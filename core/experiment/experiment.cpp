@@ -35,7 +35,10 @@ LifeResult summarise(const Life& life, int index, double cpuSeconds) {
   r.testEvery = life.environment().task().testEvery;
   r.greedyTests = life.greedyTests();
   r.rows = life.log().rows();
-  if (r.steps > 0) r.exploring = static_cast<double>(life.agent().explored()) / static_cast<double>(r.steps);
+  const auto share = [&](std::int64_t steps) { return static_cast<double>(steps) / static_cast<double>(r.steps); };
+  if (r.steps > 0) r.exploring = share(life.agent().explored()), r.guarded = share(life.agent().guarded());
+  if (const Calibration* calibration = life.agent().calibration()) r.calibration = calibration->report();
+  r.priceOfFall = life.agent().priceOfFall();
   return r;
 }
 
@@ -52,6 +55,13 @@ std::vector<NamedValue> measuresOf(const LifeResult& r) {
   std::vector<NamedValue> all;
   const double hours = r.simulatedSeconds / 3600.0;
   if (r.steps > 0) all.push_back({"exploring", r.exploring});
+  if (r.guarded > 0) all.push_back({"guarded", r.guarded});
+  if (r.calibration && r.calibration->all.count > 0) {
+    all.push_back({"risk_said", r.calibration->all.said});
+    all.push_back({"risk_fell", r.calibration->all.fell});
+    all.push_back({"risk_error", r.calibration->error()});
+  }
+  if (r.priceOfFall) all.push_back({"price_of_fall", *r.priceOfFall});
   if (r.final) all.push_back({"final_falls", r.final->falls}), all.push_back({"final_reward", r.final->reward});
   if (r.taskMeasures.empty()) return all;
   for (std::size_t m = 0; m < r.taskMeasures.size(); ++m) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/calibration.h"
 #include "core/experiment/configuration.h"
 #include "core/experiment/final_greedy.h"
 #include "core/experiment/meter.h"
@@ -35,9 +36,12 @@ struct LifeResult {
   bool changesLeftOut = false;  ///< there were more changes than these
   bool complete = false;        ///< a limit was reached; false: diverged or interrupted
   std::vector<TaskMeasure> taskMeasures;
-  int testEvery = 0;                   ///< Task::testEvery
-  double exploring = 0.0;              ///< share of the steps whose action was not the best by q̂
-  std::optional<FinalGreedy> final{};  ///< only where it was made
+  int testEvery = 0;                                 ///< Task::testEvery
+  double exploring = 0.0;                            ///< share of the steps whose action was not the best by q̂
+  double guarded = 0.0;                              ///< share of the steps in which the guardian acted
+  std::optional<Calibration::Report> calibration{};  ///< of the risk, if it is learned
+  std::optional<double> priceOfFall{};               ///< at the end, of a falls budget
+  std::optional<FinalGreedy> final{};                ///< only where it was made
   std::vector<GreedyTest> greedyTests;
   std::vector<EpisodeRow> rows;  ///< only if asked for
 };
@@ -49,7 +53,9 @@ struct NamedValue {
   std::string name;
   double value = 0.0;
 };
-/// The values of lifeMeasures(), the share of exploring steps (`exploring`), and what the greedy policy does at the end
+/// The values of lifeMeasures(), the share of exploring steps (`exploring`) and of the guardian's (`guarded`), whether
+/// the risk holds (`risk_said`, `risk_fell`, `risk_error`: Calibration), Λ (`price_of_fall`), and what the greedy
+/// policy does at the end
 /// (`final_falls`, `final_reward`: from `final`, or from the last ten greedy tests); measures that a life does not
 /// have, as without a clock or a greedy test, are left out.
 std::vector<NamedValue> measuresOf(const LifeResult& result);

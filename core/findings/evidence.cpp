@@ -62,7 +62,12 @@ constexpr NamedMeasure kMeasures[] = {
     {"final_falls", "falls of a greedy episode at the end",
      [](const LifeMeasures& l) { return own(l, "final_falls"); }},
     {"final_reward", "reward of a greedy episode at the end",
-     [](const LifeMeasures& l) { return own(l, "final_reward"); }}};
+     [](const LifeMeasures& l) { return own(l, "final_reward"); }},
+    {"guarded", "share of the guardian's actions", [](const LifeMeasures& l) { return own(l, "guarded"); }},
+    {"risk_said", "risk of a fall, said at the end", [](const LifeMeasures& l) { return own(l, "risk_said"); }},
+    {"risk_fell", "falls where this was said", [](const LifeMeasures& l) { return own(l, "risk_fell"); }},
+    {"risk_error", "error of the risk", [](const LifeMeasures& l) { return own(l, "risk_error"); }},
+    {"price_of_fall", "price of a fall at the end", [](const LifeMeasures& l) { return own(l, "price_of_fall"); }}};
 
 }  // namespace
 

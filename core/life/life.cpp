@@ -10,6 +10,20 @@
 
 namespace surefoot {
 
+namespace {
+
+/// The environment's own controller as a guardian.
+class HandMadeGuardian final : public Guardian {
+ public:
+  explicit HandMadeGuardian(const Environment& environment) : environment_(environment) {}
+  Action act(std::span<const double>) const override { return environment_.handMadeAction(); }
+
+ private:
+  const Environment& environment_;
+};
+
+}  // namespace
+
 Life::Life(LifeParts parts, Random world, Random policy, LifeLimits limits, bool keepRows)
     : environment_(std::move(parts.environment)),
       policy_(std::move(parts.policy)),
@@ -23,9 +37,15 @@ Life::Life(LifeParts parts, Random world, Random policy, LifeLimits limits, bool
       limits_(limits),
       log_(keepRows, environment_->task().measures),
       tester_(std::move(parts.tests), parts.testSeed) {
-  agent_->setPolicy(*policy_);
+  meetAgent();
   inputs_.random = worldRandom_.state();
   if (environment_->answersAtOnce()) beginEpisode();
+}
+
+void Life::meetAgent() {
+  agent_->setPolicy(*policy_);
+  if (environment_->task().handMade) guardian_ = std::make_unique<HandMadeGuardian>(*environment_);
+  agent_->setGuardian(guardian_.get());
 }
 
 void Life::beginEpisode(const std::vector<double>& state) {
@@ -138,7 +158,7 @@ Status Life::set(std::string_view key, double value) {
     applyTo(*environment_, "environment.");
     if (environmentChanged_) tester_.follow(*environment_);
     applyTo(*policy_, "policy.");
-    if (const Status s = policy_->caution().check(agent_->values().hasRisk(), agent_->values().split()); !s) {
+    if (const Status s = policy_->caution().check(usableBy(agent_->values(), environment_->task().handMade)); !s) {
       static_cast<void>(static_cast<bool>(parameters_.set(key, before)));
       parameters_.applyTo(*policy_, "policy.");
       return s;

@@ -137,6 +137,8 @@ class Life {
   std::uint64_t hash() const;
 
  private:
+  /// Tells the agent its policy and its guardian.
+  void meetAgent();
   /// Begins in this state; if it is empty, the environment draws one.
   void beginEpisode(const std::vector<double>& state = {});
   /// A test of the greedy policy, if one is due and has not been made.
@@ -186,8 +188,9 @@ class Life {
   // The environment's inputs since the beginning of the episode. With them a resumed life brings any environment to the
   // same state.
   bool keepInputs_ = false;
-  bool explores_ = false;  // the next action is not the best by q̂
-  EpisodeInputs inputs_;   // inputs of the current episode, or of the last one
+  std::unique_ptr<Guardian> guardian_;  // acts for the policy where it asks for one
+  bool explores_ = false;               // the next action is not the best by q̂
+  EpisodeInputs inputs_;                // inputs of the current episode, or of the last one
 };
 
 }  // namespace surefoot

@@ -27,7 +27,7 @@ Life::Life(LifeParts parts, LifeLimits limits, bool keepRows, Archive& archive)
       changes_(std::move(parts.changes)),
       tester_(std::move(parts.tests), parts.testSeed),
       keepInputs_(true) {
-  agent_->setPolicy(*policy_);
+  meetAgent();
   tester_.follow(*environment_);
   transfer(archive);
   if (archive.good()) checkEpisode(archive);

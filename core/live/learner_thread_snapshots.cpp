@@ -83,6 +83,8 @@ void LearnerThread::fill(ValueSnapshot& s) const {
   s.endOfLearning = life_->log().endOfLearning().episode();
   s.rule = ruleOfThumbOf(*life_);
   s.memory = values.memoryUse();
+  const Calibration* calibration = life_->agent().calibration();
+  s.calibration = calibration ? std::optional(calibration->report()) : std::nullopt;
   fillTests(s);
   s.endOfLearningSteps = life_->log().endOfLearning().lifeSteps();
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/action_value.h"
+#include "core/calibration.h"
 #include "core/life/learning_curve.h"
 #include "core/life/life.h"
 #include "core/life/rule_of_thumb.h"
@@ -51,12 +52,13 @@ struct ValueSnapshot {
   std::vector<CurvePoint> curve;
   std::string policy;  ///< the policy in force in the last episode of the curve
   std::vector<Change> changes;
-  std::int64_t endOfLearning = 0;       ///< episode, 0: not yet
-  std::int64_t endOfLearningSteps = 0;  ///< steps of the life until then
-  std::optional<RuleOfThumb> rule;      ///< TRL's threshold by eq. 4.3
-  std::vector<GreedyTest> tests;        ///< tests of the greedy policy, thinned out if there are many
-  std::optional<double> walksSince;     ///< [min]: time of the first test in which the robot walked
-  std::vector<MemoryUse> memory;        ///< memory of each table
+  std::int64_t endOfLearning = 0;                  ///< episode, 0: not yet
+  std::int64_t endOfLearningSteps = 0;             ///< steps of the life until then
+  std::optional<RuleOfThumb> rule;                 ///< TRL's threshold by eq. 4.3
+  std::vector<GreedyTest> tests;                   ///< tests of the greedy policy, thinned out if there are many
+  std::optional<double> walksSince;                ///< [min]: time of the first test in which the robot walked
+  std::vector<MemoryUse> memory;                   ///< memory of each table
+  std::optional<Calibration::Report> calibration;  ///< of the risk, where it is learned
 };
 
 }  // namespace surefoot

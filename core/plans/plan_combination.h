@@ -24,6 +24,12 @@ struct Combination {
   }
 };
 
+/// Whether a condition's setting holds in its pre-learning, too: not what the policy does, and no step size; what is
+/// learned of risk does.
+inline bool isInherited(std::string_view key) {
+  return !key.starts_with("policy.") && (!key.ends_with("step_size") || key.starts_with("risk."));
+}
+
 /// All combinations of a block; the last list varies fastest. At most kMostConditions + 1.
 std::vector<Combination> combine(const PlanBlock& block);
 

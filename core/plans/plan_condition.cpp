@@ -166,6 +166,15 @@ class ConditionMaker {
     return wanted;
   }
 
+  /// The pre-learning without what is learned of risk beside it: that changes no value, so that conditions with and
+  /// without it begin with the same Q-functions.
+  Configuration withoutRisk(Configuration c) const {
+    for (const auto& entry : c.parameters.all())
+      if (entry.parameter.key.starts_with("risk."))
+        static_cast<void>(static_cast<bool>(c.parameters.set(entry.parameter.key, entry.usual)));
+    return c;
+  }
+
   /// Everything of the condition but policy and step sizes, on its own scenario, until the reward is reached.
   Status addPreLearning(const Combination& c, Draft draft, Condition& condition, int line) const {
     constexpr std::int64_t kCap = 20'000;
@@ -173,8 +182,7 @@ class ConditionMaker {
       return planError(path_, line, "pre-learning: " + sentence);
     };
     draft.names.policy = "epsilon-greedy";
-    std::erase_if(draft.assignments,
-                  [](const Assignment& a) { return a.key.starts_with("policy.") || a.key.ends_with("step_size"); });
+    std::erase_if(draft.assignments, [](const Assignment& a) { return !isInherited(a.key); });
     const auto wanted = readPreLearning(c, draft);
     if (!wanted) return wanted.error();
     if (!*wanted) return Done{};
@@ -189,15 +197,16 @@ class ConditionMaker {
     PreLearning pre{.configuration = std::move(*configuration), .pool = draft.pool, .text = {}};
     pre.configuration.until = draft.until;
     pre.configuration.minutes = draft.preMinutes;
-    pre.text = describe(registry_, pre.configuration);
-    if (draft.until) pre.text += fmt::format(" until={}", *draft.until);
-    if (draft.preMinutes) pre.text += fmt::format(" minutes={}", *draft.preMinutes);
+    std::string length;
+    if (draft.until) length += fmt::format(" until={}", *draft.until);
+    if (draft.preMinutes) length += fmt::format(" minutes={}", *draft.preMinutes);
     if (draft.until || draft.cap) {
       const std::int64_t cap = draft.cap.value_or(kCap);
       pre.configuration.episodes = cap;
-      pre.text += fmt::format(" cap={}", cap);
+      length += fmt::format(" cap={}", cap);
     }
-    pre.configuration.seed = seedFor(pre.text, head_);
+    pre.text = describe(registry_, pre.configuration) + length;
+    pre.configuration.seed = seedFor(describe(registry_, withoutRisk(pre.configuration)) + length, head_);
     condition.text += fmt::format(" pre-learning=({}) pool={}", pre.text,
                                   pre.pool == 0 ? std::string("each") : std::to_string(pre.pool));
     condition.preLearning = std::move(pre);

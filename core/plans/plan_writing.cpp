@@ -76,7 +76,7 @@ Result<std::string> preLearningToml(const Registry& registry, const Configuratio
   for (const auto& entry : c.parameters.all()) {
     const std::string& key = entry.parameter.key;
     const Parameters::Entry* other = usual->parameters.find(key);
-    if ((other && other->value == entry.value) || key.starts_with("policy.") || key.ends_with("step_size")) continue;
+    if ((other && other->value == entry.value) || !isInherited(key)) continue;
     inherited.push_back({key, formatValue(entry.parameter, entry.value)});
   }
   const auto taken = configure(registry, names, inherited);

@@ -3,6 +3,7 @@
 
 #include "core/policies/epsilon_greedy.h"
 #include "core/policies/greedy.h"
+#include "core/policies/mellowmax.h"
 #include "core/policies/softmax.h"
 #include "core/policies/threshold_restricted.h"
 
@@ -24,6 +25,8 @@ void registerPolicies(Registry& r) {
       {{"trl", "TRL", "ε-greedy that explores among the actions above a threshold."}, makePolicy<ThresholdRestricted>});
   r.policies.push_back(
       {{"softmax", "Softmax", "The better an action, the likelier, by a temperature."}, makePolicy<Softmax>});
+  r.policies.push_back({{"mellowmax", "Mellowmax", "As Softmax, with a temperature that fits each state by itself."},
+                        makePolicy<Mellowmax>});
   r.policies.push_back({{"greedy", "Greedy", "Always the best action."}, makePolicy<Greedy>});
 }
 

@@ -137,6 +137,13 @@ std::string wholeHashOf(const TensorFile& file) {
   return fmt::format("{:016x}", hash.value());
 }
 
+std::string riskNote(const TensorFile& file, const Configuration& c) {
+  const Parameters::Entry* learn = c.parameters.find("risk.learn");
+  if (!learn || learn->value == 0.0 || partOf(file.about, "estimates").contains("risk")) return "";
+  return fmt::format("{}: it knows nothing of the risk of a fall, which begins at {}.", file.name,
+                     c.parameters.get("risk.initial"));
+}
+
 Json withoutFolders(Json began) {
   if (!began.is_object()) return began;
   for (auto& [key, value] : began.items()) {

@@ -33,6 +33,10 @@ std::string wholeHashOf(const TensorFile& file);
 /// and content.
 void beginWith(Configuration& configuration, std::shared_ptr<const TensorFile> file);
 
+/// What a person should know if lives learn the risk of a fall and begin with a file that knows nothing of it; else
+/// nothing.
+std::string riskNote(const TensorFile& file, const Configuration& configuration);
+
 /// A file's entry about the file it began with, without the folders that older files have there.
 Json withoutFolders(Json began);
 

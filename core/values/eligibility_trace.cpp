@@ -2,13 +2,14 @@
 #include "core/values/eligibility_trace.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace surefoot {
 
 void EligibilityTrace::decay(const WeightTable&, double factor, double cutoff) {
   for (std::uint32_t slot = 0; slot < entries_.size();) {
     entries_[slot].z *= factor;
-    if (entries_[slot].z < cutoff || entries_[slot].z == 0.0)
+    if (std::abs(entries_[slot].z) < cutoff || entries_[slot].z == 0.0)
       remove(slot);  // the last entry, not yet decayed, takes its place
     else
       ++slot;

@@ -17,7 +17,7 @@ namespace surefoot {
 /// Used by one thread; for one table. Most calls need only the size of the table.
 class EligibilityTrace {
  public:
-  /// z ← factor·z; entries that fall below `cutoff` are dropped.
+  /// z ← factor·z; entries whose size falls below `cutoff` are dropped.
   void decay(const WeightTable& table, double factor, double cutoff);
   /// z_i ← 1 (replacing traces, Singh & Sutton 1996).
   void replace(const WeightTable& table, Index weight) { entry(table, weight).z = 1.0; }
@@ -27,6 +27,10 @@ class EligibilityTrace {
   void raise(const WeightTable& table, Index weight, double x) {
     Entry& e = entry(table, weight);
     if (e.z < x) e.z = x;
+  }
+  /// z_i.
+  double at(const WeightTable&, Index weight) const {
+    return weight < slot_.size() && slot_[weight] != kNone ? entries_[slot_[weight]].z : 0.0;
   }
   /// z_i ← 0.
   void drop(const WeightTable& table, Index weight);

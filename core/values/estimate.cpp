@@ -28,7 +28,7 @@ void EstimateSettings::declare(Fields& f) {
                       .origin = "thesis, section 3.1.4"});
 }
 
-void TraceSettings::declare(Fields& f) {
+void TraceSettings::declareCutoff(Fields& f) {
   f.real(cutoff, {.key = "trace_cutoff",
                   .title = "Trace cut-off",
                   .low = 0.0,
@@ -40,6 +40,10 @@ void TraceSettings::declare(Fields& f) {
                   .help = "A trace below this is forgotten.",
                   .origin = "ours",
                   .order = 2});
+}
+
+void TraceSettings::declare(Fields& f) {
+  declareCutoff(f);
   f.choice(kind, {.key = "trace",
                   .title = "Trace",
                   .when = When::Now,

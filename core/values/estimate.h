@@ -34,6 +34,7 @@ struct TraceSettings {
   TraceKind kind = TraceKind::Replacing;
   OtherActions otherActions = OtherActions::Keep;
   void declare(Fields& f);
+  void declareCutoff(Fields& f);
 };
 
 template <FeatureMap F>
@@ -50,6 +51,7 @@ class Estimate {
   std::int64_t statesOutside() const { return statesOutside_; }
   /// The last temporal-difference error was beyond any sensible size.
   bool diverged() const { return diverged_; }
+  const LearnedStep& last() const { return last_; }
   /// The last step, with `name` as the estimate's name.
   NamedStep lastStep(const char* name) const { return {name, last_, settings_.stepSize.now(), settings_.traceDecay}; }
   /// z_k of the weights that have a trace, written behind what is in `z` already; weights count from `first` on.
@@ -84,6 +86,22 @@ class Estimate {
     diverged_ |= !(std::abs(delta) < kDivergedError);
   }
 
+  /// The same by true online TD(λ), with `old` = q̂(S, A) as it was when S was the next state (0 after a start):
+  ///
+  ///   z ← γλ z,   z ← z + (1 − α zᵀx) x,   w ← w + α (δ + q̂(S,A) − old) z − α (q̂(S,A) − old) x
+  void learnTrueOnline(Action a, double reward, double next, double old, double discount, double cutoff) {
+    last_ = {reward, next, value(a)};
+    const double step = alpha(), changed = last_.before - old;
+    plain_.decay(values_.weights(), discount * settings_.traceDecay, cutoff);
+    double zx = 0.0;
+    eachActive(a, [&](Index weight, double x) { zx += x * plain_.at(values_.weights(), weight); });
+    eachActive(a, [&](Index weight, double x) { plain_.accumulate(values_.weights(), weight, (1.0 - step * zx) * x); });
+    plain_.add(values_.weights(), step * (last_.delta() + changed));
+    eachActive(a, [&](Index weight, double x) { values_.weights().add(weight, -step * changed * x); });
+    values_.countVisit(x());
+    diverged_ |= !(std::abs(last_.delta()) < kDivergedError);
+  }
+
   /// Everything but the tables: what a life needs to go on in the middle of an episode.
   void transferLearning(Archive& archive);
 
@@ -99,6 +117,10 @@ class Estimate {
   double alpha() {
     const double length = values_.squaredLength(x());
     return settings_.stepSize.now() / (length > 0 ? length : 1.0);
+  }
+  /// f(weight, x) for the active features of (S, a).
+  void eachActive(Action a, const auto& f) {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(x().count); ++k) f(values_.weight(x(), k, a), x().valueOf(k));
   }
   template <class Trace>
   void update(Trace& trace, Action a, double alphaDelta, double gammaLambda, const TraceSettings& traces) {

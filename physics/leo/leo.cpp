@@ -134,6 +134,13 @@ void Leo::observe() {
             w.jointRate(swing(kLeftKnee))};
 }
 
+Action Leo::handMadeAction() const {
+  std::array<std::size_t, 3> levels{};
+  const Command command = handMade();
+  for (std::size_t v = 0; v < levels.size(); ++v) levels[v] = nearestLevel(task_.actionVariables[v].levels, command[v]);
+  return actionOf(task_, levels);
+}
+
 Leo::Command Leo::commandOf(Action action) const {
   const auto levels = static_cast<std::size_t>(settings_.levels), a = static_cast<std::size_t>(action);
   const auto& v = task_.actionVariables;

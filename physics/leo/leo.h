@@ -30,6 +30,7 @@ class Leo final : public Environment {
   const Task& task() const override { return task_; }
   void reset(Random& random) override;
   Outcome step(Action action) override;
+  Action handMadeAction() const override;
   std::span<const double> state() const override { return state_; }
   std::span<const double> measures() const override { return measures_; }
   /// The impulse acts at the hip.

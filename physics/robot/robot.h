@@ -24,6 +24,7 @@ class Robot final : public Environment {
   const Task& task() const override { return values_.task(); }
   void reset(Random& random) override;
   Outcome step(Action action) override;
+  Action handMadeAction() const override { return values_.handMadeAction(); }
   std::span<const double> state() const override { return values_.state(); }
   std::span<const double> measures() const override { return values_.measures(); }
   bool push(double impulse) override;

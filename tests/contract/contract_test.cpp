@@ -66,7 +66,7 @@ TEST(Contract, EveryParameterHasTitleHelpOriginAndADefaultInRange) {
     names.environment = environment.name;
     const auto configuration = configure(r, names, {});
     ASSERT_TRUE(configuration);
-    for (const auto& [p, value] : configuration->parameters.all()) {
+    for (const auto& [p, value, usual] : configuration->parameters.all()) {
       EXPECT_FALSE(p.title.empty()) << p.key;
       EXPECT_TRUE(p.help.ends_with('.')) << p.key;
       EXPECT_FALSE(p.origin.empty()) << p.key;
@@ -80,6 +80,7 @@ TEST(Contract, EveryParameterHasTitleHelpOriginAndADefaultInRange) {
       const Parameters::Entry* choice = configuration->parameters.find(p.needs);
       ASSERT_TRUE(choice) << p.key << " needs " << p.needs;
       EXPECT_EQ(choice->parameter.kind, Kind::Choice) << p.needs;
+      for (const std::string& name : p.needsOne) EXPECT_TRUE(parseValue(choice->parameter, name)) << p.key;
     }
   }
 }
@@ -124,7 +125,7 @@ TEST(Contract, EveryEnvironmentKeepsItsWord) {
     const auto environment = entry.make();
     const Task& task = environment->task();
     ASSERT_FALSE(task.actions.empty());
-    ASSERT_LT(task.rewardTerms.size(), static_cast<std::size_t>(kMaxRewardTerms)) << "one is kept for shaping";
+    ASSERT_LE(task.rewardTerms.size(), static_cast<std::size_t>(kMaxTaskTerms));
     Fields fields("");
     environment->declare(fields);
     for (const auto& field : fields.all())

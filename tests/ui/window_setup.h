@@ -17,9 +17,10 @@ namespace surefoot {
 
 /// A session and its window, shown, paused.
 struct Window {
-  explicit Window(const std::string& policy = "trl", std::optional<std::int64_t> episodes = std::nullopt)
+  explicit Window(const std::string& policy = "trl", std::optional<std::int64_t> episodes = std::nullopt,
+                  const std::vector<Assignment>& assignments = {})
       : registry(fullRegistry()),
-        configuration(pendulumConfiguration(registry, policy)) {
+        configuration(pendulumConfiguration(registry, policy, assignments)) {
     configuration.episodes = episodes;
     session = std::make_unique<Session>(registry, configuration, false);
     window = std::make_unique<MainWindow>(*session);

@@ -154,7 +154,8 @@ void LivePage::makeMaps() {
   });
   connect(bar, &MapBar::chosen, maps, &ValueMaps::setChoice);
   const auto show = [this, maps, bar] {
-    bar->show(maps->choice(), session_.life().task(), session_.looking().shown().state);
+    bar->show(maps->choice(), session_.life().task(), session_.looking().shown().state,
+              !session_.looking().shown().risk.empty());
   };
   connect(maps, &ValueMaps::shown, bar, show);
   connect(&session_.life(), &RunningLife::replaced, bar, show);

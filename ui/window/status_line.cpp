@@ -22,7 +22,8 @@ StatusLine::StatusLine(RunningLife& life, QWidget* parent) : Painted(parent), li
   refresh();
 }
 
-QStringList StatusLine::segments() const {
+QStringList StatusLine::segments() {
+  constexpr std::int64_t kLeastActions = 1000;
   const Numbers& s = life_.numbers();
   QStringList list;
   if (!std::isnan(s.simulatedSeconds))
@@ -45,6 +46,14 @@ QStringList StatusLine::segments() const {
     list << tr("table %1 % full")
                 .arg(toText(fixedText(
                     100.0 * static_cast<double>(*v->memory[0].occupied) / static_cast<double>(v->memory[0].slots), 0)));
+  cautious_ = -1;
+  if (v && v->calibration && v->calibration->all.count >= kLeastActions) {
+    const auto percent = [](double share) { return toText(fixedText(100 * share, share < 0.0995 ? 1 : 0)); };
+    const auto& risk = *v->calibration;
+    if (!risk.holds()) cautious_ = static_cast<int>(list.size());
+    list << (risk.holds() ? tr("risk holds: %1 % said, %2 % fell") : tr("risk is off: %1 % said, %2 % fell"))
+                .arg(percent(risk.all.said), percent(risk.all.fell));
+  }
   list << tr("seed %1").arg(life_.configuration().seed);
   if (const QString beginning = life_.beginning(); !beginning.isEmpty()) list << tr("began %1").arg(beginning);
   return list;
@@ -102,7 +111,7 @@ void StatusLine::paintEvent(QPaintEvent*) {
     const double w = symbolWidth(p.font(), segment);
     if (x + w > width() - stateWidth - 32) break;
     if (x > 12) p.fillRect(QRectF(x - 12, 6, 1, 12), t.hairline);
-    p.setPen(t.quiet);
+    p.setPen(following_ && &segment == segments_.data() + cautious_ ? t.caution : t.quiet);
     drawSymbol(p, QRectF(x, 0, w, height()), Qt::AlignLeft, segment);
     x += w + 24;
   }

@@ -30,11 +30,12 @@ class StatusLine final : public Painted<> {
  private:
   bool following_ = true;
   void refresh();
-  QStringList segments() const;
+  QStringList segments();
   QString state() const;
 
   RunningLife& life_;
   QStringList segments_;
+  int cautious_ = -1;  // the segment that warns
   QString state_;
 };
 

@@ -28,6 +28,7 @@ class ChildRobot final : public Environment {
   const Task& task() const override { return values_.task(); }
   void reset(Random& random) override;
   Outcome step(Action action) override;
+  Action handMadeAction() const override { return values_.handMadeAction(); }
   bool answersAtOnce() const override { return false; }
   std::string unanswered() const override { return why_; }
   CutOffs cutOffs() const override { return mishaps_.counts(); }

@@ -152,7 +152,7 @@ void readRewards(const TomlNode& root, RobotReader& in) {
   TomlReader all(root, in.complaints());
   for (const TomlNode* node : all.tables("reward")) in.spec().rewards.push_back(readReward(*node, in));
   for (const TomlNode* node : all.tables("measure")) in.spec().measures.push_back(readMeasure(*node, in));
-  limitTables(root, "reward", in.spec().rewards.size(), kMaxRewardTerms, in);
+  limitTables(root, "reward", in.spec().rewards.size(), kMaxTaskTerms, in);
   limitTables(root, "measure", in.spec().measures.size(), kMaxMeasures, in);
   if (in.spec().rewards.empty()) in.complaints().push_back({{1, 1}, "there is no [[reward]]: nothing is good or bad."});
 }

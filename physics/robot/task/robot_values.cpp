@@ -98,13 +98,7 @@ bool RobotValues::settle() {
 void RobotValues::decide(Action action) {
   for (const std::size_t c : live_) row_[constantsAt_ + c] = spec_->constants[c].value(row_);
   if (action == kHandMade) {
-    for (const std::size_t a : driven_) {
-      const ActuatorSpec& actuator = spec_->actuators[a];
-      if (!actuator.handMade) continue;
-      double low = kInfinity, high = -kInfinity;  // no controller commands more than a level can
-      for (const Formula& level : actuator.levels) low = std::min(low, level(row_)), high = std::max(high, level(row_));
-      u_[a] = std::clamp((*actuator.handMade)(row_), low, high);
-    }
+    for (const std::size_t a : driven_) u_[a] = handMade(a);
     return;
   }
   auto rest = static_cast<std::size_t>(action);
@@ -113,6 +107,27 @@ void RobotValues::decide(Action action) {
     u_[*a] = levels[rest % levels.size()](row_);
     rest /= levels.size();
   }
+}
+
+double RobotValues::handMade(std::size_t actuator) const {
+  const ActuatorSpec& spec = spec_->actuators[actuator];
+  if (!spec.handMade) return u_[actuator];
+  double low = kInfinity, high = -kInfinity;  // no controller commands more than a level can
+  for (const Formula& level : spec.levels) low = std::min(low, level(row_)), high = std::max(high, level(row_));
+  return std::clamp((*spec.handMade)(row_), low, high);
+}
+
+Action RobotValues::handMadeAction() const {
+  std::size_t action = 0;
+  for (const std::size_t a : driven_) {
+    const auto& levels = spec_->actuators[a].levels;
+    const double wanted = handMade(a);
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < levels.size(); ++i)
+      if (std::abs(levels[i](row_) - wanted) < std::abs(levels[nearest](row_) - wanted)) nearest = i;
+    action = action * levels.size() + nearest;
+  }
+  return static_cast<Action>(action);
 }
 
 void RobotValues::remember(bool substep) {

@@ -53,6 +53,8 @@ class RobotValues {
 
   /// A step begins: the levels of an action.
   void decide(Action action);
+  /// The action that is nearest to what the hand-made controller commands now. Hot.
+  Action handMadeAction() const;
   void setTime(double seconds) { row_[stepAt_ + 1] = seconds; }
   void remember(bool substep);
   bool remembersSubsteps() const { return inSubsteps_; }
@@ -72,6 +74,7 @@ class RobotValues {
   bool measure(bool first);
   bool reward(Outcome& outcome);
   double valueOf(std::size_t reward);
+  double handMade(std::size_t actuator) const;
 
   std::shared_ptr<const RobotSpec> spec_;
   std::vector<double> row_;

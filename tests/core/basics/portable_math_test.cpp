@@ -25,6 +25,14 @@ TEST(PortableExp, IsExactAtZeroAndMeetsItsLimits) {
   EXPECT_GT(portableExp(709.78), 1e308);
 }
 
+TEST(PortableLog, AgreesWithTheLibrary) {
+  for (double x = 1e-320; x < 1e308; x *= 1.37)
+    EXPECT_NEAR(portableLog(x), std::log(x), 3e-16 * std::max(1.0, std::abs(std::log(x)))) << x;
+  for (double x = 0.5; x < 2.0; x += 0.00137)
+    EXPECT_NEAR(portableLog(x), std::log(x), 3e-16 * std::abs(std::log(x)) + 1e-17) << x;
+  EXPECT_EQ(portableLog(1.0), 0.0);
+}
+
 TEST(PortableCos, AgreesWithTheLibrary) {
   for (double x = -50.0; x <= 50.0; x += 0.0137) EXPECT_NEAR(portableCos(x), std::cos(x), 4e-16) << x;
   EXPECT_EQ(portableCos(0.0), 1.0);

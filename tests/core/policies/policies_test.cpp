@@ -9,6 +9,7 @@
 
 #include "core/policies/epsilon_greedy.h"
 #include "core/policies/greedy.h"
+#include "core/policies/mellowmax.h"
 #include "core/policies/softmax.h"
 #include "core/policies/threshold_restricted.h"
 
@@ -81,6 +82,35 @@ TEST(Softmax, LimitsOfTheTemperature) {
   const std::vector<double> q = {10, 20, 5};
   for (const double p : probabilities(Softmax({.temperature = 1e6}), q)) EXPECT_NEAR(p, 1.0 / 3, 1e-5);
   EXPECT_EQ(probabilities(Softmax({.temperature = 1e-6}), q), (std::vector<double>{0, 1, 0}));
+}
+
+// With q = (0, 1) the expected value is π(1) itself, which is to be mm_ω = ln((1 + e^ω)/2)/ω.
+TEST(Mellowmax, OfTwoActionsIsMellowmaxItself) {
+  for (const double omega : {1e-3, 0.1, 1.0, 5.0, 50.0}) {
+    const auto pi = probabilities(Mellowmax({omega}), {0.0, 1.0});
+    EXPECT_NEAR(pi[1], std::log((1.0 + std::exp(omega)) / 2.0) / omega, 1e-9) << omega;
+  }
+}
+
+// Asadi & Littman 2017, section 5: Σ π(a) q(a) = mm_ω(q), and π is a Softmax.
+TEST(Mellowmax, HasMellowmaxAsItsMean) {
+  const std::vector<double> q = {-100.0, -3.0, 0.5, 0.6, 42.0, 41.0};
+  for (const double omega : {0.01, 0.3, 2.0}) {
+    const auto pi = probabilities(Mellowmax({omega}), q);
+    double sum = 0.0, mean = 0.0;
+    for (std::size_t a = 0; a < q.size(); ++a) sum += std::exp(omega * (q[a] - 42.0)), mean += pi[a] * q[a];
+    EXPECT_NEAR(mean, 42.0 + std::log(sum / 6.0) / omega, 1e-9) << omega;
+    EXPECT_NEAR(std::log(pi[3] / pi[2]) / 0.1, std::log(pi[4] / pi[5]), 1e-6) << "one β for all";
+  }
+}
+
+TEST(Mellowmax, LimitsAndLargeValues) {
+  for (const double p : probabilities(Mellowmax({1.0}), {7.0, 7.0, 7.0})) EXPECT_EQ(p, 1.0 / 3.0);
+  EXPECT_NEAR(probabilities(Mellowmax({1e6}), {1.0, 2.0, 3.0})[2], 1.0, 1e-5);
+  EXPECT_NEAR(probabilities(Mellowmax({1e-6}), {1.0, 2.0, 3.0})[0], 1.0 / 3.0, 1e-5);
+  double sum = 0.0;
+  for (const double p : probabilities(Mellowmax({1.0}), {1e6, -1e6, 0.0, 1e6})) sum += p;
+  EXPECT_NEAR(sum, 1.0, 1e-12);
 }
 
 TEST(Sample, MatchesTheProbabilities) {

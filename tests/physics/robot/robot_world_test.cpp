@@ -2,6 +2,7 @@
 // Worlds of robots from files: the same bits fresh and used, mechanics by hand, LEO's own controller.
 #include <numbers>
 
+#include "core/files/whole_file.h"
 #include "core/saved/checkpoint.h"
 #include "tests/full_registry.h"
 #include "tests/physics/robot/robot_files.h"
@@ -250,6 +251,23 @@ TEST(RobotWorlds, AFormulaThatComesToNoNumberCutsTheEpisodeOff) {
     }
     EXPECT_NE(robot.failure().find(" lost came to a number that is none"), std::string::npos) << robot.failure();
   }
+}
+
+// As many rewards as a robot may have, and those that an agent adds.
+TEST(RobotWorlds, EightRewardsAreSplitAndShaped) {
+  std::string rewards;
+  for (int i = 1; i < kMaxTaskTerms; ++i) rewards += "[[reward]]\nname = \"r" + std::to_string(i) + "\"\nvalue = 0.5\n";
+  const std::string file = ::testing::TempDir() + "eight-rewards.toml";
+  ASSERT_TRUE(writeWhole("robot", file, text(kPendulum, kAngles + rewards)));
+  const Registry registry = fullRegistry();
+  auto c = configure(registry, {.environment = file, .agent = "sarsa-2q"},
+                     {{"shaping.rewards", "all"}, {"agent.budget", "on"}, {"risk.learn", "on"}});
+  ASSERT_TRUE(c) << c.error().message;
+  c->minutes = 0.1;
+  const auto life = makeLife(registry, *c, 0, false);
+  ASSERT_TRUE(life) << life.error().message;
+  while (!(*life)->finished()) (*life)->step();
+  EXPECT_FALSE((*life)->diverged());
 }
 
 }  // namespace surefoot

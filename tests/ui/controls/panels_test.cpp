@@ -29,7 +29,7 @@ TEST(MapBar, FoldsIntoOneMenuWithTheSameChoices) {
   MapChoice choice;
   choice.fit(w.session->life().task());
   const std::vector<double> live(3, 0.0);
-  bar.show(choice, w.session->life().task(), live);
+  bar.show(choice, w.session->life().task(), live, false);
   const auto visible = [&] {
     QList<QToolButton*> list;
     for (QToolButton* b : bar.findChildren<QToolButton*>(QString(), Qt::FindDirectChildrenOnly))

@@ -26,9 +26,7 @@ TEST(ParameterForm, HasARowForEveryParameterThatHasAnEffect) {
     if (!row->isHidden()) shown.insert(row->key());
   const Parameters& parameters = w.session->life().configuration().parameters;
   for (const auto& entry : parameters.all()) {
-    const std::string& needs = entry.parameter.needs;
-    EXPECT_EQ(shown.contains(entry.parameter.key), needs.empty() || parameters.get(needs) != 0.0)
-        << entry.parameter.key;
+    EXPECT_EQ(shown.contains(entry.parameter.key), !parameters.idleBecauseOf(entry.parameter)) << entry.parameter.key;
   }
 }
 

@@ -188,7 +188,8 @@ void LessonPanels::makeMaps(Part& part) {
   });
   connect(bar, &MapBar::chosen, maps, &ValueMaps::setChoice);
   const auto show = [this, maps, bar] {
-    bar->show(maps->choice(), driver_.session().life().task(), driver_.session().looking().shown().state);
+    const Shown& now = driver_.session().looking().shown();
+    bar->show(maps->choice(), driver_.session().life().task(), now.state, !now.risk.empty());
   };
   connect(maps, &ValueMaps::shown, bar, show);
   connect(&driver_.session().life(), &RunningLife::replaced, bar, show);

@@ -31,7 +31,7 @@ void ActionKey::refresh() {
   if (!life_.task().actionVariables.empty()) {
     const std::string& now = life_.configuration().names.policy;
     for (const auto& entry : life_.registry().policies)
-      if (entry.name == now || entry.name != "greedy")
+      if (entry.name == now || (entry.name != "greedy" && entry.name != "mellowmax"))
         items.push_back({toText(entry.title), entry.name, entry.name == now});
   } else if (!looking_.shown().qPositive.empty()) {
     items = {{kNegative, "", false}, {kPositive, "", false}, {QStringLiteral("Q"), "", false}};

@@ -54,8 +54,8 @@ void ActionRows::rebuild() {
   columns_.clear();
   std::vector<std::string> names;
   for (const auto& entry : life_.registry().policies)
-    if (entry.name != "greedy" && (policies_.empty() || policies_.contains(entry.name)))
-      names.push_back(entry.name);  // the other policies show which action is greedy
+    if (entry.name != "greedy" && entry.name != "mellowmax" && (policies_.empty() || policies_.contains(entry.name)))
+      names.push_back(entry.name);  // the others show which action is greedy, and what a Softmax is
   if (const std::string& now = life_.configuration().names.policy;
       std::find(names.begin(), names.end(), now) == names.end())
     names.insert(names.begin(), now);
@@ -93,6 +93,7 @@ void ActionRows::nextFrame() {
     column.policy->probabilities({q_, risk_, negative_}, column.pi);
   }
   sumLevels();
+  setAccessibleDescription(sentence());
   const QFont font = textFont(13, 500);
   for (const double q : q_) numberWidth_ = std::max(numberWidth_, symbolWidth(font, valueText(q)) / textScale());
   update();
@@ -152,6 +153,7 @@ std::string ActionRows::asCsv() const {
   std::string csv = "action";
   for (const ActionVariable& v : variables) csv += "," + v.key;
   csv += positive_.empty() ? ",q" : ",q,q_positive,q_negative";
+  if (!risk_.empty()) csv += ",risk";
   for (const Column& column : columns_) csv += "," + column.name;
   csv += '\n';
   for (std::size_t a = 0; a < q_.size(); ++a) {
@@ -160,6 +162,7 @@ std::string ActionRows::asCsv() const {
       csv += fmt::format(",{:.9g}", variables[j].levels[levelOf(life_.task(), a, j)]);
     csv += fmt::format(",{:.9g}", q_[a]);
     if (!positive_.empty()) csv += fmt::format(",{:.9g},{:.9g}", positive_[a], negative_[a]);
+    if (!risk_.empty()) csv += fmt::format(",{:.9g}", risk_[a]);
     for (const Column& column : columns_) csv += fmt::format(",{:.9g}", column.pi[a]);
     csv += '\n';
   }
@@ -174,10 +177,13 @@ bool ActionRows::onThreshold(const QPointF& at) const {
 
 void ActionRows::mousePressEvent(QMouseEvent* event) {
   dragging_ = event->button() == Qt::LeftButton && onThreshold(mouseAt(*event));
+  draggingLimit_ = event->button() == Qt::LeftButton && onRiskLimit(mouseAt(*event));
 }
 
 void ActionRows::mouseMoveEvent(QMouseEvent* event) {
-  setCursor(dragging_ || onThreshold(mouseAt(*event)) ? Qt::SplitHCursor : Qt::ArrowCursor);
+  const bool on = onThreshold(mouseAt(*event)) || onRiskLimit(mouseAt(*event));
+  setCursor(dragging_ || draggingLimit_ || on ? Qt::SplitHCursor : Qt::ArrowCursor);
+  if (draggingLimit_) return dragRiskLimit(mouseAt(*event).x());
   if (!dragging_) return;
   const Geometry g = geometry();
   const double share = (mouseAt(*event).x() - g.qLeft) / (g.qRight - g.qLeft);
@@ -187,6 +193,7 @@ void ActionRows::mouseMoveEvent(QMouseEvent* event) {
 }
 
 void ActionRows::mouseReleaseEvent(QMouseEvent*) {
+  draggingLimit_ = false;
   if (!std::exchange(dragging_, false)) return;
   fitScale();
   update();

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // "What the robot would do now": one row per action, with its value and its probability under the three policies side
-// by side (the thesis's Figure 4.1, live). The threshold of TRL is a line to drag. If an action is a combination, there
-// is one column per action variable, with one row per level.
+// by side (the thesis's Figure 4.1, live). The threshold of TRL is a line to drag. Where the risk of a fall is learned
+// it stands between them; the limit of the policy's caution is another such line, and a sentence says what it leaves
+// out. If an action is a combination, there is one column per action variable, with one row per level.
 #pragma once
 
 #include <QElapsedTimer>
 #include <QWidget>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -38,6 +40,8 @@ class ActionRows final : public Painted<>, public CsvSource {
   std::pair<double, double> scaleOfQ() const { return {low_, high_}; }
   /// Right end of the scale of Q, and left end of its numbers [px]; they do not overlap.
   std::pair<double, double> scaleAndNumbers() const;
+  /// What caution does with the action that is worth most, in a sentence; empty: nothing.
+  QString sentence() const;
 
  protected:
   void paintEvent(QPaintEvent*) override;
@@ -59,12 +63,13 @@ class ActionRows final : public Painted<>, public CsvSource {
   };
   /// The positions of all parts; they depend on the size, on the texts and on their widths.
   struct Geometry {
-    double top, row, bottom;           // first row, height of a row, below the last
-    double label;                      // right end of the actions' values
-    double qLeft, qRight, qNumber;     // scale of Q, right end of its number
-    double first, pitch, bar, number;  // columns of the policies: left ends, bar length, right end of the number
-    std::vector<std::size_t> columns;  // the columns that have room
-    bool below;                        // "in force" stands below the policy's name
+    double top, row, bottom;                 // first row, height of a row, below the last
+    double label;                            // right end of the actions' values
+    double qLeft, qRight, qNumber;           // scale of Q, right end of its number
+    double riskLeft, riskRight, riskNumber;  // scale of the risk, right end of its number; 0: there is none
+    double first, pitch, bar, number;        // columns of the policies: left ends, bar length, right end of the number
+    std::vector<std::size_t> columns;        // the columns that have room
+    bool below;                              // "in force" stands below the policy's name
   };
   struct LevelPlace {
     double left, bar, percent, best, middle, row;
@@ -93,6 +98,19 @@ class ActionRows final : public Painted<>, public CsvSource {
   void drawThreshold(QPainter& p, const Theme& t, const Geometry& g) const;
   bool onThreshold(const QPointF& at) const;
 
+  // The risk (action_rows_risk.cpp).
+  bool riskIsYoung() const;
+  QString sentenceOfMany(std::optional<double> limit) const;
+  void drawSentence(QPainter& p, const Theme& t, double top) const;
+  std::optional<double> riskLimit() const;
+  double foot() const;
+  double xOfRisk(double risk, const Geometry& g) const;
+  void drawRisk(QPainter& p, const Theme& t, const Geometry& g) const;
+  void drawRiskScale(QPainter& p, const Theme& t, const Geometry& g) const;
+  void drawRiskLimit(QPainter& p, const Theme& t, const Geometry& g) const;
+  bool onRiskLimit(const QPointF& at) const;
+  void dragRiskLimit(double x);
+
   RunningLife& life_;
   Looking& looking_;
   Editing& editing_;
@@ -105,6 +123,7 @@ class ActionRows final : public Painted<>, public CsvSource {
   double low_ = -100, high_ = 200;  // scale of Q
   double share_ = 0;                // share of the task's range of returns that the scale shows
   bool dragging_ = false;
+  bool draggingLimit_ = false;
   QElapsedTimer sinceUpdate_;
 };
 

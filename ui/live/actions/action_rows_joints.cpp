@@ -61,6 +61,7 @@ void ActionRows::drawLevels(QPainter& p, const Theme& t) const {
   const double k = textScale(), labels = k * 66;
   const double pitch = (width() - labels) / static_cast<double>(levels_.size());
   const QString end = commonEnd(variables);
+  if (!risk_.empty()) drawSentence(p, t, height() - 20 * k);
   p.setFont(textFont(11));
   p.setPen(t.quiet);
   drawSymbol(p, 12, k * (kTop - 12), end.isEmpty() ? toText(life_.task().actionTitle) : end);
@@ -78,7 +79,8 @@ void ActionRows::drawLevelsOf(QPainter& p, const Theme& t, std::size_t variable,
   const Task& task = life_.task();
   const auto& levels = levels_[variable];
   const double k = textScale(), n = static_cast<double>(levels.size()), top = k * kTop;
-  const double row = std::clamp((height() - top - k * kUnder) / n, 8.0, 28.0 * k);
+  const double under = kUnder + (risk_.empty() ? 0 : 18);
+  const double row = std::clamp((height() - top - k * under) / n, 8.0, 28.0 * k);
   const double right = left + pitch - 12 * k, values = symbolWidth(textFont(13, 500), QStringLiteral("−1234")) + 14 * k;
   const double percents = symbolWidth(textFont(13, 500), QStringLiteral("100.0")) + 8 * k;
   const bool room = right - left - values - percents > 36 * k;  // room for the values, too

@@ -21,7 +21,7 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kBar = 12, kFoot = 34;  // [px], with texts of the usual size
+constexpr double kBar = 12;  // [px], with texts of the usual size
 
 double widthOf(const QString& text, int pixels, int weight = 400) {
   return symbolWidth(textFont(pixels, weight), text);
@@ -70,7 +70,7 @@ QFont ActionRows::rowFont(double row, int weight) const {
 
 ActionRows::Geometry ActionRows::geometry() const {
   const Task& task = life_.task();
-  const double k = textScale(), w = width();
+  const double k = textScale(), w = width(), risk = risk_.empty() ? 0 : 136;
   Geometry g{};
   double names = 0, titles = 0;
   for (std::size_t a = 0; a < task.actions.size(); ++a)
@@ -79,7 +79,7 @@ ActionRows::Geometry ActionRows::geometry() const {
   g.label = std::max(59 * k, 12 + names);
   g.qLeft = g.label + 17 * k;
   const double percent = widthOf(QStringLiteral("100.0"), 13, 500), q = std::max(numberWidth_, 30.0) * k;
-  double column = std::max(titles, percent + 40 * k), qLeast = g.qLeft + (60 + 10 + 22) * k + q;
+  double column = std::max(titles, percent + 40 * k), qLeast = g.qLeft + (60 + 10 + 22 + risk) * k + q;
   for (std::size_t i = 0; i < columns_.size(); ++i) g.columns.push_back(i);
   if (qLeast + column * static_cast<double>(g.columns.size()) > w)  // shorter bars before a policy goes
     column = std::max(titles, percent + 28 * k), qLeast -= 20 * k;
@@ -88,16 +88,17 @@ ActionRows::Geometry ActionRows::geometry() const {
     g.columns.erase(std::next(last).base());
   }
   const auto n = static_cast<double>(g.columns.size());
-  g.first = std::round(std::max(qLeast, std::min((n > 3 ? 0.36 : 0.428) * w, w - n * column)));
-  g.qNumber = g.first - 22 * k;
+  g.first = std::round(std::max(qLeast, std::min((n > 3 ? 0.36 : 0.428) * w + risk * k, w - n * column)));
+  g.qNumber = g.first - (22 + risk) * k;
+  if (risk > 0) g.riskLeft = g.qNumber + 24 * k, g.riskRight = g.riskLeft + 72 * k, g.riskNumber = g.riskRight + 40 * k;
   g.qRight = g.qNumber - q - 10 * k;
   g.pitch = (w - g.first) / n;
-  g.number = g.pitch - 16 * k;
-  g.bar = std::max(8.0, g.number - percent - 8 * k);
+  g.number = g.pitch - (risk > 0 ? 8 : 16) * k;  // with one column more they stand closer
+  g.bar = std::max(8.0, g.number - percent - (risk > 0 ? 4 : 8) * k);
   g.below = titles + widthOf(tr("in force"), 11) + 6 * k > g.pitch;
   const double rows = std::max<double>(1, static_cast<double>(task.actions.size()));
   g.top = k * (g.below ? 44 : 32);
-  g.row = std::clamp((height() - g.top - k * kFoot) / rows, 8.0, 32.0 * k);
+  g.row = std::clamp((height() - g.top - k * foot()) / rows, 8.0, 32.0 * k);
   g.bottom = g.top + rows * g.row;
   return g;
 }
@@ -132,6 +133,7 @@ void ActionRows::paintEvent(QPaintEvent*) {
   for (std::size_t a = 0; a < q_.size(); ++a) drawBars(p, t, g, a);
   drawThreshold(p, t, g);
   for (std::size_t a = 0; a < q_.size(); ++a) drawNumbers(p, t, g, a);
+  if (!risk_.empty()) drawRisk(p, t, g);
 }
 
 void ActionRows::drawHead(QPainter& p, const Theme& t, const Geometry& g) const {

@@ -2,7 +2,9 @@
 #include "ui/live/form/parameter_form.h"
 
 #include <QPainter>
+#include <QScrollBar>
 
+#include <algorithm>
 #include <set>
 
 #include "ui/live/form/parameter_row.h"
@@ -62,6 +64,8 @@ QString titleOf(Group group) {
   switch (group) {
     case Group::Policy:
       return QObject::tr("Policy");
+    case Group::Risk:
+      return QObject::tr("Risk");
     case Group::Learning:
       return QObject::tr("Learning");
     case Group::Rewards:
@@ -96,6 +100,7 @@ ParameterForm::ParameterForm(RunningLife& life, Editing& editing, History& histo
   setFrameShape(QFrame::NoFrame);
   setFocusPolicy(Qt::NoFocus);
   whenScaled(this, [this] { setMinimumWidth(scaled(264)); });
+  connect(verticalScrollBar(), &QScrollBar::rangeChanged, this, &ParameterForm::leaveRoomForBar);
   build();
   connect(&life_, &RunningLife::parametersReplaced, this, &ParameterForm::build);
   connect(&life_, &RunningLife::configurationChanged, this, &ParameterForm::refresh);
@@ -106,25 +111,36 @@ void ParameterForm::build() {
   sections_.clear();  // setWidget() below deletes the old page
   auto* page = new QWidget;
   auto* column = new QVBoxLayout(page);
-  whenScaled(page, [column] { column->setContentsMargins(scaled({12, 0, 8, 12})); });
+  whenScaled(page, [this] { leaveRoomForBar(); });
   column->setSpacing(0);
-  for (const Group group : {Group::Policy, Group::Learning, Group::Rewards, Group::Representation, Group::Model}) {
+  for (const Group group :
+       {Group::Policy, Group::Risk, Group::Learning, Group::Rewards, Group::Representation, Group::Model}) {
     const bool newTable = group == Group::Representation, nextEpisode = group == Group::Model;
     const QString tag = newTable ? tr("new table") : nextEpisode ? tr("next episode") : QString();
     Section section{new SectionHead(titleOf(group), tag, newTable, sections_.empty(), page), {}};
     column->addWidget(section.head);
-    for (const auto& entry : life_.configuration().parameters.all()) {
-      const Parameter& p = entry.parameter;
-      if (p.group != group) continue;
-      auto* place = new QVBoxLayout;
-      column->addLayout(place);
-      section.rows.push_back({p, place});
-    }
+    for (const auto& entry : life_.configuration().parameters.all())
+      if (entry.parameter.group == group) section.rows.push_back({entry.parameter, nullptr});
+    // Whether it is learned stands before what is done with it.
+    std::stable_partition(section.rows.begin(), section.rows.end(),
+                          [](const Row& row) { return row.parameter.key == "risk.learn"; });
+    for (Row& row : section.rows) column->addLayout(row.place = new QVBoxLayout);
     sections_.push_back(std::move(section));
   }
   column->addStretch(1);
   setWidget(page);
+  leaveRoomForBar();
   refresh();
+}
+
+/// The rows are as wide with a scroll bar as without one.
+void ParameterForm::leaveRoomForBar() {
+  if (!widget()) return;
+  const bool scrolls = verticalScrollBar()->maximum() > verticalScrollBar()->minimum();
+  const int bar = scrolls ? verticalScrollBar()->sizeHint().width() : 0;
+  QMargins margins = scaled(QMargins{12, 0, 8, 12});
+  margins.setRight(std::max(0, margins.right() - bar));
+  widget()->layout()->setContentsMargins(margins);
 }
 
 void ParameterForm::setShowAll(bool all) {
@@ -154,12 +170,23 @@ void ParameterForm::orderTabs() {
 void ParameterForm::chooseRows() {
   const int most = all_ ? 3 : height() >= scaled(kRoomForMore) ? 2 : 1;
   const Parameters& parameters = life_.configuration().parameters;
-  const auto hasEffect = [&](const Parameter& p) { return p.needs.empty() || parameters.get(p.needs) != 0.0; };
+  const auto policy = findEntry(life_.registry().policies, "policy", life_.configuration().names.policy);
+  const std::vector<std::string> keys = policyKeys(**policy);
+  const auto ofPolicy = [&](const Parameter& p) {
+    return p.order == 2 && std::find(keys.begin(), keys.end(), p.key) != keys.end();
+  };
+  // What is done with risk is there once it is learned; else only for those who ask for everything.
+  const Parameters::Entry* learn = parameters.find("risk.learn");
+  const auto isIdleRisk = [&](const Parameter& p) {
+    return p.group == Group::Risk && p.key != "risk.learn" && (!learn || learn->value == 0.0);
+  };
   bool made = false;
   for (Section& section : sections_) {
     bool any = false;
     for (Row& row : section.rows) {
-      const bool shown = row.parameter.order <= most && hasEffect(row.parameter);
+      const int rank = isIdleRisk(row.parameter) ? 3 : row.parameter.order;
+      const bool asked = rank <= most || ofPolicy(row.parameter);
+      const bool shown = asked && !parameters.idleBecauseOf(row.parameter);
       if (shown && !row.row) made = true, make(row);
       if (row.row) row.row->setVisible(shown);
       any |= shown;

@@ -48,6 +48,7 @@ class ParameterForm final : public QScrollArea {
   void build();
   void refresh();
   void chooseRows();
+  void leaveRoomForBar();
   void make(Row& row);
   void orderTabs();
   void edit(const QString& key, double value);

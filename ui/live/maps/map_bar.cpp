@@ -77,7 +77,8 @@ void MapBar::setText(QToolButton* button, const QString& text) {
   button->updateGeometry();
 }
 
-void MapBar::show(const MapChoice& choice, const Task& task, std::span<const double> live) {
+void MapBar::show(const MapChoice& choice, const Task& task, std::span<const double> live, bool risk) {
+  risk_ = risk;
   choice_ = choice;
   task_ = task;
   live_.assign(live.begin(), live.end());
@@ -119,6 +120,7 @@ void MapBar::fillQuantities(QMenu& menu) {
   menu.addSeparator();
   for (std::size_t j = 0; j < std::max<std::size_t>(1, task_.actionVariables.size()); ++j)
     add(MapQuantity::GreedyAction, static_cast<Action>(j));
+  if (risk_) add(MapQuantity::Risk, 0);
   for (const MapQuantity q : {MapQuantity::Visits, MapQuantity::Eligibility}) add(q, 0);
 }
 

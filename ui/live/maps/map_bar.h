@@ -20,7 +20,7 @@ class MapBar final : public QWidget, public Folding {
  public:
   explicit MapBar(QWidget* parent = nullptr);
   /// Shows the choice for a task; `live` gives the numbers.
-  void show(const MapChoice& choice, const Task& task, std::span<const double> live);
+  void show(const MapChoice& choice, const Task& task, std::span<const double> live, bool risk);
   void fold(int room) override;
 
  Q_SIGNALS:
@@ -40,7 +40,8 @@ class MapBar final : public QWidget, public Folding {
   void addOther(QMenu& menu, std::size_t variable);
 
   MapChoice choice_;
-  Task task_;  // a copy: the session's task is deleted with its world
+  Task task_;          // a copy: the session's task is deleted with its world
+  bool risk_ = false;  // it is learned
   std::vector<double> live_;
   QToolButton *quantity_, *axes_, *others_, *range_, *all_;
 };

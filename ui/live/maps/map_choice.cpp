@@ -98,6 +98,8 @@ QString quantityText(const MapChoice& choice, const Task& task) {
                  ? QObject::tr("greedy action")
                  : QObject::tr("greedy %1")
                        .arg(toText(task.actionVariables[static_cast<std::size_t>(choice.action)].title));
+    case MapQuantity::Risk:
+      return QObject::tr("risk of a fall");
     case MapQuantity::Visits:
       return QObject::tr("visits");
     case MapQuantity::Eligibility:

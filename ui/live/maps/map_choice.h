@@ -12,7 +12,7 @@
 
 namespace surefoot {
 
-enum class MapQuantity { BestAction, OneAction, GreedyAction, Visits, Eligibility };
+enum class MapQuantity { BestAction, OneAction, GreedyAction, Risk, Visits, Eligibility };
 
 /// A state variable that is no axis: it follows the live state, stands still, or is projected away.
 enum class Across { Live, Fixed, Projected };

@@ -22,6 +22,8 @@ QRgb MapScale::colour(double value, bool dark) const {
       return viridisColour(dark ? kSeen + (1 - kSeen) * position(value) : position(value));
     case Kind::Steps:
       return viridisColour(0.06 + 0.88 * std::round(value) / std::max(high, 1.0));
+    case Kind::Risk:
+      return divergingColour(-position(value), dark);
     case Kind::Positive:
       break;
   }
@@ -31,6 +33,7 @@ QRgb MapScale::colour(double value, bool dark) const {
 double MapScale::position(double value) const {
   if (kind == Kind::Viridis) return value <= 1 ? 0.0 : std::log(value) / std::log(std::max(high, 1.001));
   if (kind == Kind::Steps) return (value + 0.5) / (high + 1);
+  if (kind == Kind::Risk) return std::sqrt(std::clamp(value / high, 0.0, 1.0));
   const double from = kind == Kind::Positive ? 0.0 : low;
   return (value - from) / (high - from);
 }
@@ -38,6 +41,7 @@ double MapScale::position(double value) const {
 double MapScale::valueAt(double position) const {
   if (kind == Kind::Viridis) return std::pow(std::max(high, 1.001), position);
   if (kind == Kind::Steps) return std::floor(position * (high + 1));
+  if (kind == Kind::Risk) return high * position * position;
   const double from = kind == Kind::Positive ? 0.0 : low;
   return from + position * (high - from);
 }

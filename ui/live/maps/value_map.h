@@ -21,9 +21,10 @@ namespace surefoot {
 
 /// How numbers become colours, and the numbers at the colour bar.
 struct MapScale {
-  enum class Kind { Diverging, Viridis, Positive, Steps };
+  enum class Kind { Diverging, Viridis, Positive, Steps, Risk };
   Kind kind = Kind::Diverging;
-  double low = -100, high = 200;  ///< Diverging: each side on its own. Viridis: logarithmic, from 1. Steps: 0 … high
+  double low = -100,
+         high = 200;  ///< Diverging: each side on its own. Viridis: logarithmic, from 1. Steps: 0 … high. Risk: a root
   QRgb colour(double value, bool dark) const;
   /// 0 … 1 along the bar.
   double position(double value) const;
@@ -62,6 +63,8 @@ class ValueMap {
   static QRectF area(const Task& task, const MapSlice& slice, const QRectF& square);
   /// Draws the map into its area; hatching, frame, and a line around the cells above a level.
   void draw(QPainter& painter, const QRectF& square, const Theme& theme, std::optional<double> contour = {}) const;
+  /// A line around the cells of another map of the same slice that are above a level.
+  void drawOutline(QPainter& painter, const QRectF& square, const Theme& theme, const ValueMap& of, double level) const;
   QPointF toPixel(const Task& task, std::span<const double> state, const QRectF& square) const;
   /// The state at the centre of the cell there; nothing outside.
   std::optional<std::vector<double>> stateAt(const Task& task, QPointF at, const QRectF& square) const;

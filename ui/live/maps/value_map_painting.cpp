@@ -113,6 +113,16 @@ void ValueMap::draw(QPainter& p, const QRectF& square, const Theme& t, std::opti
   p.drawRect(square.adjusted(-0.5, -0.5, 0.5, 0.5));
 }
 
+void ValueMap::drawOutline(QPainter& p, const QRectF& square, const Theme& t, const ValueMap& of, double level) const {
+  if (of.empty()) return;
+  p.save();
+  p.setClipRect(square);
+  p.setRenderHint(QPainter::Antialiasing);
+  p.setPen(QPen(t.ink, 1.5));
+  whole_ ? of.drawBorder(p, square, level) : of.drawContour(p, square, level);
+  p.restore();
+}
+
 void ValueMap::drawMarks(QPainter& p, const QRectF& square, const Theme& t, const Task& task,
                          const MapMarks& marks) const {
   p.save();

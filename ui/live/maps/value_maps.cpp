@@ -15,6 +15,16 @@
 
 namespace surefoot {
 
+namespace {
+
+/// The power of ten that no number of visits on the map is above; at least 10.
+double highestVisits(const ValueMap& map) {
+  const auto range = map.range();
+  return std::pow(10.0, std::ceil(std::log10(range ? std::max(range->second, 10.0) : 10.0)));
+}
+
+}  // namespace
+
 ValueMaps::ValueMaps(RunningLife& life, Looking& looking, QWidget* parent)
     : Painted(parent),
       life_(life),
@@ -23,7 +33,9 @@ ValueMaps::ValueMaps(RunningLife& life, Looking& looking, QWidget* parent)
   setMouseTracking(true);
   setFocusPolicy(Qt::StrongFocus);
   choice_.fit(life_.task());
+  rebuildPolicy();
   connect(&life_, &RunningLife::valuesArrived, this, &ValueMaps::recompute);
+  connect(&life_, &RunningLife::configurationChanged, this, &ValueMaps::rebuildPolicy);
   connect(&looking_, &Looking::frame, this, &ValueMaps::followLive);
   connect(&looking_, &Looking::examinedChanged, this, [this] {
     speak();
@@ -31,6 +43,7 @@ ValueMaps::ValueMaps(RunningLife& life, Looking& looking, QWidget* parent)
   });
   connect(&life_, &RunningLife::replaced, this, [this] {
     any_ = false;
+    rebuildPolicy();
     if (!choice_.suits(life_.task())) choice_.fit(life_.task());
     update();
   });
@@ -57,6 +70,21 @@ bool ValueMaps::split() const {
   return life_.values() && life_.values()->values->split();
 }
 
+bool ValueMaps::risky() const {
+  return life_.values() && life_.values()->values->hasRisk() && !(split() && valued());
+}
+
+void ValueMaps::rebuildPolicy() {
+  const Configuration& c = life_.configuration();
+  if (auto policy = makePolicy(life_.registry(), c.names.policy, c.parameters)) policy_ = std::move(*policy);
+}
+
+/// The risk above which the policy in force allows no action; none: it does not look at that.
+std::optional<double> ValueMaps::riskLimit() const {
+  if (!policy_ || !life_.values() || !life_.values()->values->hasRisk()) return std::nullopt;
+  return policy_->caution().limit();
+}
+
 bool ValueMaps::valued() const {
   return choice_.quantity == MapQuantity::BestAction || choice_.quantity == MapQuantity::OneAction;
 }
@@ -69,10 +97,11 @@ MapScale ValueMaps::scaleOf(const ValueMap& map) const {
     case MapQuantity::GreedyAction:
       return {MapScale::Kind::Steps, 0, static_cast<double>(greedyValues(choice_, task)) - 1};
     case MapQuantity::Visits:
-      return {MapScale::Kind::Viridis, 1,
-              std::pow(10.0, std::ceil(std::log10(range ? std::max(range->second, 10.0) : 10)))};
+      return {MapScale::Kind::Viridis, 1, highestVisits(map)};
     case MapQuantity::Eligibility:
       return {MapScale::Kind::Positive, 0, 1};
+    case MapQuantity::Risk:
+      return riskScale_;
     default:
       break;
   }
@@ -120,11 +149,16 @@ void ValueMaps::recompute() {
   const bool dark = themeOf(*this).dark;
   const Geometry g = geometry();
   slice_ = choice_.slice(looking_.shown().state);
+  if (choice_.quantity == MapQuantity::Risk && !v->values->hasRisk()) choice_.quantity = MapQuantity::BestAction;
+  if (policy_) policy_->advance(life_.lifeTime());
   const auto chosen = choice_.quantity == MapQuantity::Visits        ? visits()
                       : choice_.quantity == MapQuantity::Eligibility ? eligibility()
+                      : choice_.quantity == MapQuantity::Risk        ? risk()
                                                                      : quantity(Layer::Sum);
   big_.evaluate(task, slice_, static_cast<int>(g.square.width()) / kCell, choice_.projected(task, chosen));
   if (!directions().empty()) best_.evaluate(task, slice_, static_cast<int>(g.square.width()) / kCell, bestActions());
+  if (riskLimit() && valued())
+    risk_.evaluate(task, slice_, static_cast<int>(g.square.width()) / kCell, choice_.projected(task, risk()));
   bigScale_ = scaleOf(big_);
   big_.colour(bigScale_, dark);
   computeSmall(std::max(static_cast<int>(g.upper.width()) / kSmallCell, 1), dark);
@@ -143,10 +177,17 @@ void ValueMaps::computeSmall(int cells, bool dark) {
     lower_.colour(bigScale_, dark);
     return;
   }
+  if (risky()) {
+    upper_.evaluate(task, slice_, cells, choice_.projected(task, risk()));
+    lower_.evaluate(task, slice_, cells, choice_.projected(task, visits()));
+    visitScale_.high = highestVisits(lower_);
+    upper_.colour(riskScale_, dark);
+    lower_.colour(visitScale_, dark);
+    return;
+  }
   upper_.evaluate(task, slice_, cells, choice_.projected(task, visits()));
   lower_.evaluate(task, slice_, cells, choice_.projected(task, eligibility()));
-  const auto range = upper_.range();
-  visitScale_.high = std::pow(10.0, std::ceil(std::log10(range ? std::max(range->second, 10.0) : 10.0)));
+  visitScale_.high = highestVisits(upper_);
   upper_.colour(visitScale_, dark);
   lower_.colour(eligibilityScale_, dark);
 }

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The panel of value maps: a quantity of one's choice large; visits and eligibility small, or, under Sarsa_2Q, its two
-// parts. All maps share axes and cursor. The cursor is the mouse's or, with the focus, the keyboard's: arrows move it a
-// cell, Enter fixes it, Escape lets go; the cell is spoken as the widget's description.
+// The panel of value maps: a quantity of one's choice large; visits and eligibility small, or the risk of a fall and
+// visits where risk is learned, or, under Sarsa_2Q, its two parts. All maps share axes and cursor. The cursor is the
+// mouse's or, with the focus, the keyboard's: arrows move it a cell, Enter fixes it, Escape lets go; the cell is spoken
+// as the widget's description.
 #pragma once
 
 #include <QElapsedTimer>
 #include <QWidget>
 #include <limits>
+#include <memory>
 #include <utility>
 
+#include "core/policy.h"
 #include "ui/live/maps/map_choice.h"
 #include "ui/live/maps/value_map.h"
 #include "ui/style/painted.h"
@@ -65,10 +68,14 @@ class ValueMaps final : public Painted<>, public CsvSource {
     std::pair<double, double> xTitle;                              // room of the title below the big map
   };
   bool split() const;
+  bool risky() const;   ///< the small maps are risk and visits
   bool valued() const;  ///< the large map is in units of reward
   ValueMap::Quantity quantity(Layer layer) const;
   ValueMap::Quantity partOf(Layer layer) const;
   ValueMap::Quantity bestActions() const;
+  ValueMap::Quantity risk() const;
+  std::optional<double> riskLimit() const;
+  void rebuildPolicy();
   ValueMap::Quantity visits() const;
   ValueMap::Quantity eligibility() const;
   MapScale scaleOf(const ValueMap& map) const;
@@ -88,6 +95,7 @@ class ValueMaps final : public Painted<>, public CsvSource {
   void drawAxes(QPainter& painter, const Geometry& geometry, const Theme& theme) const;
   /// Whether values lie on both sides of the threshold; only then a contour is drawn.
   bool thresholdCuts() const;
+  void drawLimitNote(QPainter& painter, const Geometry& geometry, const Theme& theme) const;
   void drawThresholdNote(QPainter& painter, const Geometry& geometry, const Theme& theme) const;
   void drawTitles(QPainter& painter, const Geometry& geometry, const Theme& theme) const;
   void drawNumbers(QPainter& painter, const QRectF& map, const Theme& theme, bool horizontal) const;
@@ -101,10 +109,12 @@ class ValueMaps final : public Painted<>, public CsvSource {
   RunningLife& life_;
   Looking& looking_;
   MapChoice choice_;
-  ValueMap big_, upper_, lower_, best_;
-  std::vector<double> drawn_;  // the live state, as it was drawn last
+  ValueMap big_, upper_, lower_, best_, risk_;
+  std::unique_ptr<Policy> policy_;  // the one in force: what is greedy, and which risk it allows
+  std::vector<double> drawn_;       // the live state, as it was drawn last
   QElapsedTimer sinceDrawn_;
-  MapScale bigScale_, visitScale_{MapScale::Kind::Viridis, 1, 10}, eligibilityScale_{MapScale::Kind::Positive, 0, 1};
+  MapScale bigScale_, visitScale_{MapScale::Kind::Viridis, 1, 10}, eligibilityScale_{MapScale::Kind::Positive, 0, 1},
+      riskScale_{MapScale::Kind::Risk, 0, 1};
   MapSlice slice_;
   bool any_ = false;
 };

@@ -76,9 +76,15 @@ QString ValueMaps::spoken() const {
   std::vector<double> q(static_cast<std::size_t>(v->values->actions()));
   looking_.valuesShown()->evaluate(state, Layer::Sum, q);
   const auto best = static_cast<std::size_t>(std::max_element(q.begin(), q.end()) - q.begin());
-  return tr("%1:  Q %2 for %3,  %4 visits")
+  QString risk;
+  if (looking_.valuesShown()->hasRisk()) {
+    std::vector<double> rho(q.size());
+    looking_.valuesShown()->evaluate(state, Layer::Risk, rho);
+    risk = tr(",  risk %1 %").arg(toText(fixedText(100 * std::clamp(rho[best], 0.0, 1.0), 1)));
+  }
+  return tr("%1:  Q %2 for %3%5,  %4 visits")
       .arg(words.join(QStringLiteral("  ")), toText(fixedText(q[best], 1)), actionNameOf(task, best),
-           toText(countText(looking_.valuesShown()->visits(state))));
+           toText(countText(looking_.valuesShown()->visits(state))), risk);
 }
 
 QString ValueMaps::reached() const {
@@ -106,12 +112,13 @@ void ValueMaps::drawFootprints(QPainter& p, const Geometry& g, const Theme& t) c
   p.save();
   p.setRenderHint(QPainter::Antialiasing, false);
   p.setBrush(Qt::NoBrush);
-  const bool parts = v->layouts.size() > 1;
   for (const auto& [name, layout] : v->layouts.items()) {
+    if (name == "potential" || (name == "risk" && !risky())) continue;
     const auto tiles = TileLayout::fromJson(layout);
     if (!tiles) continue;
     std::vector<QRectF> squares = {g.big};
-    if (parts && split() && valued()) squares = {name == "positive" ? g.upper : g.lower};
+    if (split() && valued()) squares = {name == "positive" ? g.upper : g.lower};
+    if (name == "risk") squares = {g.upper};
     QColor colour = t.ink;
     colour.setAlphaF(std::clamp(3.0f / static_cast<float>(tiles->tilings()), 0.12f, 0.8f));
     p.setPen(QPen(colour, 1));

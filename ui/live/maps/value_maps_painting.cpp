@@ -47,10 +47,15 @@ std::vector<double> powersOfTen(double end, double lines) {
   return numbers;
 }
 
+constexpr double kRiskNumbers[] = {0.0, 0.01, 0.1, 1.0};
+const QString kRiskNames[] = {"0", "1", "10", "100"};
+
 QString ValueMaps::title() const {
   switch (choice_.quantity) {
     case MapQuantity::GreedyAction:
       return tr("Greedy action");
+    case MapQuantity::Risk:
+      return tr("Risk");
     case MapQuantity::Visits:
       return tr("Visits");
     case MapQuantity::Eligibility:
@@ -88,6 +93,10 @@ void ValueMaps::paintEvent(QPaintEvent*) {
   drawTitles(p, g, t);
   const auto ways = directions();
   big_.draw(p, g.big, t, contour ? std::optional(life_.threshold()) : std::nullopt);
+  if (const auto limit = riskLimit()) {
+    if (valued()) big_.drawOutline(p, g.big, t, risk_, *limit);
+    if (choice_.quantity == MapQuantity::Risk) big_.drawOutline(p, g.big, t, big_, *limit);
+  }
   if (!ways.empty() && (valued() || choice_.quantity == MapQuantity::GreedyAction))
     big_.drawArrows(p, g.big, t, best_, ways);
   big_.drawMarks(p, g.big, t, life_.task(), marks(std::clamp(cell, 3.0, 6 * k)));
@@ -123,6 +132,21 @@ void ValueMaps::drawThresholdNote(QPainter& p, const Geometry& g, const Theme& t
   }
 }
 
+/// Says what the line around the risky states is.
+void ValueMaps::drawLimitNote(QPainter& p, const Geometry& g, const Theme& t) const {
+  const auto limit = riskLimit();
+  if (!limit || (!valued() && choice_.quantity != MapQuantity::Risk)) return;
+  if (valued() && life_.configuration().names.policy == "trl") return;  // the threshold's note stands there
+  p.setFont(textFont(11));
+  p.setPen(t.quiet);
+  const QString percent = QString::number(100 * *limit, 'g', 3) + QStringLiteral(" %");
+  const double from = g.square.left() + symbolWidth(textFont(13, 500), title()) + 8;
+  for (const QString& text : {tr("contour: risk %1"), tr("risk %1"), QStringLiteral("%1")}) {
+    const double x = g.square.right() - symbolWidth(p.font(), text.arg(percent));
+    if (x >= from) return drawSymbol(p, x, g.square.top() - 8 * textScale(), text.arg(percent));
+  }
+}
+
 /// The title of each map.
 void ValueMaps::drawTitles(QPainter& p, const Geometry& g, const Theme& t) const {
   const bool parts = split() && valued();
@@ -138,6 +162,11 @@ void ValueMaps::drawTitles(QPainter& p, const Geometry& g, const Theme& t) const
   const double up = 8 * textScale();
   write(g.square.left(), g.square.top() - up, title(), {}, 0);
   drawThresholdNote(p, g, t);
+  drawLimitNote(p, g, t);
+  if (risky()) {
+    write(g.upper.left(), g.upper.top() - up, tr("Risk"), QStringLiteral("%"), g.upperTitleEnd);
+    return write(g.lower.left(), g.lower.top() - up, tr("Visits"), {}, g.lowerTitleEnd);
+  }
   const bool goal = life_.task().goalReward.has_value();
   const auto& terms = life_.task().rewardTerms;
   const bool falls = std::find(terms.begin(), terms.end(), "fall") != terms.end();
@@ -161,6 +190,10 @@ void ValueMaps::drawBigBar(QPainter& p, const Geometry& g, const Theme& t) const
     numbers = {1, std::pow(10.0, std::floor(std::log10(bigScale_.high) / 2)), bigScale_.high};
   } else if (bigScale_.kind == MapScale::Kind::Positive) {
     numbers = {0, 0.5, 1};
+  } else if (bigScale_.kind == MapScale::Kind::Risk) {
+    numbers.assign(std::begin(kRiskNumbers), std::end(kRiskNumbers));
+    names.assign(std::begin(kRiskNames), std::end(kRiskNames));
+    names.back() += QStringLiteral(" %");
   } else {
     const double low = bigScale_.low, high = bigScale_.high, step = niceAbove((high - low) / 4.0001);
     numbers = {low, 0};
@@ -186,7 +219,20 @@ void ValueMaps::drawSmallMaps(QPainter& p, const Geometry& g, const Theme& t) co
   }
   if (split() && valued()) return;
   const double lineHeight = QFontMetricsF(textFont(11)).height();
-  ValueMap::drawBar(p, g.upperBar, visitScale_, t, powersOfTen(visitScale_.high, g.upperBar.height() / lineHeight));
+  const auto drawVisits = [&](const QRectF& bar) {
+    ValueMap::drawBar(p, bar, visitScale_, t, powersOfTen(visitScale_.high, bar.height() / lineHeight));
+  };
+  if (risky()) {
+    ValueMap::drawBar(p, g.upperBar, riskScale_, t, kRiskNumbers, kRiskNames);
+    if (const auto limit = riskLimit()) {
+      upper_.drawOutline(p, g.upper, t, upper_, *limit);
+      const double y = g.upperBar.bottom() - riskScale_.position(*limit) * g.upperBar.height();
+      p.setPen(QPen(t.ink, 2));
+      p.drawLine(QPointF(g.upperBar.left() - 1, y), QPointF(g.upperBar.right() + 1, y));
+    }
+    return drawVisits(g.lowerBar);
+  }
+  drawVisits(g.upperBar);
   const double eligibilityNumbers[] = {0, 0.5, 1};
   ValueMap::drawBar(p, g.lowerBar, eligibilityScale_, t, eligibilityNumbers);
 }
