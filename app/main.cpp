@@ -70,6 +70,9 @@ int run(int argc, char** argv) {
   registry.programs->stopWaitingWith(&watchForInterrupt());
   registry.programs->setRemark(tell);
   if (const Status s = checkNoneIsEmpty(argc, argv); !s) return fail(s.error());
+  static char option[] = "--help";
+  if (argc == 3 && std::string_view(argv[1]) == "help") std::swap(argv[1], argv[2]);  // "help check"
+  if (argc >= 2 && std::string_view(argv[argc - 1]) == "help") argv[argc - 1] = option;
   const Result<Request> request = parseCommandLine(registry, argc, argv);
   if (!request) return fail(request.error());
   if (std::holds_alternative<WindowRequest>(*request))  // Qt's file names must be UTF-8

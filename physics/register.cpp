@@ -64,7 +64,16 @@ AssignmentEntry leoPreset(const char* name, const char* title, const char* help,
 
 void registerPhysics(Registry& r) {
   r.programs = std::make_shared<EnvironmentPrograms>();
-  const RobotTools tools = {inspectRobot, [](const RobotSpec& spec) { return passiveRobot(spec, 1); }, droppedRobot};
+  const auto parameters = [agents = r.agents, policies = r.policies](const Task& task) {
+    Parameters all;
+    for (const PolicyEntry& policy : policies) all.add(*policy.make(), "policy.");
+    for (const AgentEntry& agent : agents)
+      for (const char* features : {"tile-coder", "radial-basis"})
+        static_cast<void>(static_cast<bool>(agent.declare(task, features, all)));
+    return all;
+  };
+  const RobotTools tools = {inspectRobot, [](const RobotSpec& spec) { return passiveRobot(spec, 1); }, droppedRobot,
+                            parameters};
   r.files = std::make_shared<EnvironmentLibrary>([tools, programs = r.programs](std::string_view text,
                                                                                 const std::string& folder,
                                                                                 std::vector<Complaint>& complaints) {

@@ -86,7 +86,7 @@ template <class Entry>
 std::string table(const char* heading, const std::vector<Entry>& entries) {
   std::string text = fmt::format("{}\n", heading);
   for (const Entry& entry : entries) {
-    text += fmt::format("  {:<18}{}\n", entry.name, entry.help);
+    text += fmt::format("  {:<18}{}\n", entry.name, entry.help.empty() ? entry.title : entry.help);
     const Word* word = wordOf(entry.name);
     if (word && !word->formula.empty()) text += fmt::format("{:20}{}\n", "", word->formula);
     if (word) text += fmt::format("{:20}{} ({})\n", "", word->text, word->source);

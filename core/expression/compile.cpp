@@ -17,6 +17,9 @@ Compiler::Meaning Compiler::named(const Token& name) {
   std::optional<std::string_view> argument;
   if (tokens_.take("(")) {
     const Token token = tokens_.take();
+    // A function that is none is told before what stands in its parentheses.
+    if (token.kind != Token::Kind::Text && token.kind != Token::Kind::Number && !vocabulary_.find(name.text, "0"))
+      return variable(name, "0");
     if (token.kind != Token::Kind::Text && token.kind != Token::Kind::Number)
       fail(token, fmt::format("{} takes a text in quotes or a number.", printable(shortened(name.text))));
     argument = token.text;

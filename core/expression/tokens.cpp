@@ -66,6 +66,9 @@ Token Tokens::number(std::size_t at) {
   const auto [behind, error] = std::from_chars(text_.data() + at, end, value);
   place_ = static_cast<std::size_t>(behind - text_.data());
   if (error != std::errc()) throw ExpressionTrouble{at, "this number is too large or too small."};
+  const std::string_view rest(behind, static_cast<std::size_t>(end - behind));
+  if (rest.starts_with("deg") || rest.starts_with("°"))
+    throw ExpressionTrouble{place_, "angles are in rad: 30 degrees are 30 * pi / 180."};
   if (behind != end && (isLetter(*behind) || *behind == '.'))
     throw ExpressionTrouble{place_, "a number ends here; write 2 * x for twice x, and 0.5 with a point."};
   return {Token::Kind::Number, text_.substr(at, place_ - at), at, value};

@@ -76,15 +76,55 @@ bool hasDecimalComma(std::string_view line) {
          line.find('[') == std::string_view::npos;
 }
 
-/// What the parser says, with its commonest cause. `line`: where it stands.
-std::string inOurWords(std::string_view sentence, std::string_view line) {
+/// "body.wheel" of "[body.wheel]", with how many brackets; nothing: the line is no heading.
+std::optional<std::pair<std::string_view, std::size_t>> headingIn(std::string_view line) {
+  const auto first = line.find_first_not_of(" \t");
+  if (first == line.npos || line[first] != '[') return std::nullopt;
+  const std::size_t brackets = line.substr(first).starts_with("[[") ? 2 : 1;
+  const auto end = line.find(std::string_view("]]").substr(0, brackets), first);
+  if (end == line.npos) return std::nullopt;
+  return std::pair(line.substr(first + brackets, end - first - brackets), brackets);
+}
+
+/// Why the parser does not take a heading: it is there already.
+std::string aboutHeading(std::string_view text, int at) {
+  constexpr const char* kNone = "a heading stands in brackets, [body.leg] or [[state]].";
+  const auto here = headingIn(lineOf(text, at));
+  if (!here) return kNone;
+  const std::string name = printable(shortened(here->first));
+  for (int line = 1; line < at; ++line) {
+    const auto other = headingIn(lineOf(text, line));
+    if (!other || other->first != here->first) continue;
+    return other->second == 1 && here->second == 1
+               ? fmt::format("[{}] stands in line {} already.", name, line)
+               : fmt::format("line {} says {}; write [[{}]] for each of several.", line,
+                             other->second == 1 ? "[" + name + "]" : "[[" + name + "]]", name);
+  }
+  return kNone;
+}
+
+/// Where the list begins that line `at` goes on with; 0: it goes on with none.
+int openListBefore(std::string_view text, int at) {
+  for (int line = at - 1; line > 0; --line) {
+    const std::string_view words = lineOf(text, line);
+    const auto opens = words.find("= [");
+    if (opens != words.npos && words.find(']', opens) == words.npos) return line;
+    if (words.find_first_not_of(" \t\r") != words.npos) return 0;
+  }
+  return 0;
+}
+
+/// What the parser says, with its commonest cause. `at`: in which line.
+std::string inOurWords(std::string_view sentence, std::string_view text, int at) {
+  const std::string_view line = lineOf(text, at);
   const auto says = [&](std::string_view words) { return sentence.find(words) != std::string_view::npos; };
   if (hasDecimalComma(line)) return "a number has a point and no comma: 0.12.";
   if (says("unescaped control characters") || (says("string") && says("end-of-file")))
     return "a text begins in this line and has no closing quote.";
+  if (const int open = openListBefore(text, at); open > 0) return fmt::format("the [ of line {} is not closed.", open);
   if (says("could not determine value type") || says("expected decimal digit") || says("expected digit"))
     return "this is no number; an expression stands in quotes, as in x = \"2 * r\".";
-  if (says("table header")) return "a heading stands in brackets, [body.leg] or [[state]].";
+  if (says("table header")) return aboutHeading(text, at);
   if (says("expected comma or closing ']'")) return "a list has commas between its values and ends with ].";
   if (says("key-value pair") && (says("end-of-file") || says("expected '='")))
     return "a key is followed by = and a value.";
@@ -92,9 +132,9 @@ std::string inOurWords(std::string_view sentence, std::string_view line) {
     return "behind a value nothing but a comment is expected; a text that holds quotes goes between single quotes.";
   constexpr std::string_view kBegins = "Error while parsing ";
   if (sentence.starts_with(kBegins)) sentence.remove_prefix(kBegins.size());
-  std::string text = printable(sentence.substr(0, 200));
-  for (std::size_t at; (at = text.find('\n')) != std::string::npos;) text.replace(at, 1, "\\n");
-  return fmt::format("this is no TOML: {}.", text);
+  std::string said = printable(sentence.substr(0, 200));
+  for (std::size_t end; (end = said.find('\n')) != std::string::npos;) said.replace(end, 1, "\\n");
+  return fmt::format("this is no TOML: {}.", said);
 }
 
 }  // namespace
@@ -116,7 +156,7 @@ std::optional<TomlNode> parseToml(std::string_view text, std::vector<Complaint>&
   const auto root = parseLimitedToml(text);
   if (const auto* table = std::get_if<toml::table>(&root)) return nodeOf(*table, complaints);
   const auto& trouble = std::get<TomlTrouble>(root);
-  complaints.push_back({{trouble.line, trouble.column}, inOurWords(trouble.sentence, lineOf(text, trouble.line))});
+  complaints.push_back({{trouble.line, trouble.column}, inOurWords(trouble.sentence, text, trouble.line)});
   return std::nullopt;
 }
 

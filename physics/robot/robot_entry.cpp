@@ -46,6 +46,28 @@ void addProgram(const std::shared_ptr<const RobotSpec>& spec, const std::string&
   file.inspect = [=] { return tools.inspect(spec, make()); };
 }
 
+/// What [learning] says must be allowed.
+void checkLearning(const std::shared_ptr<const RobotSpec>& spec, const RobotTools& tools,
+                   std::vector<Complaint>& complaints) {
+  if (spec->learning.empty() || spec->names.hasChild() || !tools.parameters) return;
+  Parameters parameters = tools.parameters(Robot(spec).task());
+  const auto& all = spec->learning;
+  for (std::size_t from = 0, to = 0; from < all.size(); from = to) {  // a short word stands for several keys
+    const TextPlace at = spec->learningAt[from];
+    for (to = from; to < all.size() && spec->learningAt[to].line == at.line; ++to) {
+    }
+    std::size_t wrong = from;  // a key that must be told: one that takes no such value, or the only one there is
+    while (wrong < to && (!parameters.find(all[wrong].first) || parameters.set(all[wrong].first, all[wrong].second)))
+      ++wrong;
+    const bool unknown =
+        std::none_of(all.begin() + static_cast<std::ptrdiff_t>(from), all.begin() + static_cast<std::ptrdiff_t>(to),
+                     [&](const auto& entry) { return parameters.find(entry.first) != nullptr; });
+    if (wrong == to && !unknown) continue;
+    const auto& [key, value] = all[wrong == to ? from : wrong];
+    complaints.push_back({at, parameters.set(key, value).error().message});
+  }
+}
+
 }  // namespace
 
 EnvironmentFile robotEntry(const std::string& name, std::shared_ptr<const RobotSpec> spec) {
@@ -61,6 +83,7 @@ std::optional<EnvironmentFile> readRobotEntry(std::string_view text, const std::
                                               const std::shared_ptr<const EnvironmentPrograms>& programs) {
   const auto spec = readRobot(text, complaints);
   if (spec) complaints = checkRobot(*spec);
+  if (spec && complaints.empty()) checkLearning(spec, tools, complaints);
   if (!complaints.empty()) return std::nullopt;
   Hash64 hash;
   if (spec->names.hasChild()) hash.add(printOfFiles(*spec, folder));

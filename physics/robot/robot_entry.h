@@ -16,6 +16,8 @@ struct RobotTools {
   /// With a child if a program moves it.
   std::function<EnvironmentInspection(const std::shared_ptr<const RobotSpec>&, std::unique_ptr<ChildRobot>)> inspect;
   std::function<std::shared_ptr<const RobotSpec>(const RobotSpec&)> passive, dropped;
+  /// Every parameter of learning on a task, whichever rule learns.
+  std::function<Parameters(const Task&)> parameters{};
 };
 
 /// The robot as an environment of this name. Its first preset is "as-built", which holds what [learning] says, unless

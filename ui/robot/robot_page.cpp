@@ -173,10 +173,11 @@ void RobotPage::refresh() {
   textHead_->layOutExtra();
   const auto warnings = checked_ ? static_cast<int>(checked_->inspection.warnings.size()) : 0;
   const QString value = valueAtCaret();
-  QString foot = errors > 0         ? tr("F8 the next error, Alt+Enter mends it")
-                 : !value.isEmpty() ? value
-                                    : tr("%n lines; F1 says what the word at the caret means", nullptr,
-                                         text_->document()->blockCount());
+  QString foot =
+      errors > 0 ? text_->anyProposal() ? tr("F8 the next error, Alt+Enter mends it") : tr("F8 the next error")
+      : !value.isEmpty()
+          ? value
+          : tr("%n lines; F1 says what the word at the caret means", nullptr, text_->document()->blockCount());
   if (errors == 0 && value.isEmpty() && warnings > 0) {
     const Complaint& first = checked_->inspection.warnings.front();
     foot = tr("line %1: %2").arg(QString::number(first.at.line), toText(first.sentence));

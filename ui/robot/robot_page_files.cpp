@@ -116,7 +116,8 @@ QString RobotPage::valueAtCaret() const {
   for (const FormulaValue& formula : checked_->inspection.formulas)
     if (formula.at.line == line) values << QString::number(formula.value, 'g', 4);
   if (values.isEmpty()) return {};
-  return tr("line %1 = %2 at the start of an episode").arg(QString::number(line), values.join(QStringLiteral(", ")));
+  return tr("line %1 comes to %2 at the start of an episode")
+      .arg(QString::number(line), values.join(QStringLiteral(", ")));
 }
 
 void RobotPage::setAside() {

@@ -124,6 +124,18 @@ int RobotText::gapHeight(int line) const {
 void RobotText::setComplaints(std::vector<Complaint> complaints) {
   complaints_ = std::move(complaints);
   refresh();
+  // The sentence under the caret's line is seen, too.
+  const auto below = [this] {
+    return blockBoundingGeometry(textCursor().block()).translated(contentOffset()).bottom() - viewport()->height();
+  };
+  QScrollBar& bar = *verticalScrollBar();
+  while (!at(textCursor().blockNumber() + 1).empty() && below() > 0 && bar.value() < bar.maximum() &&
+         cursorRect().top() > cursorRect().height())
+    bar.setValue(bar.value() + 1);
+}
+
+bool RobotText::anyProposal() const {
+  return std::any_of(complaints_.begin(), complaints_.end(), [](const Complaint& c) { return proposalOf(c); });
 }
 
 void RobotText::refresh() {
@@ -204,12 +216,15 @@ void RobotText::setHead(const QString& key, const QString& value) {
 void RobotText::replaceAll(const QString& text) {
   if (toPlainText() == text) return;
   if (document()->isEmpty()) return setPlainText(text);  // undo does not go behind the first text
-  const int position = textCursor().position();
+  const int line = textCursor().blockNumber(), column = textCursor().positionInBlock();
+  const int seen = verticalScrollBar()->value();
   QTextCursor cursor(document());
   cursor.select(QTextCursor::Document);
   cursor.insertText(text);
-  cursor.setPosition(std::min<int>(position, static_cast<int>(text.size())));
+  const QTextBlock block = document()->findBlockByNumber(std::min(line, document()->blockCount() - 1));
+  cursor.setPosition(block.position() + std::min(column, block.length() - 1));
   setTextCursor(cursor);
+  verticalScrollBar()->setValue(seen);
 }
 
 std::optional<RobotText::Proposal> RobotText::proposalOf(const Complaint& complaint) {

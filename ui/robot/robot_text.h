@@ -17,6 +17,8 @@ class RobotText final : public QPlainTextEdit {
  public:
   explicit RobotText(QWidget* parent = nullptr);
 
+  /// Whether one of the errors can be mended by a key.
+  bool anyProposal() const;
   void setComplaints(std::vector<Complaint> complaints);
   const std::vector<Complaint>& complaints() const { return complaints_; }
   /// Replaces all, as one step that can be undone; the caret stays where it is.

@@ -9,6 +9,7 @@
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QPlainTextEdit>
+#include <QShortcut>
 
 namespace surefoot {
 
@@ -19,6 +20,13 @@ bool keepsKeys(const QWidget& widget) {
   return qobject_cast<const QLineEdit*>(&widget) || qobject_cast<const QAbstractSpinBox*>(&widget) ||
          qobject_cast<const QPlainTextEdit*>(&widget) || qobject_cast<const QComboBox*>(&widget) ||
          qobject_cast<const QAbstractSlider*>(&widget) || qobject_cast<const QAbstractButton*>(&widget);
+}
+
+/// Whether a widget does something of its own with Escape.
+bool usesEscape(const QWidget& widget) {
+  for (const QShortcut* shortcut : widget.findChildren<QShortcut*>(QString(), Qt::FindDirectChildrenOnly))
+    if (shortcut->key() == QKeySequence(Qt::Key_Escape)) return true;
+  return false;
 }
 
 /// A question has its own Escape: it is Cancel.
@@ -56,6 +64,7 @@ bool FocusHome::eventFilter(QObject* watched, QEvent* event) {
   auto* field = qobject_cast<QLineEdit*>(widget);
   if (auto* box = qobject_cast<QAbstractSpinBox*>(widget)) field = box->findChild<QLineEdit*>();
   if (key.key() == Qt::Key_Escape) {
+    if (usesEscape(*widget)) return false;
     if (event->type() == QEvent::ShortcutOverride) {
       event->accept();  // not yet "back to live"
       return true;

@@ -30,7 +30,7 @@ Result<std::string> textLike(const EnvironmentLibrary& robots, const std::string
 int newRobotCommand(const Registry& registry, const NewRobotRequest& request) {
   const std::filesystem::path path(request.name);
   const std::string name = path.stem().string();
-  if (const char* why = wrongRobotName(name))
+  if (const std::string why = wrongRobotName(name); !why.empty())
     return fail({fmt::format("new: \"{}\": {}", printable(shortened(name)), why)});
   const auto text = textLike(*registry.files, request.like);
   if (!text) return fail(text.error());

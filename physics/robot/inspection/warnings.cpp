@@ -22,6 +22,7 @@ class Warnings {
 
   void all() {
     warnOfStates();
+    warnOfParts();
     warnOfTask();
     warnOfWorld();
     std::stable_sort(found_.warnings.begin(), found_.warnings.end(),
@@ -53,6 +54,31 @@ class Warnings {
   bool alike(std::size_t a, std::size_t b) const {
     return std::all_of(seen_.states.begin(), seen_.states.end(),
                        [&](const auto& state) { return std::abs(state[a] - state[b]) < 1e-9; });
+  }
+
+  /// Whether a joint, or the like, has to do with a body.
+  bool isHeld(std::size_t body) const {
+    const int b = static_cast<int>(body);
+    return std::any_of(spec_.joints.begin(), spec_.joints.end(),
+                       [b](const JointSpec& joint) { return joint.parent == b || joint.child == b; });
+  }
+
+  void warnOfParts() {
+    for (std::size_t b = 0; b < spec_.bodies.size() && spec_.bodies.size() > 1; ++b)
+      if (!isHeld(b) && !spec_.bodies[b].still)
+        warn(spec_.bodies[b].place, fmt::format("no joint holds the body {}: it lies loose.", spec_.bodies[b].name));
+    const auto warnOfLevels = [&](const std::string& name, std::vector<double> levels) {
+      std::sort(levels.begin(), levels.end());
+      if (const auto twice = std::adjacent_find(levels.begin(), levels.end()); twice != levels.end())
+        warn({1, 1}, fmt::format("{} has the level {:.4g} twice.", name, *twice));
+    };
+    for (const ActionVariable& v : task_.actionVariables) warnOfLevels(v.key, v.levels);
+    if (task_.actionVariables.empty()) warnOfLevels(task_.actionTitle, task_.actions);
+    if (task_.actions.size() == 1) warn({1, 1}, "there is one action only: nothing can be chosen.");
+    for (std::size_t r = 0; r < spec_.rewards.size(); ++r)
+      for (std::size_t other = 0; other < r; ++other)
+        if (spec_.rewards[other].name == spec_.rewards[r].name)
+          warn(spec_.rewards[r].value.at, fmt::format("two rewards are called {}.", spec_.rewards[r].name));
   }
 
   void warnOfTask() {

@@ -130,15 +130,17 @@ void readSettingsOf(const std::string& name, const TomlNode& node, RobotReader& 
 void addLearning(const std::string& key, const TomlNode& node, double value, RobotReader& in) {
   constexpr std::string_view kRule[] = {"step_size", "trace_decay"};
   constexpr std::string_view kTable[] = {"tilings", "initial_high", "initial_low", "memory"};
-  constexpr std::string_view kFull[] = {"agent.", "features.", "positive.", "negative.", "policy."};
+  constexpr std::string_view kFull[] = {"agent.", "features.", "positive.", "negative.", "policy.", "risk."};
   const auto isOne = [&](const auto& words) {
     return std::find(std::begin(words), std::end(words), key) != std::end(words);
   };
   auto& learning = in.spec().learning;
   if (isOne(kRule)) {
-    for (const char* estimate : {"agent.", "positive.", "negative."}) learning.emplace_back(estimate + key, value);
+    for (const char* estimate : {"agent.", "positive.", "negative.", "risk."})
+      learning.emplace_back(estimate + key, value);
   } else if (isOne(kTable)) {
     for (const char* part : {"features.", "positive.", "negative."}) learning.emplace_back(part + key, value);
+    if (key == "tilings" || key == "memory") learning.emplace_back("risk." + key, value);
   } else if (key == "discount") {
     learning.emplace_back("agent.discount", value);
   } else if (std::any_of(std::begin(kFull), std::end(kFull), [&](std::string_view f) { return key.starts_with(f); })) {
@@ -162,7 +164,10 @@ void readSettings(const TomlNode& root, RobotReader& in) {
   }
   const TomlNode* learning = root.find("learning");
   for (const auto& [key, node] : learning ? learning->table : decltype(learning->table){})
-    if (const auto formula = in.formula(node, key, Where::Parameter)) addLearning(key, node, (*formula)({}), in);
+    if (const auto formula = in.formula(node, key, Where::Parameter)) {
+      addLearning(key, node, (*formula)({}), in);
+      in.spec().learningAt.resize(in.spec().learning.size(), node.at);
+    }
 }
 
 }  // namespace surefoot

@@ -68,7 +68,8 @@ void readHead(TomlReader& reader, RobotReader& in) {
   else if (const std::string format = reader.neededText("surefoot"); !format.empty() && format != "robot 1")
     reader.complain("surefoot", fmt::format("\"{}\" is no format of ours; it is \"robot 1\".", format));
   spec.name = reader.neededText("name");
-  if (const char* why = wrongRobotName(spec.name); why && !spec.name.empty()) reader.complain("name", why);
+  if (const std::string why = wrongRobotName(spec.name); !why.empty() && !spec.name.empty())
+    reader.complain("name", why);
   spec.title = reader.text("title", spec.name);
   spec.help = reader.text("help");
   for (const auto& section : kSections) static_cast<void>(reader.find(section.first));

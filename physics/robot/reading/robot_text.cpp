@@ -3,14 +3,24 @@
 
 #include <algorithm>
 #include <cctype>
+#include <string>
 
 namespace surefoot {
 
-const char* wrongRobotName(std::string_view name) {
-  const bool fine = !name.empty() && name.size() <= 40 && std::all_of(name.begin(), name.end(), [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
-  });
-  return fine ? nullptr : "a robot's name has letters a to z, digits and hyphens only, at most 40.";
+std::string wrongRobotName(std::string_view name) {
+  const auto fits = [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-'; };
+  if (!name.empty() && name.size() <= 40 && std::all_of(name.begin(), name.end(), fits)) return {};
+  std::string near;
+  for (const char c : name.substr(0, 40)) {
+    const char small = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    if (fits(small))
+      near += small;
+    else if (!near.empty() && near.back() != '-')
+      near += '-';
+  }
+  while (near.ends_with('-')) near.pop_back();
+  return "a robot's name has letters a to z, digits and hyphens only, at most 40" +
+         (near.empty() ? std::string(".") : "; did you mean " + near + "?");
 }
 
 std::string renamedRobot(std::string_view text, std::string_view name) {

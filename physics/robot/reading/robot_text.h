@@ -8,7 +8,7 @@
 namespace surefoot {
 
 /// Why this cannot be a robot's name; null: it can.
-const char* wrongRobotName(std::string_view name);
+std::string wrongRobotName(std::string_view name);
 
 /// The same robot under another name, with a title from it.
 std::string renamedRobot(std::string_view text, std::string_view name);

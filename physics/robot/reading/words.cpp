@@ -154,6 +154,8 @@ Result<Quantity> RobotWords::partOf(std::string_view name, std::string_view part
 }
 
 Result<Quantity> RobotWords::find(std::string_view name, std::optional<std::string_view> argument) const {
+  for (const std::string_view degrees : {"deg", "degree", "degrees", "deg2rad", "radians"})
+    if (name == degrees && !names_.find(name)) return Error{"angles are in rad: 30 degrees are 30 * pi / 180."};
   if (argument) {
     static const std::vector<std::string> kFunctions = {"abs",    "min",   "max",  "sign",  "floor",
                                                         "round",  "sqrt",  "sin",  "cos",   "exp",

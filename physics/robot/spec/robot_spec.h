@@ -46,6 +46,7 @@ struct RobotSpec {
 
   std::vector<SettingsSpec> presets{}, scenarios{};
   std::vector<std::pair<std::string, double>> learning{};
+  std::vector<TextPlace> learningAt{};  ///< where each of these stands
 
   bool hasHandMade() const {
     for (const ActuatorSpec& actuator : actuators)

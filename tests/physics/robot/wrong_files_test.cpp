@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is said of files that are wrong: each is the pendulum with one change.
+#include "core/experiment/configuration.h"
+#include "core/files/whole_file.h"
 #include "tests/full_registry.h"
 #include "tests/physics/robot/robot_files.h"
 
@@ -80,7 +82,12 @@ TEST(WrongRobots, TellThePlaceAndTheReason) {
        ":8: there is another \"pole\" already; bodies, points, joints, actuators, "
        "states and constants share one space of names."},
       {"name = \"pendulum-file\"", "name = \"../up\"",
-       ":8: name: a robot's name has letters a to z, digits and hyphens only, at most 40."},
+       ":8: name: a robot's name has letters a to z, digits and hyphens only, at most 40; did you mean up?"},
+      {"value = \"-pole.angle\"", "value = \"30deg\"", ":12: value: angles are in rad: 30 degrees are 30 * pi / 180."},
+      {"value = \"-pole.angle\"", "value = \"fabs(-pole.angle)\"",
+       ":10: value: there is no function \"fabs\"; there are abs, min, max, sign, floor, round, sqrt, sin, cos, exp, "
+       "square, "
+       "clamp, wrap, hypot and uniform (did you mean abs?)."},
   };
   for (const WrongFile& file : files) {
     int line = 0;
@@ -93,6 +100,32 @@ TEST(WrongRobots, TellThePlaceAndTheReason) {
     }
     EXPECT_EQ(firstComplaint(text), "p:" + std::to_string(line) + wanted);
   }
+}
+
+/// The first complaint about the pendulum's file with some lines behind it.
+std::string firstWith(const std::string& lines) {
+  return firstComplaint(robotText("pendulum") + lines);
+}
+
+TEST(WrongRobots, AHeadingThatIsThereAlreadyIsTold) {
+  EXPECT_NE(firstWith("[body.pole]\nmass = 1\n").find("[body.pole] stands in line "), std::string::npos);
+  EXPECT_NE(firstWith("[state]\nkey = \"x\"\n").find(" says [[state]]; write [[state]] for each of several."),
+            std::string::npos);
+}
+
+TEST(WrongRobots, AListThatIsNotClosedIsTold) {
+  const std::string told = firstWith("[view]\nlist = [1,\nother = 3\n");
+  EXPECT_NE(told.find("is not closed."), std::string::npos) << told;
+}
+
+TEST(WrongRobots, WhatLearningCannotHaveIsToldInItsLine) {
+  const std::string file = ::testing::TempDir() + "learning.toml";
+  ASSERT_TRUE(writeWhole("robot", file, robotText("pendulum") + "[learning]\ndiscount = 97\n"));
+  const Registry registry = fullRegistry();
+  const auto c = configure(registry, {.environment = file}, {});
+  ASSERT_FALSE(c);
+  EXPECT_NE(c.error().message.find("agent.discount: 97 is not allowed"), std::string::npos) << c.error().message;
+  EXPECT_NE(c.error().message.find("learning.toml:"), std::string::npos) << c.error().message;
 }
 
 TEST(WrongRobots, HaveAtMostTwentyComplaintsInTheOrderOfTheFile) {

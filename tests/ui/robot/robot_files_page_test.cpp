@@ -40,6 +40,26 @@ TEST(RobotPage, SaveSavesTheRobotHereAndUndoEndsAtItsText) {
   EXPECT_TRUE(w.window->robotPage().save());  // no draft is left for the next window
 }
 
+TEST(RobotPage, EscapeEndsTheSearchWhereItFoundSomething) {
+  Window w;
+  w.registry.files->setShelf(kShelf.toStdString());
+  const QTemporaryDir folder;
+  const QString path = folder.filePath("mine.toml");
+  ASSERT_TRUE(writeWhole("robot", path.toStdString(), *readText((kShelf + "segway.toml").toStdString())));
+  w.window->openFile(path);
+  auto& text = *w.window->robotPage().findChild<RobotText*>();
+  text.setFocus();
+  QTest::keyClick(&text, Qt::Key_F, Qt::ControlModifier);
+  auto* find = w.named<QLineEdit>("Find in the description");
+  ASSERT_TRUE(w.waitFor([&] { return find->hasFocus(); }));
+  QTest::keyClicks(find, "mass");
+  QTest::keyClick(find, Qt::Key_Escape);
+  EXPECT_TRUE(find->isHidden());
+  EXPECT_TRUE(text.hasFocus());
+  EXPECT_EQ(text.textCursor().selectedText(), "mass");
+  EXPECT_FALSE(w.window->robotPage().isEdited());
+}
+
 TEST(RobotPage, ShowsTheRobotOfTheLifeUntilAnotherIsChosen) {
   Window w;
   w.registry.files->setShelf(kShelf.toStdString());

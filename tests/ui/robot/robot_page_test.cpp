@@ -204,7 +204,7 @@ TEST(RobotPage, F1SaysWhatAWordMeansAndWhatItsExpressionIsWorth) {
   w.text().setTextCursor(caret);
   press(w.text(), Qt::Key_F1);
   EXPECT_TRUE(QToolTip::text().contains("a condition.")) << QToolTip::text().toStdString();
-  EXPECT_TRUE(QToolTip::text().contains("= 0 at the start of an episode")) << QToolTip::text().toStdString();
+  EXPECT_TRUE(QToolTip::text().contains("comes to 0 at the start of an episode")) << QToolTip::text().toStdString();
   QToolTip::hideText();
 }
 
