@@ -111,6 +111,7 @@ double LessonValues::valueOf(const LessonQuantity& quantity, const Life& life, c
     case Of::Predicted:
       return known(predicted_, quantity.index).value_or(std::nan(""));
     case Of::ActionValue:
+    case Of::Risk:
     case Of::Probability:
       break;
     default:
@@ -118,6 +119,7 @@ double LessonValues::valueOf(const LessonQuantity& quantity, const Life& life, c
   }
   here_.evaluate(values, state);
   if (quantity.kind == Of::ActionValue) return here_.q[quantity.index];
+  if (quantity.kind == Of::Risk) return here_.risk.empty() ? std::nan("") : 100 * here_.risk[quantity.index];
   pi_.resize(here_.q.size());
   life.policy().probabilities(here_.view(), pi_);
   return pi_[quantity.index];

@@ -78,7 +78,8 @@ Result<Quantity> LessonWords::find(std::string_view name, std::optional<std::str
   for (std::size_t d = 0; d < task_.state.size(); ++d)
     if (task_.state[d].key == name)
       return placed({.kind = QuantityKind::State, .index = d}, task_.state[d].low, task_.state[d].high);
-  for (const char* needs : {"q", "probability", "observed", "predicted", "mean", "least", "most", "lower", "tells"})
+  for (const char* needs :
+       {"q", "risk", "probability", "observed", "predicted", "mean", "least", "most", "lower", "tells"})
     if (name == needs) return Error{fmt::format("{} needs something in parentheses.", name)};
   return Error{};
 }
@@ -103,12 +104,13 @@ Result<Quantity> LessonWords::ofTwoWays(QuantityKind kind, std::string_view argu
 }
 
 Result<Quantity> LessonWords::withArgument(std::string_view name, std::string_view argument) const {
-  if (name == "q" || name == "probability") {
+  if (name == "q" || name == "risk" || name == "probability") {
     const auto action = actionOf(task_, argument);
     if (!action)
       return Error{fmt::format("there is no action \"{}\"; there are {}.", printable(shortened(argument)),
                                joinWords(actionNames(task_), "and"))};
     if (name == "q") return placed({.kind = QuantityKind::ActionValue, .index = *action});
+    if (name == "risk") return placed({.kind = QuantityKind::Risk, .index = *action});
     return placed({.kind = QuantityKind::Probability, .index = *action}, 0.0, 1.0);
   }
   const std::pair<std::string_view, QuantityKind> ofWays[] = {

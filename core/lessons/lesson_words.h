@@ -7,7 +7,8 @@
 //                                                           best; pushes: by hand, and places it was put into
 //   policy.epsilon …                                        every parameter of the life, by its key
 //   alpha …                                                 every state variable, by its key
-//   q("0.75")  probability("0.75")                          of an action, in the state of this moment
+//   q("0.75")  risk("0.75")  probability("0.75")            of an action, in the state of this moment; risk in per
+//                                                           cent, of a life that learns it
 //   visits                                                  of that state
 //   observed(2)  predicted(2)                               what step 2 came to, and what was said beforehand
 //   mean("ε 0.05")  least("ε 0.05")  most("ε 0.05")         over the lives of a way, of this step or an earlier one
@@ -49,6 +50,7 @@ struct LessonQuantity {
     Parameter,
     State,
     ActionValue,
+    Risk,
     Probability,
     Observed,
     Predicted

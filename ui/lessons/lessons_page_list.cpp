@@ -119,7 +119,7 @@ QWidget* LessonsPage::makeListPage() {
   auto* title = makeText({}, 13, 500, false, nullptr);
   title->setText(tr("Lessons"));
   auto* note = makeText({}, 11, 400, true, nullptr);
-  note->setText(tr("twelve, about two hours in all; a double lesson of 90 minutes is 1, 2, 3, 5, 6, 7, 11, 12"));
+  note->setText(tr("thirteen, a good two hours in all; a double lesson of 90 minutes is 1, 2, 3, 5, 6, 7, 11, 13"));
   note_ = note;
   head->addWidget(title);
   head->addWidget(note, 1);

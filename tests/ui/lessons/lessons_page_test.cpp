@@ -13,17 +13,17 @@ namespace surefoot {
 
 TEST(LessonsPage, ListsTheLessonsInTheirChapters) {
   Lessons l;
-  EXPECT_EQ(l.page().lessons().size(), 13u);
-  EXPECT_EQ(l.page().list().model()->rowCount(), 13 + 3) << "and three heads";
+  EXPECT_EQ(l.page().lessons().size(), 14u);
+  EXPECT_EQ(l.page().list().model()->rowCount(), 14 + 3) << "and three heads";
   EXPECT_EQ(l.page().list().chosen(), 0) << "the first that is not done";
   l.page().list().setFocus();
   l.key(Qt::Key_End);
-  EXPECT_EQ(l.page().list().chosen(), 12);
+  EXPECT_EQ(l.page().list().chosen(), 13);
   l.key(Qt::Key_Home);
   l.key(Qt::Key_Down);
   EXPECT_EQ(l.page().list().chosen(), 1);
   const QString spoken = l.page().list().currentIndex().data(Qt::AccessibleTextRole).toString();
-  EXPECT_EQ(spoken, "Lesson 2 of 12, What is a state worth?, 10 minutes, level 1 of 3, not begun");
+  EXPECT_EQ(spoken, "Lesson 2 of 13, What is a state worth?, 10 minutes, level 1 of 3, not begun");
 }
 
 TEST(LessonsPage, ALessonIsTakenByKeysAlone) {
@@ -148,8 +148,8 @@ TEST(LessonsPage, AFileWithAnErrorIsListedWithIt) {
   file.write("title = \"Mine\"\ngoal = \"g\"\n[[step]]\ntitle = \"s\"\nsay = \"![x](http://example.org/x.png)\"\n");
   file.close();
   ASSERT_TRUE(l.page().open(path));
-  EXPECT_EQ(l.page().lessons().size(), 14u);
-  EXPECT_EQ(l.page().list().chosen(), 13);
+  EXPECT_EQ(l.page().lessons().size(), 15u);
+  EXPECT_EQ(l.page().list().chosen(), 14);
   l.page().list().setFocus();
   l.key(Qt::Key_Return);
   EXPECT_EQ(l.page().view(), nullptr) << "it cannot be started";
@@ -214,7 +214,7 @@ TEST(LessonsPage, AnOwnLessonIsOpenedLikeAnyFile) {
   Lessons l;
   l.window->setPage(0);
   l.window->openFile(QStringLiteral(SUREFOOT_SOURCE) + QStringLiteral("/resources/lessons/06-the-cliff.toml"));
-  EXPECT_EQ(l.page().lessons().size(), 13u) << "it is in the list already";
+  EXPECT_EQ(l.page().lessons().size(), 14u) << "it is in the list already";
   EXPECT_EQ(l.page().list().chosen(), 5);
 }
 
