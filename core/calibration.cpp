@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kEdges[] = {-kInfinity, 0.001, 0.005, 0.02, 0.05, 0.1, 0.2, 0.5, kInfinity};
 constexpr std::size_t kBins = std::size(kEdges) - 1;
-constexpr double k95 = 1.96;  // two-sided 95 % of the normal distribution
+constexpr double kTolerance = 0.005;  // half a per cent: no one acts on less
+constexpr double k95 = 1.96;          // two-sided 95 % of the normal distribution
 
 }  // namespace
 
@@ -23,7 +24,7 @@ double Calibration::Report::error() const {
 }
 
 bool Calibration::Report::holds() const {
-  return std::abs(all.said - all.fell) <= halfWidth;
+  return std::abs(all.said - all.fell) <= std::max(halfWidth, kTolerance);
 }
 
 void Calibration::end(bool fell) {

@@ -29,7 +29,7 @@ class Calibration {
     double halfWidth = 0.0;
     /// Σ abs(said − fell)·count/all: the expected calibration error (Guo et al. 2017, arXiv 1706.04599).
     double error() const;
-    /// Whether what was said and what came differ by no more than chance would make them.
+    /// Whether what was said and what came differ by no more than chance would make them, or by half a per cent.
     bool holds() const;
   };
 

@@ -36,6 +36,7 @@ constexpr std::array kLearning = {
     Line{"shaping.step_size", "V(s) ← V(s) + α·(r + γ·V(s′) − V(s))"},
     Line{"shaping.rewards", "r ← r + γ·V(s′) − V(s)"},
     Line{".step_size", "w ← w + α/n·δ·z for every weight w with trace z, n tilings"},
+    Line{".asymmetry", "δ ← (1 + κ)·δ if δ < 0, else (1 − κ)·δ"},
     Line{".trace_decay", "z ← γ·λ·z after every step"},
     Line{".trace_cutoff", "z < cut-off: z ← 0"},
     Line{".trace_other_actions", "clear: z(s, b) ← 0 for all b ≠ a"},

@@ -56,6 +56,7 @@ AssignmentEntry leoPreset(const char* name, const char* title, const char* help,
   addForFeatures(entry.values, "initial_high", 0.01);
   addForFeatures(entry.values, "memory", 1 << 18);
   entry.values.push_back({"risk.memory", 1 << 18});
+  entry.values.push_back({"risk.discount", 0.95});  // it falls in the end, always: two thirds of a second count
   entry.values.push_back({"agent.discount", 0.9962});
   return entry;
 }

@@ -12,6 +12,8 @@ RobotsLine::RobotsLine(CLI::App& app)
       ->add_option("FILE", checkRequest.file,
                    "a robot's file, NAME.toml, or the name of one that comes with the program")
       ->type_name("");
+  for (CLI::App* command : {check, create})
+    command->footer("The format of the file: robots/format.md among the program's resources; F1 on the page Robot.");
   check->add_flag("--json", checkRequest.json, "as JSON");
   create->add_option("NAME", newRequest.name, "the robot's name; its file is NAME.toml, and must not exist yet")
       ->type_name("");

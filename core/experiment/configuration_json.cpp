@@ -55,7 +55,7 @@ bool isLeftOut(const Parameters::Entry& entry) {
                                          "policy.omega", "agent.budget", "agent.falls_budget", "split.price_of_fall"};
   const bool later = std::any_of(std::begin(kLater), std::end(kLater),
                                  [&](std::string_view prefix) { return entry.parameter.key.starts_with(prefix); });
-  return later && entry.value == entry.usual;
+  return (later || entry.parameter.key.ends_with(".asymmetry")) && entry.value == entry.usual;
 }
 
 }  // namespace

@@ -85,6 +85,8 @@ void LearnerThread::fill(ValueSnapshot& s) const {
   s.memory = values.memoryUse();
   const Calibration* calibration = life_->agent().calibration();
   s.calibration = calibration ? std::optional(calibration->report()) : std::nullopt;
+  s.guarded = life_->agent().guarded();
+  s.priceOfFall = life_->agent().priceOfFall();
   fillTests(s);
   s.endOfLearningSteps = life_->log().endOfLearning().lifeSteps();
 }

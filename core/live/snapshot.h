@@ -59,6 +59,8 @@ struct ValueSnapshot {
   std::optional<double> walksSince;                ///< [min]: time of the first test in which the robot walked
   std::vector<MemoryUse> memory;                   ///< memory of each table
   std::optional<Calibration::Report> calibration;  ///< of the risk, where it is learned
+  std::int64_t guarded = 0;                        ///< actions of the guardian
+  std::optional<double> priceOfFall;               ///< of a falls budget
 };
 
 }  // namespace surefoot

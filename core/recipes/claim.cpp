@@ -42,6 +42,7 @@ const std::map<std::string, Verdict (Judge::*)()>& Judge::kinds() {
                                                                      {"drawn", &Judge::drawn},
                                                                      {"same-values", &Judge::sameValues},
                                                                      {"best", &Judge::best},
+                                                                     {"chosen", &Judge::chosen},
                                                                      {"compromise", &Judge::compromise},
                                                                      {"effect-order", &Judge::effectOrder},
                                                                      {"bands-overlap", &Judge::bandsOverlap},

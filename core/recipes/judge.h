@@ -138,6 +138,7 @@ class Judge {
   Verdict drawn();
   Verdict sameValues();
   Verdict best();
+  Verdict chosen();
   Verdict equalExploring();
   Verdict addsUp();
   Verdict belowByOther(const Evidence& a, const std::string& measure, const Evidence& b, const std::string& other,

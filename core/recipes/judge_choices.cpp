@@ -9,6 +9,7 @@
 #include "core/basics/typed_json.h"
 #include "core/recipes/judge.h"
 #include "core/statistics/statistics_text.h"
+#include "core/text/words.h"
 
 namespace surefoot {
 
@@ -39,6 +40,39 @@ double Judge::parameterOf(const Evidence& e, const std::string& key) {
   if (std::isfinite(value)) return value;
   complain("along", fmt::format("\"{}\" is no number of {}", key, e.name()));
   return std::nan("");
+}
+
+// Which Q-function shall go on the robot? Rows of lives are independent of each other.
+Verdict Judge::chosen() {
+  const Group by = find("by");
+  const std::string other = text("other", ""), choose = text("choose", "lowest");
+  const double of = number("of", 5.0), sign = number("sign", -1.0);
+  if (choose != "lowest" && choose != "highest") complain("choose", "it takes lowest or highest");
+  if (!(of >= 2)) complain("of", "it takes 2 or more");
+  if (by.size() != 1 || conditions_.empty()) complain("by", "one condition is expected, and one to look at");
+  if (!problem_.empty()) return Verdict::Undecided;
+  const std::vector<double> looks = valuesOf(*by[0], other), falls = values(*conditions_[0]);
+  if (looks.empty()) complain("other", fmt::format("it takes {}", joinWords(measureNames(by[0]->taskMeasures), "or")));
+  const auto row = static_cast<std::size_t>(of);
+  std::vector<double> picked, whole;
+  for (std::size_t from = 0; from + row <= std::min(looks.size(), falls.size()); from += row) {
+    const auto begin = looks.begin() + static_cast<std::ptrdiff_t>(from),
+               end = begin + static_cast<std::ptrdiff_t>(row);
+    const auto best = choose == "lowest" ? std::min_element(begin, end) : std::max_element(begin, end);
+    picked.push_back(falls[static_cast<std::size_t>(best - looks.begin())]);
+    whole.push_back(surefoot::meanOf(Sample(falls).subspan(from, row)));
+  }
+  const auto test = pairedTest(picked, whole);
+  std::vector<double> changes;
+  const double mean = surefoot::meanOf(whole);
+  for (std::size_t i = 0; i < picked.size(); ++i) changes.push_back(100.0 * (picked[i] - whole[i]) / mean);
+  const auto change = meanInterval(changes);
+  if (!test || !change || !(mean > 0)) return tooFew();
+  report(*change);
+  j_.p = test->p;
+  note(fmt::format("{} rows of {}", picked.size(), row));
+  if (test->p < kSignificant) return agreesIf(change->value * sign > 0);
+  return mayExceed(*change, true, true) ? Verdict::Undecided : Verdict::Differs;
 }
 
 // In every draw of the means each group has a best value of the parameter; these values are compared.

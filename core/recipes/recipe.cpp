@@ -93,7 +93,7 @@ std::vector<std::string> patternsOf(const Claim& claim) {
     if (value.is_array())
       for (const Json& element : value) self(self, element);
   };
-  for (const char* key : {"conditions", "lab_conditions", "others", "pairs", "groups", "reference"})
+  for (const char* key : {"conditions", "lab_conditions", "others", "pairs", "groups", "reference", "by"})
     if (claim.arguments.contains(key)) add(add, claim.arguments[key]);
   for (const Json& row : partOf(claim.arguments, "rows"))
     for (const char* key : {"condition", "of"})
@@ -183,6 +183,9 @@ Status readClaims(const Json& blocks, const std::vector<std::string>& measures, 
                              {"lab_says", Takes::Text},
                              {"draws", Takes::Text},
                              {"alongs", Takes::Texts},
+                             {"by", Takes::Texts},
+                             {"choose", Takes::Text},
+                             {"of", Takes::Number},
                              {"within", Takes::Number},
                              {"tolerance", Takes::Number},
                              {"at_least", Takes::Number},

@@ -26,6 +26,19 @@ void EstimateSettings::declare(Fields& f) {
                       .group = Group::Learning,
                       .help = "How far back along the way a surprise is felt; 0: one step.",
                       .origin = "thesis, section 3.1.4"});
+  f.real(asymmetry, {.key = "asymmetry",
+                     .title = "Asymmetry of errors",
+                     .label = "Asymmetry",
+                     .symbol = "κ",
+                     .low = -0.999,
+                     .high = 0.999,
+                     .sliderLow = 0.0,
+                     .sliderHigh = 0.2,
+                     .when = When::Now,
+                     .group = Group::Learning,
+                     .help = "Errors below 0 count 1 + κ times, those above 1 − κ times: with κ > 0 it is risk-averse.",
+                     .origin = "ours: 0, as in the thesis (Mihatsch & Neuneier 2002)",
+                     .order = 3});
 }
 
 void TraceSettings::declareCutoff(Fields& f) {

@@ -25,6 +25,7 @@ enum class OtherActions : int { Keep, Clear };
 struct EstimateSettings {
   Scheduled stepSize{0.4};   ///< α, over all active features together
   double traceDecay = 0.92;  ///< λ
+  double asymmetry = 0.0;    ///< κ: errors below 0 count (1 + κ) times, those above (1 − κ) times
   void declare(Fields& f);
 };
 
@@ -76,7 +77,7 @@ class Estimate {
   /// Learns that (S, A) is worth R + next, where `next` is γ times the next state's value, computed before this update.
   void learn(Action a, double reward, double next, double discount, const TraceSettings& traces) {
     last_ = {reward, next, value(a)};
-    const double delta = last_.delta();  // δ ← R + γ q̂(S′,·) − q̂(S,A)
+    const double delta = weighed(last_.delta());  // δ ← R + γ q̂(S′,·) − q̂(S,A)
     const double lambda = settings_.traceDecay;
     if (F::kBinary && traces.kind == TraceKind::Replacing)
       update(deferred_, a, alpha() * delta, discount * lambda, traces);
@@ -96,7 +97,7 @@ class Estimate {
     double zx = 0.0;
     eachActive(a, [&](Index weight, double x) { zx += x * plain_.at(values_.weights(), weight); });
     eachActive(a, [&](Index weight, double x) { plain_.accumulate(values_.weights(), weight, (1.0 - step * zx) * x); });
-    plain_.add(values_.weights(), step * (last_.delta() + changed));
+    plain_.add(values_.weights(), step * (weighed(last_.delta()) + changed));
     eachActive(a, [&](Index weight, double x) { values_.weights().add(weight, -step * changed * x); });
     values_.countVisit(x());
     diverged_ |= !(std::abs(last_.delta()) < kDivergedError);
@@ -117,6 +118,11 @@ class Estimate {
   double alpha() {
     const double length = values_.squaredLength(x());
     return settings_.stepSize.now() / (length > 0 ? length : 1.0);
+  }
+  /// Risk-sensitive learning (Mihatsch & Neuneier 2002, Machine Learning 49): with κ above 0 bad news count more.
+  double weighed(double delta) const {
+    const double kappa = settings_.asymmetry;
+    return kappa == 0.0 ? delta : (delta < 0.0 ? 1.0 + kappa : 1.0 - kappa) * delta;
   }
   /// f(weight, x) for the active features of (S, a).
   void eachActive(Action a, const auto& f) {

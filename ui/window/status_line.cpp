@@ -46,12 +46,16 @@ QStringList StatusLine::segments() {
     list << tr("table %1 % full")
                 .arg(toText(fixedText(
                     100.0 * static_cast<double>(*v->memory[0].occupied) / static_cast<double>(v->memory[0].slots), 0)));
+  if (v && v->guarded > 0 && v->steps > 0)
+    list << tr("the guardian acted in %1 % of the steps")
+                .arg(toText(fixedText(100.0 * static_cast<double>(v->guarded) / static_cast<double>(v->steps), 1)));
+  if (v && v->priceOfFall) list << tr("a fall costs %1 more").arg(toText(countText(*v->priceOfFall)));
   cautious_ = -1;
   if (v && v->calibration && v->calibration->all.count >= kLeastActions) {
     const auto percent = [](double share) { return toText(fixedText(100 * share, share < 0.0995 ? 1 : 0)); };
     const auto& risk = *v->calibration;
     if (!risk.holds()) cautious_ = static_cast<int>(list.size());
-    list << (risk.holds() ? tr("risk holds: %1 % said, %2 % fell") : tr("risk is off: %1 % said, %2 % fell"))
+    list << (risk.holds() ? tr("risk holds: %1 % said, %2 % fell") : tr("risk errs: %1 % said, %2 % fell"))
                 .arg(percent(risk.all.said), percent(risk.all.fell));
   }
   list << tr("seed %1").arg(life_.configuration().seed);

@@ -228,6 +228,20 @@ TEST(Sarsa, AnAbandonedEpisodeLeavesNoTrace) {
   }
 }
 
+// By hand, α = .5, γ = .9, λ = 0, κ = .2: a first δ of 1 counts 0.8, one of −1 counts 1.2.
+TEST(Sarsa, WeighsBadNewsMoreByItsAsymmetry) {
+  for (const double reward : {1.0, -1.0}) {
+    Corridor<> c({0.5, 0.9, 0.0});
+    Fields f("agent.");
+    c.agent->declare(f);
+    for (const auto& field : f.all())
+      if (field.parameter.key == "agent.asymmetry") field.set(0.2);
+    c.start(0);
+    c.end(reward);
+    EXPECT_NEAR(c.q(0, 0), reward > 0 ? 0.4 : -0.6, kExact);
+  }
+}
+
 namespace {
 
 /// The online λ-return algorithm, the forward view that true online TD(λ) equals (van Seijen et al. 2016, section 3;

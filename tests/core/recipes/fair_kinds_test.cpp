@@ -51,6 +51,24 @@ TEST(FairKinds, EqualConditionsAreNoOrderAndNoContradictionOfOne) {
   EXPECT_EQ(judged(last, "order", {{"conditions", {"a", "d"}}}).verdict, Verdict::Differs);
 }
 
+// Lives fall 10, 20, 30, 40 and 50 times in every row; what chooses knows it, knows nothing, or knows the reverse.
+TEST(FairKinds, AChoiceIsHeldAgainstTheMeanOfItsRow) {
+  Evidence real = condition("real", 30, "", 0.1, 100), trial = condition("trial", 30, "", 0.1, 100);
+  const auto judgedBy = [&](auto look) {
+    for (std::size_t i = 0; i < 100; ++i) {
+      real.lives[i].falls = 10 + 10.0 * static_cast<double>((i + i / 5) % 5) + 0.01 * static_cast<double>(i % 7);
+      trial.lives[i].allFalls = look(i, real.lives[i].falls);
+    }
+    return judged({real, trial}, "chosen",
+                  {{"conditions", {"real"}}, {"by", {"trial"}}, {"measure", "falls"}, {"other", "all_falls"}});
+  };
+  const Judgement knows = judgedBy([](std::size_t, double falls) { return falls; });
+  EXPECT_EQ(knows.verdict, Verdict::Agrees);
+  EXPECT_NEAR(*knows.ours, 100 * (10.0 / 30 - 1), 0.5);
+  EXPECT_EQ(judgedBy([](std::size_t, double falls) { return -falls; }).verdict, Verdict::Differs);
+  EXPECT_NE(judgedBy([](std::size_t i, double) { return static_cast<double>(i * 37 % 11); }).verdict, Verdict::Agrees);
+}
+
 TEST(FairKinds, TheBestOfManyIsReportedFromOtherLivesThanChoseIt) {
   std::vector<Evidence> all = {condition("reference", 20)};
   for (int i = 0; i < 10; ++i) {  // all alike, but one is lucky in the half that chooses
