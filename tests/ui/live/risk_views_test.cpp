@@ -7,6 +7,7 @@
 #include "ui/live/actions/action_rows.h"
 #include "ui/live/form/parameter_row.h"
 #include "ui/live/maps/value_maps.h"
+#include "ui/session/q_pool.h"
 #include "ui/style/theme.h"
 #include "ui/window/status_line.h"
 
@@ -100,6 +101,20 @@ TEST(RiskViews, TheFormShowsTheSettingsOfTheRuleInForce) {
   QTest::qWait(50);
   EXPECT_TRUE(shown("policy.risk_weight"));
   EXPECT_FALSE(shown("policy.risk_limit"));
+}
+
+// What a robot is careful by in reality it learns boldly.
+TEST(RiskViews, APreLearningIsBold) {
+  Window w;
+  QPool pool(w.registry);
+  Configuration simulation = pendulumConfiguration(
+      w.registry, "softmax", {{"risk.learn", "on"}, {"policy.risk", "filter"}, {"policy.risk_limit", "0.001"}});
+  simulation.episodes = 5;
+  pool.start(simulation, 1);
+  ASSERT_TRUE(w.waitFor([&] { return pool.pool().size() == 1; }));
+  const Json& about = pool.pool()[0].file->about;
+  EXPECT_FALSE(about["configuration"]["parameters"].contains("policy.risk")) << "off, as usual";
+  EXPECT_TRUE(about["estimates"].contains("risk"));
 }
 
 TEST(RiskViews, TheStatusComparesWhatWasSaidWithWhatCame) {
