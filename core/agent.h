@@ -92,11 +92,16 @@ class Agent : public Scheduling {
     const Action a = sample(pi, random);
     if (policy_->caution().guards() && guardian_ && !risk_.empty()) {
       isGuarded_ = policy_->caution().guards(risk_[static_cast<std::size_t>(a)], isGuarded_);
-      if (isGuarded_) return ++guarded_, guardian_->act(seen.state);
+      if (isGuarded_) return guarded(seen.state, pi);
+    } else {
+      isGuarded_ = false;
     }
     explored_ += policy_->explores(view, a);
     return a;
   }
+
+  /// Another episode begins: the guardian waits for a risk above the limit again.
+  void startUnguarded() { isGuarded_ = false; }
 
   /// Part of transferLearning(); older files lack it.
   void transferChosen(Archive& archive) {
@@ -111,6 +116,14 @@ class Agent : public Scheduling {
   std::span<const double> risk_;
 
  private:
+  /// What the guardian does, which is what is learned about: π is all on it.
+  Action guarded(std::span<const double> state, std::span<double> pi) {
+    ++guarded_;
+    const Action a = guardian_->act(state);
+    for (std::size_t i = 0; i < pi.size(); ++i) pi[i] = static_cast<Action>(i) == a ? 1.0 : 0.0;
+    return a;
+  }
+
   const Guardian* guardian_ = nullptr;
   std::int64_t explored_ = 0, guarded_ = 0;
   bool isGuarded_ = false;  ///< the guardian acts

@@ -48,7 +48,7 @@ void Caution::declare(Fields& f) {
            .sliderLow = 0.0,
            .sliderHigh = 6400.0,
            .help = "A certain fall costs an action so much of its value.",
-           .origin = "ours: in place of a fall reward of -3000"});
+           .origin = "ours: on top of the reward of a fall"});
   declare(limit_, {"filter", "explore"},
           {.key = "risk_limit",
            .title = "Limit of risk",

@@ -26,7 +26,7 @@ constexpr std::array kLearning = {
     Line{"agent.budget", "r ← r − Λ·[fall]; Λ ← max(0, Λ + η·(falls − d)) after every episode"},
     Line{"agent.falls_budget", "Λ ← max(0, Λ + η·(falls − d)) after every episode"},
     Line{"agent.budget_rate", "Λ ← max(0, Λ + η·(falls − d)) after every episode"},
-    Line{"risk.learn", "ρ(s, a) ← ρ(s, a) + α·(1 after a fall, 0 after another end, else γ·ρ(s′, a′), − ρ(s, a))"},
+    Line{"risk.learn", "ρ ← ρ + α·(target − ρ); target: 1 after a fall, 0 after another end, else γ·ρ(s′, a′)"},
     Line{"risk.discount", "ρ = Pr(fall), a fall k steps later counting γᵏ"},
     Line{"_schedule", "linear: v = start + (end − start)·min(t/T, 1); exponential: v = end + (start − end)·2^(−t/T)"},
     Line{"_end", "v → end as t grows: v = end for t ≥ T (linear), half as far at every T (exponential)"},

@@ -151,10 +151,10 @@ void registerAgents(Registry& r) {
                         if (const Status s = checkHandMade(parts.task); !s) return s.error();
                         return std::unique_ptr<Agent>(std::make_unique<Scripted>(parts.actions()));
                       }});
-  r.agents.push_back(
-      {{"true-online-sarsa", "True online Sarsa", "Sarsa(λ) that equals its forward view in every step."},
-       declare<OneEstimate<TrueOnlineTarget>>,
-       makeControl<TrueOnlineTarget>});
+  r.agents.push_back({{"true-online-sarsa", "True online Sarsa",
+                       "Sarsa(λ) that equals its forward view, but for the cut-off of its traces."},
+                      declare<OneEstimate<TrueOnlineTarget>>,
+                      makeControl<TrueOnlineTarget>});
   r.agents.push_back(
       {{"expected-sarsa", "Expected Sarsa", "Expected Sarsa(λ): the mean over the policy in place of one draw."},
        declare<OneEstimate<ExpectedTarget>>,

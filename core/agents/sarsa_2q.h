@@ -35,6 +35,7 @@ class Sarsa2Q final : public Agent {
   }
 
   Action start(std::span<const double> state, Random& random) override {
+    startUnguarded();
     a_ = choose(state, random);
     return go(a_);
   }

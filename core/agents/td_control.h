@@ -34,6 +34,7 @@ class TdControl final : public Agent {
   }
 
   Action start(std::span<const double> state, Random& random) override {
+    startUnguarded();
     a_ = choose(state, random);
     old_ = 0.0;
     estimate_.go();

@@ -55,7 +55,7 @@ struct NamedValue {
 };
 /// The values of lifeMeasures(), the share of exploring steps (`exploring`) and of the guardian's (`guarded`), whether
 /// the risk holds (`risk_said`, `risk_fell`, `risk_error`: Calibration), Λ (`price_of_fall`), and what the greedy
-/// policy does at the end
+/// policy, under its caution but without its guardian, does at the end
 /// (`final_falls`, `final_reward`: from `final`, or from the last ten greedy tests); measures that a life does not
 /// have, as without a clock or a greedy test, are left out.
 std::vector<NamedValue> measuresOf(const LifeResult& result);

@@ -45,9 +45,9 @@
 //                 `along` is the same in all (the intervals overlap, none of them takes in more than half of the
 //                 values), or that of the first is `relation` = lower or not-lower than those of the others; of one
 //                 group: its interval holds the thesis's value, and no more than half of the values
-//   chosen        of every `of` (5) lives in a row the one is chosen that has the lowest (`choose` = highest) `other`
-//   in
-//                 the condition `by`, where life i has the same Q-function; its `measure` in the first of `conditions`
+//   chosen        of every `of` (5) lives in a row the one is chosen with the lowest (`choose` = highest) `other` in
+//   the
+//                 condition `by`, where life i has the same Q-function; its `measure` in the first of `conditions`
 //                 against the mean of its row: agrees if it has the sign of `sign` with p < .01 (pairs of rows);
 //                 differs the other way round, or within `widest`
 //   bands-overlap the 95 % bands of the learning curve and of the reference's overlap at 95 % of all moments; undecided

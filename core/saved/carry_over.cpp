@@ -60,6 +60,7 @@ CarriedError carryOver(const ActionValueFunction& from, Agent& to, const Task& t
                        const std::atomic<bool>* interrupted) {
   std::vector<Layer> layers = {Layer::Sum};
   if (from.split()) layers = {Layer::Positive, Layer::Negative};
+  if (from.hasRisk() && to.values().hasRisk()) layers.push_back(Layer::Risk);
   const auto features = static_cast<double>(std::max(featuresOf(from), featuresOf(to.values())));
   const auto states = static_cast<int>(std::clamp(kStatesPerFeature * features, kFewest, kMost));
   Random random(1);

@@ -115,7 +115,7 @@ void StatusLine::paintEvent(QPaintEvent*) {
     const double w = symbolWidth(p.font(), segment);
     if (x + w > width() - stateWidth - 32) break;
     if (x > 12) p.fillRect(QRectF(x - 12, 6, 1, 12), t.hairline);
-    p.setPen(following_ && &segment == segments_.data() + cautious_ ? t.caution : t.quiet);
+    p.setPen(following_ && &segment - segments_.data() == cautious_ ? t.caution : t.quiet);
     drawSymbol(p, QRectF(x, 0, w, height()), Qt::AlignLeft, segment);
     x += w + 24;
   }

@@ -3,6 +3,7 @@
 #include "core/agents/falls_budget.h"
 #include "core/calibration.h"
 #include "core/plans/plan.h"
+#include "core/saved/carry_over.h"
 #include "core/saved/checkpoint.h"
 #include "core/saved/q_file.h"
 #include "tests/core/experiment/test_setup.h"
@@ -130,7 +131,7 @@ TEST(FallsBudget, IsALargerPenaltyAndTheLogKeepsTheReward) {
 
 TEST(Guardian, ActsWhereTheRiskIsHighAndIsCounted) {
   const Registry registry = fullRegistry();
-  const std::vector<Assignment> learned = {{"risk.learn", "on"}, {"risk.memory", "65536"}};
+  const std::vector<Assignment> learned = {{"risk.learn", "on"}, {"risk.memory", "65536"}, {"risk.discount", "1"}};
   const auto with = [&](const char* limit) {
     auto assignments = learned;
     assignments.push_back({"policy.guardian", "hand-made"});
@@ -202,6 +203,29 @@ TEST(Risk, AFileWithItIsReadWhereNoneIsLearned) {
     ASSERT_TRUE(life) << life.error().message;
     EXPECT_EQ((*life)->agent().values().tables(), first->agent().values().tables()) << "risk " << learn;
   }
+}
+
+// Into other tiles the risk goes along: else a careful robot would be bold without a word.
+TEST(Risk, IsCarriedOverIntoOtherTiles) {
+  const Registry registry = fullRegistry();
+  const std::vector<Assignment> learned = {{"risk.learn", "on"}, {"policy.epsilon", "1"}};
+  const auto from = lived(registry, configured(registry, {.environment = "chain"}, learned, 300));
+  const auto to = makeLife(registry, configured(registry, {.environment = "chain"}, learned, 1), 0, false);
+  ASSERT_TRUE(to) << to.error().message;
+  const Task& task = from->environment().task();
+  carryOver(from->agent().values(), const_cast<Agent&>((*to)->agent()), task);
+  double highest = 0.0;
+  std::vector<double> before(task.actions.size()), after(task.actions.size());
+  for (double s = task.state[0].low; s <= task.state[0].high; s += 1.0) {
+    const std::vector<double> state = {s};
+    from->agent().values().evaluate(state, Layer::Risk, before);
+    (*to)->agent().values().evaluate(state, Layer::Risk, after);
+    for (std::size_t a = 0; a < before.size(); ++a) {
+      highest = std::max(highest, before[a]);
+      EXPECT_NEAR(after[a], before[a], 0.1) << "state " << s;
+    }
+  }
+  EXPECT_GT(highest, 0.3);
 }
 
 // A lesson with risk beside it has the same values, so that conditions begin with the same Q-functions.

@@ -179,6 +179,7 @@ bool ActionRows::onRiskLimit(const QPointF& at) const {
 
 /// In steps that a person would take: two digits.
 void ActionRows::dragRiskLimit(double x) {
+  if (!riskLimit()) return;  // it went away while it was dragged
   const Geometry g = geometry();
   const double share = std::clamp((x - g.riskLeft) / (g.riskRight - g.riskLeft), 0.0, 1.0);
   const double risk = std::pow(10.0, std::log10(kLeast) * (1.0 - share));

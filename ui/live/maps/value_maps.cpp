@@ -35,7 +35,10 @@ ValueMaps::ValueMaps(RunningLife& life, Looking& looking, QWidget* parent)
   choice_.fit(life_.task());
   rebuildPolicy();
   connect(&life_, &RunningLife::valuesArrived, this, &ValueMaps::recompute);
-  connect(&life_, &RunningLife::configurationChanged, this, &ValueMaps::rebuildPolicy);
+  connect(&life_, &RunningLife::configurationChanged, this, [this] {
+    rebuildPolicy();
+    recompute();
+  });
   connect(&looking_, &Looking::frame, this, &ValueMaps::followLive);
   connect(&looking_, &Looking::examinedChanged, this, [this] {
     speak();
@@ -71,7 +74,7 @@ bool ValueMaps::split() const {
 }
 
 bool ValueMaps::risky() const {
-  return life_.values() && life_.values()->values->hasRisk() && !(split() && valued());
+  return life_.values() && looking_.valuesShown()->hasRisk() && !(split() && valued());
 }
 
 void ValueMaps::rebuildPolicy() {
@@ -81,7 +84,7 @@ void ValueMaps::rebuildPolicy() {
 
 /// The risk above which the policy in force allows no action; none: it does not look at that.
 std::optional<double> ValueMaps::riskLimit() const {
-  if (!policy_ || !life_.values() || !life_.values()->values->hasRisk()) return std::nullopt;
+  if (!policy_ || !life_.values() || !looking_.valuesShown()->hasRisk()) return std::nullopt;
   return policy_->caution().limit();
 }
 
@@ -149,7 +152,8 @@ void ValueMaps::recompute() {
   const bool dark = themeOf(*this).dark;
   const Geometry g = geometry();
   slice_ = choice_.slice(looking_.shown().state);
-  if (choice_.quantity == MapQuantity::Risk && !v->values->hasRisk()) choice_.quantity = MapQuantity::BestAction;
+  if (choice_.quantity == MapQuantity::Risk && !looking_.valuesShown()->hasRisk())
+    choice_.quantity = MapQuantity::BestAction;
   if (policy_) policy_->advance(life_.lifeTime());
   const auto chosen = choice_.quantity == MapQuantity::Visits        ? visits()
                       : choice_.quantity == MapQuantity::Eligibility ? eligibility()
@@ -157,6 +161,7 @@ void ValueMaps::recompute() {
                                                                      : quantity(Layer::Sum);
   big_.evaluate(task, slice_, static_cast<int>(g.square.width()) / kCell, choice_.projected(task, chosen));
   if (!directions().empty()) best_.evaluate(task, slice_, static_cast<int>(g.square.width()) / kCell, bestActions());
+  risk_ = {};
   if (riskLimit() && valued())
     risk_.evaluate(task, slice_, static_cast<int>(g.square.width()) / kCell, choice_.projected(task, risk()));
   bigScale_ = scaleOf(big_);

@@ -8,6 +8,7 @@
 
 #include "core/features/tile_layout.h"
 #include "core/text/text.h"
+#include "core/values_of_state.h"
 #include "ui/live/maps/value_maps.h"
 #include "ui/running/looking.h"
 #include "ui/running/running_life.h"
@@ -73,17 +74,16 @@ QString ValueMaps::spoken() const {
                                          toText(fixedText(state[d], task.state[d].whole ? 0 : 2)));
   if (looking_.valuesShown()->familiarity(state) < kFamiliar)
     return words.join(QStringLiteral("  ")) + tr(", never visited");
-  std::vector<double> q(static_cast<std::size_t>(v->values->actions()));
-  looking_.valuesShown()->evaluate(state, Layer::Sum, q);
-  const auto best = static_cast<std::size_t>(std::max_element(q.begin(), q.end()) - q.begin());
+  ValuesOfState here;
+  here.evaluate(*looking_.valuesShown(), state);
+  std::vector<double> greedy(here.q.size());
+  policy_->greedy(here.view(), greedy);  // as the maps: under the caution in force
+  const auto best = static_cast<std::size_t>(std::max_element(greedy.begin(), greedy.end()) - greedy.begin());
   QString risk;
-  if (looking_.valuesShown()->hasRisk()) {
-    std::vector<double> rho(q.size());
-    looking_.valuesShown()->evaluate(state, Layer::Risk, rho);
-    risk = tr(",  risk %1 %").arg(toText(fixedText(100 * std::clamp(rho[best], 0.0, 1.0), 1)));
-  }
+  if (!here.risk.empty())
+    risk = tr(",  risk %1 %").arg(toText(fixedText(100 * std::clamp(here.risk[best], 0.0, 1.0), 1)));
   return tr("%1:  Q %2 for %3%5,  %4 visits")
-      .arg(words.join(QStringLiteral("  ")), toText(fixedText(q[best], 1)), actionNameOf(task, best),
+      .arg(words.join(QStringLiteral("  ")), toText(fixedText(here.q[best], 1)), actionNameOf(task, best),
            toText(countText(looking_.valuesShown()->visits(state))), risk);
 }
 
