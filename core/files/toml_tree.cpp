@@ -86,14 +86,28 @@ std::optional<std::pair<std::string_view, std::size_t>> headingIn(std::string_vi
   return std::pair(line.substr(first + brackets, end - first - brackets), brackets);
 }
 
+/// The lines before line `at`, in one pass.
+std::vector<std::string_view> linesBefore(std::string_view text, int at) {
+  std::vector<std::string_view> lines;
+  for (int line = 1; line < at; ++line) {
+    const auto end = text.find('\n');
+    lines.push_back(text.substr(0, end));
+    if (end == text.npos) break;
+    text.remove_prefix(end + 1);
+  }
+  return lines;
+}
+
 /// Why the parser does not take a heading: it is there already.
 std::string aboutHeading(std::string_view text, int at) {
   constexpr const char* kNone = "a heading stands in brackets, [body.leg] or [[state]].";
   const auto here = headingIn(lineOf(text, at));
   if (!here) return kNone;
   const std::string name = printable(shortened(here->first));
-  for (int line = 1; line < at; ++line) {
-    const auto other = headingIn(lineOf(text, line));
+  int line = 0;
+  for (const std::string_view words : linesBefore(text, at)) {
+    ++line;
+    const auto other = headingIn(words);
     if (!other || other->first != here->first) continue;
     return other->second == 1 && here->second == 1
                ? fmt::format("[{}] stands in line {} already.", name, line)
@@ -105,8 +119,9 @@ std::string aboutHeading(std::string_view text, int at) {
 
 /// Where the list begins that line `at` goes on with; 0: it goes on with none.
 int openListBefore(std::string_view text, int at) {
-  for (int line = at - 1; line > 0; --line) {
-    const std::string_view words = lineOf(text, line);
+  const auto lines = linesBefore(text, at);
+  for (int line = static_cast<int>(lines.size()); line > 0; --line) {
+    const std::string_view words = lines[static_cast<std::size_t>(line) - 1];
     const auto opens = words.find("= [");
     if (opens != words.npos && words.find(']', opens) == words.npos) return line;
     if (words.find_first_not_of(" \t\r") != words.npos) return 0;
