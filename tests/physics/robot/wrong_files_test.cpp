@@ -118,6 +118,12 @@ TEST(WrongRobots, AListThatIsNotClosedIsTold) {
   EXPECT_NE(told.find("is not closed."), std::string::npos) << told;
 }
 
+// As many lines as a robot's file may have: what is before a mistake is looked through once, not once a line.
+TEST(WrongRobots, AMistakeBehindManyLinesIsToldAtOnce) {
+  const std::string told = firstComplaint("[view]\nlist = [1\n" + std::string(250'000, '\n') + "other = = 3\n");
+  EXPECT_NE(told.find("the [ of line 2 is not closed."), std::string::npos) << told;
+}
+
 TEST(WrongRobots, WhatLearningCannotHaveIsToldInItsLine) {
   const std::string file = ::testing::TempDir() + "learning.toml";
   ASSERT_TRUE(writeWhole("robot", file, robotText("pendulum") + "[learning]\ndiscount = 97\n"));
