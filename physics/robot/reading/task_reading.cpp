@@ -73,6 +73,8 @@ std::string noEnding(const std::string& name, const std::vector<EndingSpec>& end
 RewardSpec readReward(const TomlNode& node, RobotReader& in) {
   TomlReader reader(node, in.complaints());
   RewardSpec reward{.name = reader.neededText("name")};
+  if (reward.name == "shaping" || reward.name == "price_of_fall")
+    reader.complain("name", fmt::format("{} is what the learner calls a reward of its own.", reward.name));
   const TomlNode* potential = reader.find("potential");
   reward.potential = potential != nullptr;
   if (!potential) reader.need("value");

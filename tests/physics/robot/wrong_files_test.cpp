@@ -113,6 +113,12 @@ TEST(WrongRobots, AHeadingThatIsThereAlreadyIsTold) {
             std::string::npos);
 }
 
+TEST(WrongRobots, NamesOfTheLearnersOwnRewardsAreRefused) {
+  const std::string reward = "\n[[reward]]\nname = \"price_of_fall\"\nvalue = \"-1\"\n";
+  EXPECT_NE(firstWith(reward).find("price_of_fall is what the learner calls a reward of its own."), std::string::npos)
+      << firstWith(reward);
+}
+
 TEST(WrongRobots, AListThatIsNotClosedIsTold) {
   const std::string told = firstWith("[view]\nlist = [1,\nother = 3\n");
   EXPECT_NE(told.find("is not closed."), std::string::npos) << told;
