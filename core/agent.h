@@ -21,8 +21,8 @@ namespace surefoot {
 class Guardian {
  public:
   virtual ~Guardian() = default;
-  /// Its action in the state that the agent is in. Hot.
-  virtual Action act(std::span<const double> state) const = 0;
+  /// The action of `who` in the state that the agent is in. Hot.
+  virtual Action act(GuardedBy who, std::span<const double> state) const = 0;
 };
 
 class Calibration;
@@ -119,7 +119,7 @@ class Agent : public Scheduling {
   /// What the guardian does, which is what is learned about: π is all on it.
   Action guarded(std::span<const double> state, std::span<double> pi) {
     ++guarded_;
-    const Action a = guardian_->act(state);
+    const Action a = guardian_->act(policy_->caution().guardedBy(), state);
     for (std::size_t i = 0; i < pi.size(); ++i) pi[i] = static_cast<Action>(i) == a ? 1.0 : 0.0;
     return a;
   }

@@ -27,9 +27,8 @@ bool Calibration::Report::holds() const {
   return std::abs(all.said - all.fell) <= std::max(halfWidth, kTolerance);
 }
 
-void Calibration::end(bool fell) {
+void Calibration::end(double came) {
   if (open_ > 0) last_[(next_ + kSteps - 1) % kSteps] = 1;
-  double came = fell ? 1.0 : 0.0;
   for (std::size_t k = 1; k <= open_; ++k, came *= discount_)
     came_[(next_ + kSteps - k) % kSteps] = static_cast<float>(came);
   closed_ = std::min(kSteps, closed_ + open_);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whether the risk of a fall holds: what ρ said of the last 10,000 actions, and what came. After an episode each of its
-// actions counts γ_ρᵏ if the episode fell k steps later, else 0; a time limit counts as no fall.
+// actions counts γ_ρᵏ if the episode fell k steps later, else 0. Behind a time limit nobody knows: what ρ says of the
+// state where the episode would have gone on counts, so many steps later.
 #pragma once
 
 #include <cstddef>
@@ -43,8 +44,9 @@ class Calibration {
     if (open_ < kSteps) ++open_;
     if (closed_ + open_ > kSteps) closed_ = kSteps - open_;
   }
-  /// The actions since the last end led to a fall, or to none.
-  void end(bool fell);
+  /// What the last action came to: 1 a fall, 0 none, between them what is expected behind a time limit; those since the
+  /// last end before it came to γ_ρᵏ of that.
+  void end(double came);
   /// Nothing is known of the actions since the last end.
   void abandon();
 

@@ -10,17 +10,22 @@ namespace surefoot {
 
 namespace {
 constexpr const char* kRules[] = {"off", "weight", "filter", "explore", "losses"};
-}
+constexpr const char* kGuardians[] = {"nobody", "hand-made", "q-function"};
+}  // namespace
 
 const char* nameOf(CautionRule rule) {
   return kRules[static_cast<int>(rule)];
 }
 
 Status Caution::check(const CautionNeeds& has) const {
-  if (guards() && !has.handMade)
+  if (guardedBy_ == GuardedBy::HandMade && !has.handMade)
     return Error{"policy.guardian = hand-made: the environment has no hand-made controller; choose nobody."};
+  if (guardedBy_ == GuardedBy::QFunction && !has.guardian)
+    return Error{"policy.guardian = q-function: there is none; name its file, policy.guardian = FILE."};
   if (guards() && !has.risk)
-    return Error{"policy.guardian = hand-made: it needs the risk of a fall, which is learned with risk.learn = on."};
+    return Error{
+        fmt::format("policy.guardian = {}: it needs the risk of a fall, which is learned with risk.learn = on.",
+                    kGuardians[static_cast<int>(guardedBy_)])};
   if (rule_ == CautionRule::Off || (rule_ == CautionRule::Losses ? has.losses : has.risk)) return Done{};
   return Error{fmt::format("policy.risk = {}: it needs {}.", nameOf(rule_),
                            rule_ == CautionRule::Losses ? "expected losses apart, as the agent sarsa-2q learns them"
@@ -73,9 +78,10 @@ void Caution::declare(Fields& f) {
                         .title = "Guardian",
                         .when = When::Now,
                         .group = Group::Risk,
-                        .help = "Who acts while the policy's action is too risky; the learner learns from it.",
+                        .help = "Who acts while the policy's action is too risky: the robot's own controller, or a "
+                                "Q-function of a file. The learner learns from it.",
                         .origin = "ours: nobody, as in the thesis",
-                        .choices = {"nobody", "hand-made"},
+                        .choices = {std::begin(kGuardians), std::end(kGuardians)},
                         .order = 3});
   f.real(guardianLimit_, {.key = "guardian_limit",
                           .title = "Limit of the guardian",

@@ -27,13 +27,14 @@ struct ActionView {
 };
 
 enum class CautionRule : int { Off, Weight, Filter, Explore, Losses };
-enum class GuardedBy : int { Nobody, HandMade };
+enum class GuardedBy : int { Nobody, HandMade, QFunction };
 
 /// What the rules of caution can use.
 struct CautionNeeds {
   bool risk = false;      ///< ρ is learned
   bool losses = false;    ///< Q⁻ is apart
   bool handMade = false;  ///< the environment has a controller of its own
+  bool guardian = false;  ///< a Q-function stands by as guardian
 };
 
 /// "weight"
@@ -58,6 +59,7 @@ class Caution {
   }
   /// Whether a guardian acts where the risk is too high.
   bool guards() const { return guardedBy_ != GuardedBy::Nobody; }
+  GuardedBy guardedBy() const { return guardedBy_; }
   /// Whether it acts now: from where the risk of the policy's action is above the limit until it is below half of it.
   bool guards(double risk, bool already) const { return risk > (already ? 0.5 : 1.0) * guardianLimit_; }
   /// Whether what the rule and the guardian need is there.

@@ -21,7 +21,7 @@ constexpr std::array kLearning = {
     Line{"policy.risk_weight", "π on Q(s, a) − w·ρ(s, a)"},
     Line{"policy.risk_limit", "π among {a: ρ(s, a) ≤ limit}; where there is none, among the least risky"},
     Line{"policy.losses_factor", "π on Q⁺(s, a) + k·Q⁻(s, a)"},
-    Line{"policy.guardian", "hand-made: it acts from ρ(s, a) > limit until ρ(s, a) ≤ limit/2, a drawn by the policy"},
+    Line{"policy.guardian", "it acts from ρ(s, a) > limit until ρ(s, a) ≤ limit/2, a drawn by the policy"},
     Line{"policy.guardian_limit", "ρ(s, a) > limit"},
     Line{"agent.budget", "r ← r − Λ·[fall]; Λ ← max(0, Λ + η·(falls − d)) after every episode"},
     Line{"agent.falls_budget", "Λ ← max(0, Λ + η·(falls − d)) after every episode"},

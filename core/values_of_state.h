@@ -9,9 +9,10 @@
 
 namespace surefoot {
 
-/// What caution can use of a learner's values, in a task with a hand-made controller or without.
-inline CautionNeeds usableBy(const ActionValueFunction& values, bool handMade) {
-  return {.risk = values.hasRisk(), .losses = values.split(), .handMade = handMade};
+/// What caution can use of a learner's values, in a task with a hand-made controller or without, with a Q-function as
+/// guardian or without.
+inline CautionNeeds usableBy(const ActionValueFunction& values, bool handMade, bool guardian) {
+  return {.risk = values.hasRisk(), .losses = values.split(), .handMade = handMade, .guardian = guardian};
 }
 
 struct ValuesOfState {

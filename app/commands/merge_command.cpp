@@ -61,16 +61,18 @@ Status checkVersions(const std::vector<Store>& parts) {
   return Done{};
 }
 
-/// The Q-functions that lives begin with, from the first part that holds them.
+/// The Q-functions that lives begin with or have as guardian, from the first part that holds them.
 Status addQFunctions(const std::vector<Store>& parts, StoredPlan& plan) {
   for (const StoredCondition& c : plan.conditions) {
     const auto json = parseJson(c.configuration);
-    const auto content = json.value("/began_with/content"_json_pointer, nlohmann::json());
-    for (const Store& part : parts) {
-      if (!content.is_string() || plan.qFunctions.contains(content)) break;
-      auto q = part.qFunction(content);
-      if (!q) return q.error();
-      if (*q) plan.qFunctions[content] = std::move(*q);
+    for (const auto& which : {"/began_with/content"_json_pointer, "/guardian/content"_json_pointer}) {
+      const auto content = json.value(which, nlohmann::json());
+      for (const Store& part : parts) {
+        if (!content.is_string() || plan.qFunctions.contains(content)) break;
+        auto q = part.qFunction(content);
+        if (!q) return q.error();
+        if (*q) plan.qFunctions[content] = std::move(*q);
+      }
     }
   }
   return Done{};

@@ -38,7 +38,7 @@ Result<Answer> answer(const Registry& registry, const QueryRequest& request, Sto
   const auto policy = makePolicy(registry, a.policy, f.configuration.parameters);
   if (!policy) return policy.error();
 
-  if (const Status s = (*policy)->caution().check(usableBy(f.values(), f.task().handMade)); !s) return s.error();
+  if (const Status s = (*policy)->caution().check(usableBy(f.values(), f.task().handMade, true)); !s) return s.error();
   ValuesOfState here;
   here.evaluate(f.values(), state);
   a.pi.resize(here.q.size());

@@ -56,6 +56,7 @@ std::string sliceAsCsv(const StoredFunction& f, std::pair<std::size_t, std::size
   std::vector<std::pair<Layer, const char*>> layers = {{Layer::Sum, "q"}};
   if (f.values().split())
     layers.insert(layers.end(), {{Layer::Positive, "q_positive"}, {Layer::Negative, "q_negative"}});
+  if (f.values().hasRisk()) layers.emplace_back(Layer::Risk, "risk");
 
   fmt::memory_buffer out;
   const auto to = std::back_inserter(out);

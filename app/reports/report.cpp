@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "core/basics/typed_json.h"
 #include "core/experiment/configuration_json.h"
 #include "core/life/life_measures.h"
+#include "core/saved/q_file.h"
 #include "core/statistics/statistics.h"
 #include "core/store/store.h"
 #include "core/version.h"
@@ -126,6 +128,10 @@ std::string resultAsJson(const Configuration& configuration, const std::vector<L
   OrderedJson result = {
       {"version", kVersion}, {"configuration", configurationAsJson(configuration)}, {"seed", configuration.seed}};
   if (!configuration.beganWith.is_null()) result["began_with"] = configuration.beganWith;
+  if (const auto& teacher = configuration.teacher) {
+    const std::string name = std::filesystem::path(teacher->name).filename().string();
+    result["guardian"] = {{"file", name}, {"content", contentOf(*teacher)}};
+  }
   result["lives"] = list;
   return jsonText(result, 2) + "\n";
 }

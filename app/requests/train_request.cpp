@@ -10,6 +10,7 @@
 #include "app/requests/train_from.h"
 #include "app/requests/train_load.h"
 #include "core/saved/q_file.h"
+#include "core/saved/teacher_file.h"
 #include "core/text/number_text.h"
 #include "core/text/text.h"
 
@@ -218,8 +219,10 @@ Result<TrainRequest> makeTrainRequest(const Registry& registry, const TrainOptio
   if (o.otherVersion && !o.resume) return Error{"--other-version: it goes with --resume FILE."};
   if (o.resume)
     if (const Status s = checkResume(o); !s) return s.error();
-  const auto assignments = parseAssignments(o.assignments);
+  auto assignments = parseAssignments(o.assignments);
   if (!assignments) return assignments.error();
+  auto teacher = takeTeacher(*assignments, "");
+  if (!teacher) return teacher.error();
   std::shared_ptr<const TensorFile> loaded;
   if (o.load) {
     auto file = readQFile(*o.load);
@@ -229,6 +232,7 @@ Result<TrainRequest> makeTrainRequest(const Registry& registry, const TrainOptio
   auto chosen = chosenConfiguration(registry, o, loaded.get(), *assignments);
   if (!chosen) return chosen.error();
   Configuration& c = request.configuration = std::move(chosen->configuration);
+  if (*teacher) c.teacher = std::move(*teacher);
   if (!window) {
     if (const Status s = checkPolicyKeys(registry, c.names.policy, *assignments); !s) return s.error();
     if (const Status s = checkEffect(c.parameters, *assignments); !s) return s.error();

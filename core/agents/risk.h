@@ -9,6 +9,7 @@
 // policy's (core/caution.h): the agent inside is shown ρ(S′, ·) before it chooses A′.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <utility>
 
@@ -67,13 +68,14 @@ class RiskAgent final : public AgentAround {
   void end(const Outcome& outcome) override {
     inner().end(outcome);
     learn(outcome, 0.0);
-    close();
+    close(0.0);
   }
   Action truncate(const Outcome& outcome, std::span<const double> state, Random& random) override {
     estimate_.arrive(state, next_);
     const Action next = inner().truncate(outcome, state, random);
-    learn(outcome, next_[static_cast<std::size_t>(next)]);
-    close();
+    const double goesOn = next_[static_cast<std::size_t>(next)];
+    learn(outcome, goesOn);
+    close(settings_.discount * std::clamp(goesOn, 0.0, 1.0));
     return next;
   }
   void abandon() override {
@@ -124,12 +126,12 @@ class RiskAgent final : public AgentAround {
     calibration_.say(estimate_.last().before);
     if (!fell) return;
     estimate_.clearTrace();
-    calibration_.end(true);
+    calibration_.end(1.0);
   }
   /// The episode is over; nothing is open any more if it ended in a fall.
-  void close() {
+  void close(double came) {
     estimate_.clearTrace();
-    calibration_.end(false);
+    calibration_.end(came);
   }
 
   Estimate<F> estimate_;

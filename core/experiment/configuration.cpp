@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/environment_library.h"
+#include "core/experiment/configuration_json.h"
 #include "core/experiment/task_description.h"
 #include "core/text/number_text.h"
 
@@ -68,6 +69,13 @@ Result<Configuration> configure(const Registry& registry, const Names& names,
   return c;
 }
 
+void leaveTeacher(Configuration& c) {
+  c.teacher = nullptr;
+  const Parameters::Entry* guardian = c.parameters.find("policy.guardian");
+  if (guardian && static_cast<GuardedBy>(guardian->value) == GuardedBy::QFunction)
+    static_cast<void>(static_cast<bool>(c.parameters.set("policy.guardian", std::string_view("nobody"))));
+}
+
 std::vector<std::string> policyKeys(const PolicyEntry& policy) {
   Parameters parameters;
   parameters.add(*policy.make(), "policy.");
@@ -85,6 +93,10 @@ Result<Configuration> configurationUnder(const Registry& registry, const Configu
   changed->seed = now.seed;
   changed->minutes = now.minutes;
   changed->episodes = now.episodes;
+  if (names.environment == now.names.environment)
+    changed->teacher = now.teacher;
+  else
+    leaveTeacher(*changed);
   return changed;
 }
 
@@ -105,6 +117,16 @@ Result<std::unique_ptr<Environment>> makeEnvironment(const Registry& registry, c
   if (const Status s = environment->check(); !s) return s.error();
   environment->parametersChanged();
   return environment;
+}
+
+Result<std::unique_ptr<Agent>> makeTeacher(const Registry& registry, const TensorFile& file, const Task& task) {
+  if (const Status s = checkTask(file, task); !s) return s.error();
+  if (!file.about.contains("configuration")) return fileError(file.name, "it holds no configuration.");
+  const auto c = configurationFromJson(registry, file.about["configuration"], file.name);
+  if (!c) return c.error();
+  const auto entry = findEntry(registry.agents, "agent", c->names.agent);
+  if (!entry) return entry.error();
+  return (*entry)->make({task, c->names.features, c->parameters, 0, &file});
 }
 
 namespace {
@@ -172,9 +194,17 @@ Result<LifeParts> makeParts(const Registry& registry, const Configuration& c, st
     if (const Status s = checkTask(*c.start, task); !s) return s.error();
   auto agent = (*agentEntry)->make({task, c.names.features, c.parameters, weightSeed, c.start.get()});
   if (!agent) return agent.error();
-  if (const Status s = (*policy)->caution().check(usableBy((*agent)->values(), task.handMade)); !s) return s.error();
+  std::unique_ptr<Agent> teacher;
+  if (c.teacher) {
+    auto made = makeTeacher(registry, *c.teacher, task);
+    if (!made) return made.error();
+    teacher = std::move(*made);
+  }
+  const CautionNeeds has = usableBy((*agent)->values(), task.handMade, teacher != nullptr);
+  if (const Status s = (*policy)->caution().check(has); !s) return s.error();
   LifeParts parts{std::move(environment), std::move(*policy), std::move(*agent), c.parameters, c.names.policy, {}};
   parts.preLearned = c.start != nullptr;
+  parts.teacher = std::move(teacher);
   if (!parts.environment->task().measures.empty()) {
     auto tests = makeEnvironment(registry, c);
     if (!tests) return tests.error();

@@ -53,6 +53,8 @@ struct Configuration {
   /// The Q-function that every life begins with; null: none. Shared, because it is large and many lives read it.
   std::shared_ptr<const TensorFile> start;
   Json beganWith;  ///< the file of `start`, with its hash and description; null: none
+  /// The Q-function that can act as guardian (policy.guardian = q-function); null: none.
+  std::shared_ptr<const TensorFile> teacher;
 };
 
 /// Whether a program moves the environment: its lives have the same bits on the same machine only.
@@ -65,12 +67,19 @@ Result<Configuration> configure(const Registry& registry, const Names& names,
 /// A configuration under other names; it keeps the values of all parameters that both have.
 Result<Configuration> configurationUnder(const Registry& registry, const Configuration& now, const Names& names);
 
+/// Takes the Q-function away that could act as guardian; nobody does then, if it did.
+void leaveTeacher(Configuration& configuration);
+
 /// The keys that a policy reads, e.g. "policy.epsilon".
 std::vector<std::string> policyKeys(const PolicyEntry& policy);
 
 /// A policy with its parameters from the configuration.
 Result<std::unique_ptr<Policy>> makePolicy(const Registry& registry, const std::string& name,
                                            const Parameters& parameters);
+
+/// An agent with the Q-function of a file, under the configuration that it was learned in; refused if it belongs to
+/// another task.
+Result<std::unique_ptr<Agent>> makeTeacher(const Registry& registry, const TensorFile& file, const Task& task);
 
 /// An environment with its parameters from the configuration.
 Result<std::unique_ptr<Environment>> makeEnvironment(const Registry& registry, const Configuration& configuration);

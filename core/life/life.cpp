@@ -10,20 +10,6 @@
 
 namespace surefoot {
 
-namespace {
-
-/// The environment's own controller as a guardian.
-class HandMadeGuardian final : public Guardian {
- public:
-  explicit HandMadeGuardian(const Environment& environment) : environment_(environment) {}
-  Action act(std::span<const double>) const override { return environment_.handMadeAction(); }
-
- private:
-  const Environment& environment_;
-};
-
-}  // namespace
-
 Life::Life(LifeParts parts, Random world, Random policy, LifeLimits limits, bool keepRows)
     : environment_(std::move(parts.environment)),
       policy_(std::move(parts.policy)),
@@ -37,15 +23,16 @@ Life::Life(LifeParts parts, Random world, Random policy, LifeLimits limits, bool
       limits_(limits),
       log_(keepRows, environment_->task().measures),
       tester_(std::move(parts.tests), parts.testSeed) {
-  meetAgent();
+  agent_->setPolicy(*policy_);
+  setTeacher(std::move(parts.teacher));
   inputs_.random = worldRandom_.state();
   if (environment_->answersAtOnce()) beginEpisode();
 }
 
-void Life::meetAgent() {
-  agent_->setPolicy(*policy_);
-  if (environment_->task().handMade) guardian_ = std::make_unique<HandMadeGuardian>(*environment_);
-  agent_->setGuardian(guardian_.get());
+void Life::setTeacher(std::unique_ptr<Agent> teacher) {
+  auto guardians = std::make_unique<Guardians>(*environment_, std::move(teacher));
+  agent_->setGuardian(guardians.get());
+  guardians_ = std::move(guardians);
 }
 
 void Life::beginEpisode(const std::vector<double>& state) {
@@ -158,7 +145,9 @@ Status Life::set(std::string_view key, double value) {
     applyTo(*environment_, "environment.");
     if (environmentChanged_) tester_.follow(*environment_);
     applyTo(*policy_, "policy.");
-    if (const Status s = policy_->caution().check(usableBy(agent_->values(), environment_->task().handMade)); !s) {
+    if (const Status s = policy_->caution().check(
+            usableBy(agent_->values(), environment_->task().handMade, guardians_->hasTeacher()));
+        !s) {
       static_cast<void>(static_cast<bool>(parameters_.set(key, before)));
       parameters_.applyTo(*policy_, "policy.");
       return s;

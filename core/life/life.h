@@ -17,6 +17,7 @@
 #include "core/life/episode_inputs.h"
 #include "core/life/episode_log.h"
 #include "core/life/greedy_trial.h"
+#include "core/life/guardians.h"
 
 namespace surefoot {
 
@@ -52,6 +53,7 @@ struct LifeParts {
   std::vector<Change> changes{};         ///< the changes so far, of a life that goes on
   std::unique_ptr<Environment> tests{};  ///< another environment, for tests of the greedy policy; null: none
   std::uint64_t testSeed = 0;
+  std::unique_ptr<Agent> teacher{};  ///< its Q-function can act as guardian; null: none
 };
 
 /// The limit that is reached first ends the life.
@@ -95,6 +97,8 @@ class Life {
   /// refused: make a new life for it.
   Status set(std::string_view key, double value);
   void setPolicy(const std::string& name, std::unique_ptr<Policy> policy);
+  /// From now on this agent's Q-function is the one that can act as guardian (policy.guardian).
+  void setTeacher(std::unique_ptr<Agent> teacher);
   /// Pushes the body by an impulse [N s]; false: there is none to push.
   bool push(double impulse);
   /// Gives up the current episode, which is then not counted, and begins one in this state.
@@ -137,8 +141,6 @@ class Life {
   std::uint64_t hash() const;
 
  private:
-  /// Tells the agent its policy and its guardian.
-  void meetAgent();
   /// Begins in this state; if it is empty, the environment draws one.
   void beginEpisode(const std::vector<double>& state = {});
   /// A test of the greedy policy, if one is due and has not been made.
@@ -188,9 +190,9 @@ class Life {
   // The environment's inputs since the beginning of the episode. With them a resumed life brings any environment to the
   // same state.
   bool keepInputs_ = false;
-  std::unique_ptr<Guardian> guardian_;  // acts for the policy where it asks for one
-  bool explores_ = false;               // the next action is not the best by q̂
-  EpisodeInputs inputs_;                // inputs of the current episode, or of the last one
+  std::unique_ptr<Guardians> guardians_;  // act for the policy where it asks for one
+  bool explores_ = false;                 // the next action is not the best by q̂
+  EpisodeInputs inputs_;                  // inputs of the current episode, or of the last one
 };
 
 }  // namespace surefoot

@@ -27,7 +27,8 @@ Life::Life(LifeParts parts, LifeLimits limits, bool keepRows, Archive& archive)
       changes_(std::move(parts.changes)),
       tester_(std::move(parts.tests), parts.testSeed),
       keepInputs_(true) {
-  meetAgent();
+  agent_->setPolicy(*policy_);
+  setTeacher(std::move(parts.teacher));
   tester_.follow(*environment_);
   transfer(archive);
   if (archive.good()) checkEpisode(archive);

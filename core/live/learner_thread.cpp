@@ -198,6 +198,7 @@ void LearnerThread::carryOut(Command& command) {
     LearnerThread& t;
     void operator()(SetParameter& c) const { static_cast<void>(static_cast<bool>(t.life_->set(c.key, c.value))); }
     void operator()(SetPolicy& c) const { t.life_->setPolicy(c.name, std::move(c.policy)); }
+    void operator()(SetTeacher& c) const { t.life_->setTeacher(std::move(c.teacher)); }
     void operator()(SetRunning& c) const { t.running_ = c.running; }
     void operator()(SetPace& c) const { t.pace_ = c.pace; }
     void operator()(SetTurbo& c) const { t.turbo_ = c.turbo; }

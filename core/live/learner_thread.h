@@ -29,6 +29,9 @@ struct SetPolicy {
   std::string name;
   std::unique_ptr<Policy> policy;
 };
+struct SetTeacher {
+  std::unique_ptr<Agent> teacher;
+};  ///< its Q-function can act as guardian from now on
 struct SetRunning {
   bool running;
 };
@@ -73,8 +76,8 @@ struct ReplaceLife {
   StepTaken last{};                     ///< the last step of the new one, if it is known
 };
 
-using Command = std::variant<SetParameter, SetPolicy, SetRunning, SetPace, SetTurbo, SetHand, Place, Visit, SingleStep,
-                             Watch, Push, ReplaceLife>;
+using Command = std::variant<SetParameter, SetPolicy, SetTeacher, SetRunning, SetPace, SetTurbo, SetHand, Place, Visit,
+                             SingleStep, Watch, Push, ReplaceLife>;
 
 /// send(), wantSnapshot(), takeSnapshot() … are for one thread, the window's; the life belongs to the thread in here.
 class LearnerThread {

@@ -8,6 +8,7 @@
 
 #include "core/environment_library.h"
 #include "core/saved/q_file.h"
+#include "core/saved/teacher_file.h"
 
 namespace surefoot {
 
@@ -37,12 +38,15 @@ class ConditionMaker {
     const auto refuse = [&](const std::string& sentence) { return planError(path_, line, sentence); };
     Draft draft;
     if (const Status s = read(c, draft); !s) return s.error();
+    auto teacher = takeTeacher(draft.assignments, std::filesystem::path(path_).parent_path().string());
+    if (!teacher) return refuse(teacher.error().message);
     auto configuration = configure(registry_, draft.names, draft.assignments);
     if (!configuration) return refuse(configuration.error().message);
     if (const Status s = checkPolicy(draft); !s) return refuse(s.error().message);
 
     Condition condition;
     Configuration& now = condition.configuration = std::move(*configuration);
+    now.teacher = std::move(*teacher);
     now.lives = head_.lives;
     now.minutes = draft.minutes;
     now.episodes = draft.episodes;
@@ -50,6 +54,7 @@ class ConditionMaker {
       return refuse("minutes or episodes: how long a life is must be given, e.g. minutes = 9.");
     condition.varied = c.varied;
     condition.text = describe(registry_, now);
+    if (now.teacher) condition.text += " guardian=" + contentOf(*now.teacher);
     if (const Status s = addPreLearning(c, draft, condition, line); !s) return s.error();
     if (!draft.file.empty())
       if (const Status s = readStart(draft.file, condition); !s) return refuse(s.error().message);

@@ -48,14 +48,14 @@ std::string settingsOf(const Parameters& parameters, const Parameters& usual,
   return lines;
 }
 
-/// The setting for the file, if the file still has the same values.
-Result<std::string> fileToml(const TensorFile& start) {
-  const std::string name = std::filesystem::path(start.name).filename().string();
-  const auto now = readQFile(start.name);
+/// Where the file is that the life "began with", if it still has the same values.
+Result<std::string> placeOf(const TensorFile& file, const char* beganWith) {
+  const std::string name = std::filesystem::path(file.name).filename().string();
+  const auto now = readQFile(file.name);
   if (!now) return now.error();
-  if (contentOf(**now) != contentOf(start))
-    return Error{fmt::format("The life began with {}, and that file holds other values now.", name)};
-  return "pre-learning.file = " + tomlText(std::filesystem::absolute(start.name).string()) + "\n";
+  if (contentOf(**now) != contentOf(file))
+    return Error{fmt::format("The life {} {}, and that file holds other values now.", beganWith, name)};
+  return tomlText(std::filesystem::absolute(file.name).string());
 }
 
 /// The settings of a pool that is learned in the same way as this Q-function. A plan takes most settings over from the
@@ -103,7 +103,21 @@ Result<std::string> startToml(const Registry& registry, const Configuration& c) 
   if (!c.start)
     return notToBeWritten(file.empty() ? "something learned before"
                                        : std::string(shortened(file)) + ", which is not at hand");
-  return c.start->name.empty() ? preLearningToml(registry, c, *c.start) : fileToml(*c.start);
+  if (c.start->name.empty()) return preLearningToml(registry, c, *c.start);
+  const auto place = placeOf(*c.start, "began with");
+  if (!place) return place.error();
+  return "pre-learning.file = " + *place + "\n";
+}
+
+/// Where the settings say that a Q-function is the guardian, they name its file.
+Status teacherToml(const Configuration& c, std::string& toml) {
+  const std::string said = "set.policy.guardian = \"q-function\"\n";
+  const auto at = toml.find(said);
+  if (at == toml.npos || !c.teacher) return Done{};
+  const auto file = placeOf(*c.teacher, "is guarded by");
+  if (!file) return file.error();
+  toml.replace(at, said.size(), "set.policy.guardian = " + *file + "\n");
+  return Done{};
 }
 
 }  // namespace
@@ -138,6 +152,7 @@ Result<std::string> conditionToml(const Registry& registry, const Configuration&
   line("policy", c.names.policy);
   toml += lengthOf(c, (*environment)->task().stepTime.has_value());
   toml += settingsOf(c.parameters, usual->parameters, keys, "");
+  if (const auto teacher = teacherToml(c, toml); !teacher) return teacher.error();
   const auto start = startToml(registry, c);
   if (!start) return start.error();
   return toml + *start;

@@ -7,6 +7,7 @@
 #include "core/experiment/configuration_json.h"
 #include "core/life/lives_version.h"
 #include "core/saved/q_file.h"
+#include "core/saved/teacher_file.h"
 
 namespace surefoot {
 
@@ -121,6 +122,7 @@ TensorFile checkpointOf(const Life& life, const Configuration& configuration, bo
   Archive archive = Archive::writer(file);
   life.save(archive);
   expects(archive.good(), "a life can be saved");
+  if (configuration.teacher) packTeacher(file, *configuration.teacher);
   seal(file);
   return file;
 }

@@ -49,22 +49,22 @@ std::string placeOf(const std::string& file, const std::string& journal) {
   return std::filesystem::exists(file, ignored) ? file : beside.string();
 }
 
-/// Loads the Q-function that the life began with, if the file still has the same content.
-Status load(const Json& json, const std::string& name, Configuration& c) {
+/// Reads the Q-function that the life "began with", or another one that it needs, if the file still has the same
+/// content.
+Result<std::shared_ptr<const TensorFile>> read(const Json& json, const std::string& name, const char* beganWith) {
   const char* kind = isText(json, "content") ? "content" : "hash";  // hash of the values; formerly of the file
   if (!json.is_object() || !isText(json, "file") || !isText(json, kind))
     return fileError(name, "its first line names what was loaded, but not how.");
   const std::string place = placeOf(json["file"].get<std::string>(), name);
   auto file = readQFile(place);
   if (!file)
-    return fileError(name,
-                     fmt::format("the life began with {}, which is looked for beside the journal and in the "
-                                 "current folder: {}",
-                                 shortened(std::filesystem::path(place).filename().string()), file.error().message));
+    return fileError(
+        name,
+        fmt::format("the life {} {}, which is looked for beside the journal and in the current folder: {}", beganWith,
+                    shortened(std::filesystem::path(place).filename().string()), file.error().message));
   const std::string now = std::string_view(kind) == "content" ? contentOf(**file) : wholeHashOf(**file);
-  beginWith(c, std::move(*file));
-  if (now == json[kind]) return Done{};
-  return fileError(name, fmt::format("the life began with {}, whose hash was {} and now is {}.", c.start->name,
+  if (now == json[kind]) return file;
+  return fileError(name, fmt::format("the life {} {}, whose hash was {} and now is {}.", beganWith, (*file)->name,
                                      shortened(json[kind].get<std::string>()), now));
 }
 
@@ -81,8 +81,16 @@ Result<Journal> parseHeader(const Registry& registry, const Json& header, const 
   Journal journal{.configuration = std::move(*configuration), .life = header["life"].get<int>(), .steps = 0, .hash = 0};
   journal.configuration.seed = header["seed"].get<std::uint64_t>();
   if (isInteger(header, "lives_version")) journal.livesVersion = header["lives_version"].get<int>();
-  if (header.contains("load") && !header["load"].is_null())
-    if (const Status s = load(header["load"], name, journal.configuration); !s) return s.error();
+  if (header.contains("load") && !header["load"].is_null()) {
+    auto file = read(header["load"], name, "began with");
+    if (!file) return file.error();
+    beginWith(journal.configuration, std::move(*file));
+  }
+  if (header.contains("guardian")) {
+    auto file = read(header["guardian"], name, "was guarded by");
+    if (!file) return file.error();
+    journal.configuration.teacher = std::move(*file);
+  }
   return journal;
 }
 
@@ -119,6 +127,9 @@ std::string journalOf(const Configuration& c, const LifeResult& life) {
     const char* kind = c.beganWith.contains("content") ? "content" : "hash";
     header["load"] = {{"file", c.beganWith["file"]}, {kind, c.beganWith[kind]}};
   }
+  if (c.teacher)
+    header["guardian"] = {{"file", std::filesystem::path(c.teacher->name).filename().string()},
+                          {"content", contentOf(*c.teacher)}};
   std::string text = jsonText(header) + "\n";
   for (const Change& change : life.changes)
     text += jsonText(Json({{"step", change.step}, {"key", change.key}, {"value", change.after}})) + "\n";

@@ -12,6 +12,7 @@
 #include "core/experiment/task_description.h"
 #include "core/life/lives_version.h"
 #include "core/saved/q_file_tensors.h"
+#include "core/saved/teacher_file.h"
 #include "core/text/text.h"
 #include "core/text/words.h"
 #include "core/version.h"
@@ -105,15 +106,30 @@ Status checkKind(const TensorFile& file, const std::vector<std::string>& kinds) 
   return Done{};
 }
 
+namespace {
+
+Status checkHead(const TensorFile& head) {
+  const Status s = checkKind(head, {"q-function", "checkpoint"});
+  return s ? checkTensors(head) : s;
+}
+
+Result<std::shared_ptr<const TensorFile>> withRightSum(TensorFile file) {
+  if (file.about.contains("checksum") && file.about["checksum"] != checksumOf(file))
+    return fileError(file.name, "its data does not match its checksum; the file is damaged.");
+  return std::make_shared<const TensorFile>(std::move(file));
+}
+
+}  // namespace
+
 Result<std::shared_ptr<const TensorFile>> readQFile(const std::string& path) {
-  auto file = TensorFile::read(path, [](const TensorFile& head) {
-    const Status s = checkKind(head, {"q-function", "checkpoint"});
-    return s ? checkTensors(head) : s;
-  });
+  auto file = TensorFile::read(path, checkHead);
   if (!file) return file.error();
-  if (file->about.contains("checksum") && file->about["checksum"] != checksumOf(*file))
-    return fileError(path, "its data does not match its checksum; the file is damaged.");
-  return std::make_shared<const TensorFile>(std::move(*file));
+  return withRightSum(std::move(*file));
+}
+
+Result<std::shared_ptr<const TensorFile>> checkedQFile(TensorFile file) {
+  if (const Status s = checkHead(file); !s) return s.error();
+  return withRightSum(std::move(file));
 }
 
 namespace {
@@ -170,6 +186,13 @@ Result<Configuration> configurationOf(const Registry& registry, const TensorFile
   if (!c) return c.error();
   if (file.about.contains("seed") && file.about["seed"].is_number_unsigned())
     c->seed = file.about["seed"].get<std::uint64_t>();
+  auto teacher = teacherIn(file);
+  if (!teacher) return teacher.error();
+  if (*teacher)
+    c->teacher = std::move(*teacher);
+  else if (file.about.value("kind", Json()) !=
+           "checkpoint")  // a Q-function does not carry the one that acted as its guardian
+    leaveTeacher(*c);
   return c;
 }
 

@@ -18,6 +18,8 @@ TensorFile qFileOf(Agent& agent, const Task& task, const Configuration& configur
 
 /// Reads a Q-function, or a checkpoint as one. Its configuration is checked, its tables are read when an agent is made.
 Result<std::shared_ptr<const TensorFile>> readQFile(const std::string& path);
+/// The same for a file in memory.
+Result<std::shared_ptr<const TensorFile>> checkedQFile(TensorFile file);
 /// Adds a checksum of the tensors to the description; to change tensors by hand, remove it.
 void seal(TensorFile& file);
 /// The reader's checks, for a file that was parsed already.

@@ -95,6 +95,7 @@ class Checker {
     const auto within = [&](double most) {
       return elements <= most ? Status(Done{}) : refuse(t, "has more elements than such a life can have");
     };
+    if (t.name == "teacher") return Done{};  // a file of its own, which is checked as one
     if (t.name.starts_with("log.rows.")) return within(kColumns * episodes_);
     if (t.name == "greedy_tests") return within(kColumns * (episodes_ + 1));
     if (t.name.starts_with("episode.")) return within(steps_ + kMarks);

@@ -30,6 +30,11 @@ Result<StoredPlan> planToStore(const Registry& registry, const Plan& plan) {
       json["began_with"] = {{"content", content}};
       stored.qFunctions[content] = start;
     }
+    if (const auto& teacher = c.configuration.teacher) {
+      const std::string content = contentOf(*teacher);
+      json["guardian"] = {{"content", content}};
+      stored.qFunctions[content] = teacher;
+    }
     if (c.preLearning) {
       auto pre = configurationAsJson(c.preLearning->configuration);
       pre["seed"] = c.preLearning->configuration.seed;
@@ -65,6 +70,17 @@ Result<PreLearning> storedPreLearning(const Registry& registry, const Json& json
   return pre;
 }
 
+Result<std::shared_ptr<const TensorFile>> storedQFunction(const Json& json, const Json::json_pointer& place,
+                                                          const char* which, const Store& store) {
+  const Json content = json.value(place, Json());
+  auto q = store.qFunction(content.is_string() ? content.get<std::string>() : "");
+  if (q && !*q)
+    return fileError(store.path(), fmt::format("it does not hold the Q-function {}; go on with its plan: surefoot "
+                                               "experiment PLAN --resume.",
+                                               which));
+  return q;
+}
+
 Result<Condition> storedCondition(const Registry& registry, const StoredCondition& stored, const Store& store) {
   const std::string& file = store.path();
   const Json json = parseJson(stored.configuration);
@@ -80,14 +96,14 @@ Result<Condition> storedCondition(const Registry& registry, const StoredConditio
   if (!c.configuration.minutes && !c.configuration.episodes)
     return fileError(file, "a condition does not say how long a life is; the file is damaged.");
   if (json.contains("began_with") || stored.text.find(" began-with={") != std::string::npos) {
-    const Json content = json.value("/began_with/content"_json_pointer, Json());
-    const auto q = store.qFunction(content.is_string() ? content.get<std::string>() : "");
+    auto q = storedQFunction(json, "/began_with/content"_json_pointer, "that its lives begin with", store);
     if (!q) return q.error();
-    if (!*q)
-      return fileError(file,
-                       "it does not hold the Q-function that its lives begin with; go on with its plan: "
-                       "surefoot experiment PLAN --resume.");
-    beginWith(c.configuration, *q);
+    beginWith(c.configuration, std::move(*q));
+  }
+  if (json.contains("guardian")) {
+    auto q = storedQFunction(json, "/guardian/content"_json_pointer, "of its guardian", store);
+    if (!q) return q.error();
+    c.configuration.teacher = std::move(*q);
   }
   if (!json.contains("pre_learning")) return c;
   auto pre = storedPreLearning(registry, json["pre_learning"], file);

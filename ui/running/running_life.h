@@ -108,6 +108,8 @@ class RunningLife final : public QObject {
   // Changes; ParameterEditing, History and LifeFiles make them.
   Status setParameter(const std::string& key, double value);
   Status setPolicy(const std::string& name);
+  /// The Q-function that can act as guardian (policy.guardian), once a life.
+  Status setTeacher(std::shared_ptr<const TensorFile> file);
   /// The names of preset and scenario, which decide the values of Reset.
   void setScenario(const std::string& name);
   const LifeFile& file() const { return known_.file; }
@@ -152,6 +154,8 @@ class RunningLife final : public QObject {
   void restartMeasuring();
   bool obeyed() const;  ///< in the newest snapshot the learner has the present pace, turbo and running
   void makeEnvironmentAnew();
+  /// Whether its policy's caution can be followed with what this life learns.
+  Status checkCaution(const Configuration& changed) const;
   Parameters baseOf(const Names& names) const;
 
   const Registry& registry_;

@@ -4,6 +4,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/values_of_state.h"
 #include "ui/running/beginning.h"
 #include "ui/running/running_life.h"
 
@@ -54,6 +55,8 @@ Status RunningLife::place(const std::vector<double>& state) {
 Status RunningLife::setParameter(const std::string& key, double value) {
   Configuration changed = configuration();
   if (const Status s = changed.parameters.set(key, value); !s) return s;
+  if (key.starts_with("policy."))
+    if (const Status s = checkCaution(changed); !s) return s;
   const bool elsewhere = key.starts_with("environment.");
   if (elsewhere) {
     auto environment = makeEnvironment(registry_, changed);
@@ -64,6 +67,22 @@ Status RunningLife::setParameter(const std::string& key, double value) {
   learner_->send(SetParameter{key, value});
   Q_EMIT parameterChanged(QString::fromStdString(key));
   Q_EMIT configurationChanged();
+  return Done{};
+}
+
+Status RunningLife::checkCaution(const Configuration& changed) const {
+  const ValueSnapshot* learned = values();
+  if (!learned || !isShown()) return Done{};
+  auto policy = makePolicy(registry_, changed.names.policy, changed.parameters);
+  if (!policy) return policy.error();
+  return (*policy)->caution().check(usableBy(*learned->values, task().handMade, changed.teacher != nullptr));
+}
+
+Status RunningLife::setTeacher(std::shared_ptr<const TensorFile> file) {
+  auto teacher = makeTeacher(registry_, *file, task());
+  if (!teacher) return teacher.error();
+  known_.configuration.teacher = std::move(file);
+  learner_->send(SetTeacher{std::move(*teacher)});
   return Done{};
 }
 

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "core/environment_library.h"
+#include "core/saved/q_file.h"
 
 namespace surefoot {
 
@@ -70,6 +71,13 @@ Status Editing::setParameter(const std::string& key, double value) {
 
 void Editing::setPolicy(const std::string& name) {
   static_cast<void>(static_cast<bool>(life_.setPolicy(name)));  // the list holds only policies that can be made
+}
+
+Status Editing::guardBy(const std::string& path) {
+  auto file = readQFile(path);
+  if (!file) return file.error();
+  if (const Status s = life_.setTeacher(std::move(*file)); !s) return s;
+  return setParameter("policy.guardian", static_cast<double>(GuardedBy::QFunction));
 }
 
 void Editing::setScenario(const std::string& name) {

@@ -19,6 +19,8 @@ class Editing final : public QObject {
   /// Changes a parameter of the running life, or, if it needs a new table, asks for a restart first (needsNewTable).
   Status setParameter(const std::string& key, double value);
   void setPolicy(const std::string& name);
+  /// From now on the Q-function in this file is the guardian.
+  Status guardBy(const std::string& path);
   void setScenario(const std::string& name);
 
  Q_SIGNALS:

@@ -20,7 +20,7 @@ std::string wrongRobotName(std::string_view name) {
   }
   while (near.ends_with('-')) near.pop_back();
   return "a robot's name has letters a to z, digits and hyphens only, at most 40" +
-         (near.empty() ? std::string(".") : "; did you mean " + near + "?");
+         (near.empty() ? "" : " (did you mean " + near + "?)") + ".";
 }
 
 std::string renamedRobot(std::string_view text, std::string_view name) {

@@ -34,13 +34,21 @@ std::shared_ptr<const TensorFile> fileOf(const Life& life, const Configuration& 
 
 }  // namespace
 
+TEST(Calibration, BehindATimeLimitCountsWhatIsExpectedThere) {
+  Calibration c(0.5);
+  for (const double said : {0.1, 0.3}) c.say(said);
+  c.end(0.4);  // 0.4 for the last action, 0.2 for the one before
+  EXPECT_NEAR(c.report().all.fell, 0.3, 1e-6);
+  EXPECT_NEAR(c.report().all.said, 0.2, 1e-6);
+}
+
 TEST(Calibration, CountsAnActionByWhatCameOfIt) {
   Calibration c(0.5);
   for (const double said : {0.1, 0.2, 0.9}) c.say(said);
   EXPECT_EQ(c.report().all.count, 0) << "nothing has come yet";
-  c.end(true);  // 1, 0.5 and 0.25, the last action first
+  c.end(1.0);  // 1, 0.5 and 0.25, the last action first
   for (const double said : {0.0, 0.3}) c.say(said);
-  c.end(false);
+  c.end(0.0);
   const Calibration::Report report = c.report();
   EXPECT_EQ(report.all.count, 5);
   EXPECT_NEAR(report.all.said, 1.5 / 5, 1e-7);
@@ -63,17 +71,17 @@ TEST(Calibration, TellsWhatChanceWouldMake) {
   EXPECT_NEAR(report.halfWidth, 1.96 * std::sqrt(0.24) / 6, 1e-6);
   EXPECT_NEAR(report.all.said - report.all.fell, 0.4 / 6, 1e-6);
   EXPECT_TRUE(report.holds());
-  for (int i = 0; i < 100; ++i) c.say(0.5), c.end(true);
+  for (int i = 0; i < 100; ++i) c.say(0.5), c.end(1.0);
   EXPECT_FALSE(c.report().holds());
 }
 
 TEST(Calibration, KeepsTheLastActionsOnly) {
   Calibration c(1.0);
   c.say(0.7);
-  c.end(true);
+  c.end(1.0);
   for (std::size_t i = 0; i < Calibration::kSteps; ++i) c.say(0.5);
   EXPECT_EQ(c.report().all.count, 0) << "an episode as long as the memory";
-  c.end(false);
+  c.end(0.0);
   EXPECT_EQ(c.report().all.count, static_cast<std::int64_t>(Calibration::kSteps));
   EXPECT_EQ(c.report().all.fell, 0.0);
   c.say(0.5), c.say(0.5);

@@ -82,7 +82,7 @@ TEST(WrongRobots, TellThePlaceAndTheReason) {
        ":8: there is another \"pole\" already; bodies, points, joints, actuators, "
        "states and constants share one space of names."},
       {"name = \"pendulum-file\"", "name = \"../up\"",
-       ":8: name: a robot's name has letters a to z, digits and hyphens only, at most 40; did you mean up?"},
+       ":8: name: a robot's name has letters a to z, digits and hyphens only, at most 40 (did you mean up?)."},
       {"value = \"-pole.angle\"", "value = \"30deg\"", ":12: value: angles are in rad: 30 degrees are 30 * pi / 180."},
       {"value = \"-pole.angle\"", "value = \"fabs(-pole.angle)\"",
        ":10: value: there is no function \"fabs\"; there are abs, min, max, sign, floor, round, sqrt, sin, cos, exp, "

@@ -9,8 +9,6 @@
 
 #include "ui/live/form/parameter_row.h"
 #include "ui/running/running_life.h"
-#include "ui/session/editing.h"
-#include "ui/session/history.h"
 #include "ui/style/icons.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
@@ -213,25 +211,6 @@ void ParameterForm::refresh() {
       row->show(c.parameters.get(row->key()), life_.base(row->key()), life_.changedAt(row->key()));
       row->setInForce(inForce.contains(row->key()) ? c.names.policy : "");
     }
-}
-
-void ParameterForm::edit(const QString& key, double value) {
-  if (const Status s = editing_.setParameter(key.toStdString(), value); !s) {
-    const QString sentence = toText(s.error().message);
-    for (const Section& section : sections_)
-      for (const Row& row : section.rows)
-        if (row.row && toText(row.row->key()) == key) row.row->tellRefused(tr("not with the others"), sentence);
-    Q_EMIT refused(sentence);
-  }
-  refresh();
-}
-
-void ParameterForm::resetAll() {
-  const Parameters before = life_.configuration().parameters;
-  history_.beginMacro(tr("all parameters"));
-  for (const auto& entry : before.all())
-    if (entry.parameter.when != When::NewTable) edit(toText(entry.parameter.key), life_.base(entry.parameter.key));
-  history_.endMacro();
 }
 
 }  // namespace surefoot

@@ -52,6 +52,8 @@ class ParameterForm final : public QScrollArea {
   void make(Row& row);
   void orderTabs();
   void edit(const QString& key, double value);
+  void tell(const QString& key, const Status& status);
+  void askForTeacher();
 
   RunningLife& life_;
   Editing& editing_;
