@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The risk of a fall in the window: rows, maps, form, status.
 #include <QImage>
+#include <QTemporaryDir>
+#include <atomic>
 
+#include "core/files/whole_file.h"
+#include "core/saved/q_file.h"
 #include "tests/ui/pixels_of.h"
 #include "tests/ui/window_setup.h"
 #include "ui/live/actions/action_rows.h"
@@ -101,6 +105,34 @@ TEST(RiskViews, TheFormShowsTheSettingsOfTheRuleInForce) {
   QTest::qWait(50);
   EXPECT_TRUE(shown("policy.risk_weight"));
   EXPECT_FALSE(shown("policy.risk_limit"));
+}
+
+TEST(RiskViews, AGuardianThatIsNotThereIsRefused) {
+  Cautious w("off");
+  const auto refused = w.session->editing().setParameter("policy.guardian", 1.0);
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message.find("no hand-made controller"), std::string::npos) << refused.error().message;
+  EXPECT_EQ(w.session->life().configuration().parameters.get("policy.guardian"), 0.0);
+}
+
+TEST(RiskViews, AQFunctionOfAFileIsTheGuardianFromNowOn) {
+  Cautious w("off");
+  QTemporaryDir folder;
+  const std::string path = folder.filePath("teacher.safetensors").toStdString();
+  TensorFile learned;
+  std::atomic<bool> written = false;
+  const Configuration now = w.session->life().configuration();
+  w.session->life().visit([&](const Life& life) {
+    learned = qFileOf(life, now);
+    written = true;
+  });
+  ASSERT_TRUE(w.waitFor([&] { return written.load(); }));
+  ASSERT_TRUE(writeWhole("q", path, learned.write()));
+  ASSERT_TRUE(w.session->editing().guardBy(path));
+  ASSERT_TRUE(w.session->editing().setParameter("policy.guardian_limit", 0.0));
+  w.session->life().setRunning(true);
+  EXPECT_TRUE(w.waitFor([&] { return w.session->life().values()->guarded > 100; }));
+  EXPECT_FALSE(w.session->editing().guardBy(folder.filePath("none.safetensors").toStdString()));
 }
 
 // What a robot is careful by in reality it learns boldly.
