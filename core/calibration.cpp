@@ -23,8 +23,11 @@ double Calibration::Report::error() const {
   return all.count > 0 ? sum / static_cast<double>(all.count) : 0.0;
 }
 
-bool Calibration::Report::holds() const {
-  return std::abs(all.said - all.fell) <= std::max(halfWidth, kTolerance);
+Calibration::Verdict Calibration::Report::verdict() const {
+  const double apart = std::abs(all.said - all.fell);
+  if (apart > std::max(halfWidth, kTolerance)) return Verdict::Errs;
+  const bool clear = apart <= kTolerance || halfWidth <= std::max(all.said, all.fell) / 2;
+  return clear ? Verdict::Holds : Verdict::Unclear;
 }
 
 void Calibration::end(double came) {

@@ -17,6 +17,8 @@ class Calibration {
  public:
   static constexpr std::size_t kSteps = 10'000;
 
+  enum class Verdict { Holds, Errs, Unclear };
+
   /// What was said in a range of ρ, and what came.
   struct Bin {
     double low = 0.0, high = 0.0;  ///< ρ said, in [low, high); the last bin has no end
@@ -30,8 +32,9 @@ class Calibration {
     double halfWidth = 0.0;
     /// Σ abs(said − fell)·count/all: the expected calibration error (Guo et al. 2017, arXiv 1706.04599).
     double error() const;
-    /// Whether what was said and what came differ by no more than chance would make them, or by half a per cent.
-    bool holds() const;
+    /// Errs: what was said and what came differ by more than half a per cent, and by more than chance would make them.
+    /// Unclear: they do not, but chance would make a difference of half of what was said or came.
+    Verdict verdict() const;
   };
 
   explicit Calibration(double discount) : discount_(discount), said_(kSteps), came_(kSteps), last_(kSteps) {}

@@ -54,9 +54,12 @@ QStringList StatusLine::segments() {
   if (v && v->calibration && v->calibration->all.count >= kLeastActions) {
     const auto percent = [](double share) { return toText(fixedText(100 * share, share < 0.0995 ? 1 : 0)); };
     const auto& risk = *v->calibration;
-    if (!risk.holds()) cautious_ = static_cast<int>(list.size());
-    list << (risk.holds() ? tr("risk holds: %1 % said, %2 % fell") : tr("risk errs: %1 % said, %2 % fell"))
-                .arg(percent(risk.all.said), percent(risk.all.fell));
+    const auto verdict = risk.verdict();
+    if (verdict == Calibration::Verdict::Errs) cautious_ = static_cast<int>(list.size());
+    const QString words = verdict == Calibration::Verdict::Holds  ? tr("risk holds: %1 % said, %2 % fell")
+                          : verdict == Calibration::Verdict::Errs ? tr("risk errs: %1 % said, %2 % fell")
+                                                                  : tr("risk unclear: %1 % said, %2 % fell");
+    list << words.arg(percent(risk.all.said), percent(risk.all.fell));
   }
   list << tr("seed %1").arg(life_.configuration().seed);
   if (const QString beginning = life_.beginning(); !beginning.isEmpty()) list << tr("began %1").arg(beginning);

@@ -70,9 +70,20 @@ TEST(Calibration, TellsWhatChanceWouldMake) {
   const Calibration::Report report = c.report();
   EXPECT_NEAR(report.halfWidth, 1.96 * std::sqrt(0.24) / 6, 1e-6);
   EXPECT_NEAR(report.all.said - report.all.fell, 0.4 / 6, 1e-6);
-  EXPECT_TRUE(report.holds());
+  EXPECT_EQ(report.verdict(), Calibration::Verdict::Holds);
   for (int i = 0; i < 100; ++i) c.say(0.5), c.end(1.0);
-  EXPECT_FALSE(c.report().holds());
+  EXPECT_EQ(c.report().verdict(), Calibration::Verdict::Errs);
+}
+
+TEST(Calibration, IsUnclearWhereFewEpisodesFell) {
+  Calibration c(1.0);
+  for (int episode = 0; episode < 40; ++episode) {
+    for (int i = 0; i < 10; ++i) c.say(0.005);
+    c.end(episode == 0 ? 1.0 : 0.0);
+  }
+  const Calibration::Report report = c.report();
+  EXPECT_NEAR(report.all.fell, 0.025, 1e-6);
+  EXPECT_EQ(report.verdict(), Calibration::Verdict::Unclear) << report.halfWidth;
 }
 
 TEST(Calibration, KeepsTheLastActionsOnly) {

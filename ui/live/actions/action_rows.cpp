@@ -63,7 +63,7 @@ void ActionRows::rebuild() {
     auto policy = makePolicy(life_.registry(), name, life_.configuration().parameters);
     if (!policy) continue;
     const auto entry = findEntry(life_.registry().policies, "policy", name);
-    columns_.push_back({name, toText((*entry)->title), std::move(*policy), {}});
+    columns_.push_back({name, toText((*entry)->title), std::move(*policy), {}, {}});
   }
   q_.clear();
   positive_.clear();
@@ -91,6 +91,8 @@ void ActionRows::nextFrame() {
     column.policy->advance(time);
     column.pi.resize(q_.size());
     column.policy->probabilities({q_, risk_, negative_}, column.pi);
+    column.worth.resize(q_.size());
+    column.policy->caution().weigh({q_, risk_, negative_}, column.worth);
   }
   sumLevels();
   setAccessibleDescription(sentence());

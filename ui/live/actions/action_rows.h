@@ -55,6 +55,7 @@ class ActionRows final : public Painted<>, public CsvSource {
     QString title;
     std::unique_ptr<Policy> policy;
     std::vector<double> pi;
+    std::vector<double> worth;  // what it chooses by; −∞: not allowed
   };
   /// A level of an action variable.
   struct Level {
@@ -100,6 +101,7 @@ class ActionRows final : public Painted<>, public CsvSource {
 
   // The risk (action_rows_risk.cpp).
   bool riskIsYoung() const;
+  QString sentenceOfSeveral(const std::vector<std::size_t>& out) const;
   QString sentenceOfMany(std::optional<double> limit) const;
   void drawSentence(QPainter& p, const Theme& t, double top) const;
   std::optional<double> riskLimit() const;

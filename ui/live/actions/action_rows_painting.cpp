@@ -226,8 +226,10 @@ void ActionRows::drawNumbers(QPainter& p, const Theme& t, const Geometry& g, std
   write(g.qNumber, valueText(q_[action]), true, t.ink);
   for (std::size_t i = 0; i < g.columns.size(); ++i) {
     const bool now = inForce(g.columns[i]);
-    write(g.first + g.pitch * static_cast<double>(i) + g.number, percentText(columns_[g.columns[i]].pi[action]), now,
-          now ? t.ink : t.quiet);
+    const Column& column = columns_[g.columns[i]];
+    const bool out = std::isinf(column.worth[action]);  // not allowed, which is not the same as never drawn
+    write(g.first + g.pitch * static_cast<double>(i) + g.number,
+          out ? QStringLiteral("–") : percentText(column.pi[action]), now && !out, now && !out ? t.ink : t.quiet);
   }
 }
 

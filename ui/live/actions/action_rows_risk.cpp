@@ -61,6 +61,20 @@ QString ActionRows::sentenceOfMany(std::optional<double> limit) const {
   return parts.join(QStringLiteral("; "));
 }
 
+/// Several that are left out, none of which is worth much.
+QString ActionRows::sentenceOfSeveral(const std::vector<std::size_t>& out) const {
+  QStringList names;
+  double least = 1.0, most = 0.0;
+  for (const std::size_t a : out) {
+    names << actionNameOf(life_.task(), a);
+    least = std::min(least, risk_[a]), most = std::max(most, risk_[a]);
+  }
+  const QString last = names.takeLast(), unit = toText(life_.task().actionUnit);
+  return tr("%1 and %2 are left out: %3 to %4 in 100 such actions end in a fall.")
+      .arg(names.join(QStringLiteral(", ")), unit.isEmpty() ? last : last + ' ' + unit, riskText(least),
+           riskText(most));
+}
+
 QString ActionRows::sentence() const {
   const auto now = std::find_if(columns_.begin(), columns_.end(),
                                 [this](const Column& c) { return c.name == life_.configuration().names.policy; });
@@ -86,14 +100,18 @@ QString ActionRows::sentence() const {
                                                  : tr("All are above the limit: only the best is taken.");
   double among = -1e300;  // the best value among the allowed
   std::optional<std::size_t> out;
+  std::vector<std::size_t> all;  // that are left out
   for (std::size_t a = 0; a < q_.size(); ++a) {
-    if (risk_[a] <= *limit)
+    if (risk_[a] <= *limit) {
       among = std::max(among, q_[a]);
-    else if (!out || q_[a] > q_[*out])
-      out = a;
+      continue;
+    }
+    if (!out || q_[a] > q_[*out]) out = a;
+    if (caution.rule() == CautionRule::Filter || a != best) all.push_back(a);
   }
   if (!out || (caution.rule() == CautionRule::Explore && *out == best)) return {};
   const bool more = q_[*out] > among, nearly = q_[*out] > among - 0.1 * (high_ - low_);
+  if (!more && !nearly && all.size() > 1) return sentenceOfSeveral(all);
   const QString words = more ? tr("%1 is worth most, but %2 in 100 such actions end in a fall.")
                         : nearly
                             ? tr("%1 is worth nearly as much as the best, but %2 in 100 such actions end in a fall.")

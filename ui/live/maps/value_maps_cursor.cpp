@@ -82,8 +82,11 @@ QString ValueMaps::spoken() const {
   QString risk;
   if (!here.risk.empty())
     risk = tr(",  risk %1 %").arg(toText(fixedText(100 * std::clamp(here.risk[best], 0.0, 1.0), 1)));
+  const bool cautious = here.q[best] < *std::max_element(here.q.begin(), here.q.end());
+  const QString action = actionNameOf(task, best);
   return tr("%1:  Q %2 for %3%5,  %4 visits")
-      .arg(words.join(QStringLiteral("  ")), toText(fixedText(here.q[best], 1)), actionNameOf(task, best),
+      .arg(words.join(QStringLiteral("  ")), toText(fixedText(here.q[best], 1)),
+           cautious ? tr("%1, under caution").arg(action) : action,
            toText(countText(looking_.valuesShown()->visits(state))), risk);
 }
 
