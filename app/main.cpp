@@ -98,7 +98,7 @@ int run(int argc, char** argv) {
     int operator()(const BenchRequest& r) const { return benchCommand(registry, r); }
     int operator()(const ExperimentRequest& r) const { return experimentCommand(registry, r); }
     int operator()(const ReproduceRequest& r) const { return reproduceCommand(registry, r); }
-    int operator()(const ExportRequest& r) const { return exportCommand(r); }
+    int operator()(const ExportRequest& r) const { return exportCommand(registry, r); }
     int operator()(const MergeRequest& r) const { return mergeCommand(r); }
     int operator()(const StatisticsRequest& r) const { return statisticsCommand(registry, r); }
     int operator()(const LessonsRequest& r) const { return lessonsCommand(registry, r); }

@@ -111,9 +111,11 @@ struct ReproduceRequest {
 
 /// `surefoot export`
 struct ExportRequest {
-  std::string store;
-  std::optional<std::string> csv;
+  std::string file;                ///< a store, or a Q-function
+  std::optional<std::string> csv;  ///< of a store
   bool forSpreadsheets = false;
+  std::optional<std::string> c;  ///< of a Q-function
+  bool floats = false, selfTest = false;
 };
 
 /// `surefoot merge`

@@ -29,7 +29,7 @@ void addAssignments(CLI::App& app, std::vector<std::string>& assignments, const 
 LaboratoryLine::LaboratoryLine(CLI::App& app)
     : experiment_(app.add_subcommand("experiment", "run a plan of many conditions, all lives of each, into a store")),
       reproduce_(app.add_subcommand("reproduce", "the figures of the thesis, and what its claims come to")),
-      export_(app.add_subcommand("export", "write a store's tables as CSV")),
+      export_(app.add_subcommand("export", "write a store's tables as CSV, or a policy as C")),
       merge_(app.add_subcommand("merge", "join the parts of an experiment that was run in shards")),
       statistics_(app.add_subcommand("statistics", "what a store of results shows, with intervals and tests")) {
   ExperimentOptions& o = experimentOptions_;
@@ -68,9 +68,15 @@ LaboratoryLine::LaboratoryLine(CLI::App& app)
   reproduce_->add_flag("--other-version", r.otherVersion,
                        "go on even if a version lived what is there whose lives are others");
 
-  export_->add_option("STORE", exportOptions_.store, "a store of results")->type_name("");
-  addOption(*export_, "--csv", exportOptions_.csv, "the folder to write to; its files must not exist yet", "FOLDER");
+  export_->add_option("FILE", exportOptions_.file, "a store of results, or a Q-function")->type_name("");
+  addOption(*export_, "--csv", exportOptions_.csv,
+            "of a store: the folder to write its tables to; its files must not exist yet", "FOLDER");
   export_->add_flag("--for-spreadsheets", exportOptions_.forSpreadsheets, "with a byte order mark, as Excel wants it");
+  addOption(*export_, "--c", exportOptions_.c,
+            "of a Q-function: its greedy policy as C99 that needs no library; the file must not exist yet", "FILE");
+  export_->add_flag("--float", exportOptions_.floats, "tables of float, half as large");
+  export_->add_flag("--self-test", exportOptions_.selfTest,
+                    "compiled with -DPOLICY_SELF_TEST it checks itself in 1,000 states");
 
   merge_->add_option("PARTS", mergeOptions_.parts, "the stores of all shards")->type_name("");
   addOption(*merge_, "--out", mergeOptions_.out, "the store to write, which must not exist yet", "FILE");

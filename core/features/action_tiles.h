@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "core/features/tile_settings.h"
@@ -21,7 +22,17 @@ class ActionTiles {
  public:
   static constexpr std::size_t kMostColumns = 4096;  // columns of a block
 
+  /// An action variable with its levels and how many tiles lie in a unit of it.
+  struct Variable {
+    std::string key;
+    std::vector<double> levels;
+    double tilesPerUnit = 1.0;
+  };
+
   static Result<ActionTiles> create(const Task& task, const TileSettings& settings);
+  /// The same from numbers alone; without variables each action has a column of its own.
+  static Result<ActionTiles> create(std::size_t stateVariables, std::size_t tilings, std::size_t actions,
+                                    const std::vector<Variable>& variables);
 
   /// Whether actions share columns.
   bool shared() const { return !columns_.empty(); }
