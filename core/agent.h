@@ -88,15 +88,14 @@ class Agent : public Scheduling {
   /// An action drawn from the policy's π, which is left in `pi`, or the guardian's; counted if it explores.
   Action draw(const Seen& seen, std::span<double> pi, Random& random) {
     const ActionView view{seen.q, risk_, seen.losses};
-    policy_->probabilities(view, pi);
-    const Action a = sample(pi, random);
+    const auto [a, explores] = policy_->draw(view, pi, random);
     if (policy_->caution().guards() && guardian_ && !risk_.empty()) {
       isGuarded_ = policy_->caution().guards(risk_[static_cast<std::size_t>(a)], isGuarded_);
       if (isGuarded_) return guarded(seen.state, pi);
     } else {
       isGuarded_ = false;
     }
-    explored_ += policy_->explores(view, a);
+    explored_ += explores;
     return a;
   }
 

@@ -86,6 +86,17 @@ std::size_t nearestLevel(std::span<const double> levels, double value);
 /// Whether these are values of all state variables, each within its range; a sentence that names the first that is not.
 Status checkState(const Task& task, std::span<const double> state);
 
+/// A quantity of the world that is no part of the state: a contact, a power. For those who look.
+struct Signal {
+  enum class Kind { Number, OnOff };
+  std::string key{};     ///< "left_foot": its column in tables
+  std::string title{};   ///< "left foot on the floor"
+  std::string symbol{};  ///< "T"; empty: none
+  std::string unit{};    ///< "N m"
+  std::string group{};   ///< "motion", "motors", "contacts" …
+  Kind kind = Kind::Number;
+};
+
 /// A number that the window shows below the picture.
 struct ReadOut {
   std::string symbol, unit;
@@ -109,6 +120,11 @@ class Environment : public Configurable {
   /// The values of Task::measures for the episode up to now (a sum, a mean, a position …): all begin anew with reset()
   /// and place(). Valid until the next call.
   virtual std::span<const double> measures() const { return {}; }
+
+  /// What moves besides the state, in the order of readSignals(); it does not change while the environment lives.
+  virtual std::vector<Signal> signals() const { return {}; }
+  /// values ← the signals after the last step; an on/off signal is 0 or 1. Looking changes nothing.
+  virtual void readSignals(std::span<double> values) const { static_cast<void>(values); }
 
   /// Why no further episode is possible, in one sentence; empty: it is. Asked when an episode has ended.
   virtual std::string failure() const { return {}; }

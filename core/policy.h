@@ -34,11 +34,13 @@ class Policy : public Scheduling {
   }
   /// π of the greedy policy under the same caution.
   void greedy(const ActionView& view, std::span<double> pi) const;
-  /// Whether an action is not the best by what the policy chooses by. Hot.
-  bool explores(const ActionView& view, Action a) const {
-    if (caution_.actsOn(view)) return exploresCautiously(view, a);
-    return view.q[static_cast<std::size_t>(a)] < *std::max_element(view.q.begin(), view.q.end());
-  }
+  /// An action, and whether it is not the best by what the policy chooses by.
+  struct Drawn {
+    Action action;
+    bool explores;
+  };
+  /// Draws from π, which is left in `pi`. Hot.
+  Drawn draw(const ActionView& view, std::span<double> pi, Random& random) const;
   const Caution& caution() const { return caution_; }
 
  protected:
@@ -51,7 +53,8 @@ class Policy : public Scheduling {
  private:
   using Rule = void (Policy::*)(std::span<const double>, std::span<double>) const;
   void cautious(const ActionView& view, std::span<double> pi, Rule rule) const;
-  bool exploresCautiously(const ActionView& view, Action a) const;
+  void amongAllowed(std::span<const double> q, std::span<const double> worth, std::span<double> pi, Rule rule) const;
+  Drawn drawCautiously(const ActionView& view, std::span<double> pi, Random& random) const;
   void amongBest(std::span<const double> q, std::span<double> pi) const;
 
   Caution caution_;
@@ -73,6 +76,13 @@ inline Action sample(std::span<const double> pi, Random& random) {
     if (u < sum) break;
   }
   return last;
+}
+
+inline Policy::Drawn Policy::draw(const ActionView& view, std::span<double> pi, Random& random) const {
+  if (caution_.actsOn(view)) return drawCautiously(view, pi, random);
+  among(view.q, pi);
+  const Action a = sample(pi, random);
+  return {a, view.q[static_cast<std::size_t>(a)] < *std::max_element(view.q.begin(), view.q.end())};
 }
 
 }  // namespace surefoot

@@ -19,6 +19,7 @@ int benchCommand(const Registry& registry, const BenchRequest& request);
 int experimentCommand(const Registry& registry, const ExperimentRequest& request);
 int reproduceCommand(const Registry& registry, const ReproduceRequest& request);
 int exportCommand(const Registry& registry, const ExportRequest& request);
+int rolloutCommand(const Registry& registry, const RolloutRequest& request);
 int exportPolicy(const Registry& registry, const ExportRequest& request);
 int mergeCommand(const MergeRequest& request);
 int statisticsCommand(const Registry& registry, const StatisticsRequest& request);

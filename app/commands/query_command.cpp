@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `surefoot query`: Q, Q⁺, Q⁻ and π of one state.
+// `surefoot query`: Q, Q⁺, Q⁻, the risk and π of one state.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -75,6 +75,7 @@ std::string asJson(const StoredFunction& f, const std::vector<double>& state, co
   }
   json["q"] = a.q;
   if (f.values().split()) json["q_positive"] = a.positive, json["q_negative"] = a.negative;
+  if (!a.risk.empty()) json["risk"] = a.risk;
   json["policy"] = a.policy;
   json["probabilities"] = a.pi;
   json["visits"] = a.visits;
@@ -107,12 +108,14 @@ std::string asTable(const StoredFunction& f, const Answer& a) {
   for (std::size_t j = 0; j < heads.size(); ++j) text += fmt::format("{:>{}}  ", heads[j], width(j));
   text += fmt::format("{:>12}", "Q");
   if (split) text += fmt::format("  {:>12}  {:>12}", "Q+", "Q-");
+  if (!a.risk.empty()) text += fmt::format("  {:>12}", "risk");
   text += fmt::format("  {:>12}\n", "probability");
   for (std::size_t i = 0; i < a.q.size(); ++i) {
     const std::vector<std::string> cells = actionCells(f.task(), i);
     for (std::size_t j = 0; j < cells.size(); ++j) text += fmt::format("{:>{}}  ", cells[j], width(j));
     text += fmt::format("{:>12.6g}", a.q[i]);
     if (split) text += fmt::format("  {:>12.6g}  {:>12.6g}", a.positive[i], a.negative[i]);
+    if (!a.risk.empty()) text += fmt::format("  {:>12.6g}", a.risk[i]);
     text += fmt::format("  {:>12.6g}\n", a.pi[i]);
   }
   return text + fmt::format("policy {}, {:.0f} visits\n", a.policy, a.visits);

@@ -10,6 +10,7 @@
 #include "app/requests/lessons_line.h"
 #include "app/requests/requests.h"
 #include "app/requests/robots_line.h"
+#include "app/requests/signals_line.h"
 #include "core/environment_programs.h"
 #include "core/text/text.h"
 #include "core/text/words.h"
@@ -129,6 +130,7 @@ struct CommandLine {
   CLI::App* probabilities = app.add_subcommand("probabilities", "the probability of every action, given its value");
   LessonsLine lessons{app, *window};
   RobotsLine robots{app};
+  SignalsLine signals{app};
   LaboratoryLine laboratory{app};
   TrainOptions trainOptions, windowOptions;
   ListRequest listOptions;
@@ -143,7 +145,7 @@ struct CommandLine {
   /// Those that let an environment move.
   std::vector<CLI::App*> livingCommands() const {
     std::vector<CLI::App*> all = laboratory.livingCommands();
-    all.insert(all.end(), {train, window, replay, robots.check});
+    all.insert(all.end(), {train, window, replay, robots.check, signals.rollout});
     return all;
   }
 
@@ -168,7 +170,7 @@ struct CommandLine {
     probabilities->add_flag("--json", probabilitiesOptions.json, "as JSON");
     std::vector<CLI::App*> commands = laboratory.commands();
     for (CLI::App* c : {&app, train, window, list, probabilities, query, slice, inspect, resample, replay, bench,
-                        lessons.lessons, robots.check, robots.create})
+                        lessons.lessons, robots.check, robots.create, signals.rollout})
       commands.push_back(c);
     for (CLI::App* command : commands) {
       command->set_help_flag("-h,--help", "print this help");
@@ -247,6 +249,7 @@ Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv
 
   if (auto request = line.laboratory.request(registry)) return std::move(*request);
   if (auto request = line.robots.request()) return std::move(*request);
+  if (auto request = line.signals.request()) return std::move(*request);
   if (line.list->parsed()) return Request(line.listOptions);
   if (line.train->parsed()) return any(makeTrainRequest(registry, line.trainOptions, false));
   if (line.probabilities->parsed()) return any(makeProbabilitiesRequest(registry, line.probabilitiesOptions));

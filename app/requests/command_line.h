@@ -58,6 +58,16 @@ struct QueryRequest {
   bool json = false;
 };
 
+/// `surefoot rollout`: what a Q-function does, step by step.
+struct RolloutRequest {
+  std::string file;
+  std::optional<std::string> seconds, episodes, seed, state, scenario;
+  std::string policy = "greedy";
+  std::vector<std::string> assignments, pushes;
+  std::optional<std::string> csv, npz;
+  bool json = false;
+};
+
 /// `surefoot slice`: a plane through a Q-function.
 struct SliceRequest {
   std::string file;
@@ -155,9 +165,9 @@ struct PrintRequest {
 };
 
 using Request = std::variant<ListRequest, ProbabilitiesRequest, TrainRequest, WindowRequest, QueryRequest, SliceRequest,
-                             InspectRequest, ResampleRequest, ReplayRequest, BenchRequest, ExperimentRequest,
-                             ReproduceRequest, ExportRequest, MergeRequest, StatisticsRequest, LessonsRequest,
-                             CheckRequest, NewRobotRequest, PrintRequest>;
+                             RolloutRequest, InspectRequest, ResampleRequest, ReplayRequest, BenchRequest,
+                             ExperimentRequest, ReproduceRequest, ExportRequest, MergeRequest, StatisticsRequest,
+                             LessonsRequest, CheckRequest, NewRobotRequest, PrintRequest>;
 
 Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv);
 

@@ -42,6 +42,9 @@ class Leo final : public Environment {
   std::vector<double> pose() const override;
   void draw(std::span<const double> pose, Scene& scene) const override;
   std::vector<ReadOut> readOuts(std::span<const double> pose) const override;
+  /// Of every joint angle, rate, voltage, current and power; what the feet touch; where the hip is and how fast.
+  std::vector<Signal> signals() const override;
+  void readSignals(std::span<double> values) const override;
   void parametersChanged() override;
 
   const LeoWorld& world() const { return *world_; }

@@ -193,6 +193,7 @@ double LeoWorld::step(const Voltages& wanted) {
     u[j] = std::clamp(u[j], -settings_.voltage, settings_.voltage);
     rateBefore[j] = jointRate(static_cast<Joint>(j));
   }
+  voltages_ = u;
   for (int i = 0; i < settings_.substeps; ++i) {
     for (int j = 0; j < kJoints; ++j) drive(static_cast<Joint>(j), u[static_cast<std::size_t>(j)]);
     bodies_[kTorso]->ApplyForce({0.0f, f(kScale * settings_.boomForce)},
@@ -239,6 +240,28 @@ bool LeoWorld::onFloor(int leg) const {
   for (const b2ContactEdge* edge = bodies_[foot(leg)]->GetContactList(); edge; edge = edge->next)
     if (edge->contact->IsTouching()) return true;
   return false;
+}
+
+bool LeoWorld::touches(int leg, bool heel) const {
+  const b2Body* body = bodies_[foot(leg)];
+  for (const b2ContactEdge* edge = body->GetContactList(); edge; edge = edge->next) {
+    if (!edge->contact->IsTouching()) continue;
+    const b2Fixture *a = edge->contact->GetFixtureA(), *b = edge->contact->GetFixtureB();
+    const auto* circle = static_cast<const b2CircleShape*>((a->GetBody() == body ? a : b)->GetShape());
+    if ((circle->m_p.x < 0) == heel) return true;  // a foot has two circles, the heel behind its ankle
+  }
+  return false;
+}
+
+double LeoWorld::current(Joint joint) const {
+  const double backEmf = settings_.torqueConstant * settings_.gearRatio * jointRate(joint);
+  return (voltages_[joint] - backEmf) / settings_.resistance;
+}
+
+double LeoWorld::hipSpeed() const {
+  const Vec& at = settings_.anatomy.hip.inParent;
+  return static_cast<double>(bodies_[kTorso]->GetLinearVelocityFromLocalPoint({f(kScale * at.x), f(kScale * at.y)}).x) /
+         kScale;
 }
 
 double LeoWorld::jointSeparation() const {

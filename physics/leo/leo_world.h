@@ -41,6 +41,12 @@ class LeoWorld {
   leo::Vec hip() const;           // [m]
   leo::Vec ankle(int leg) const;  // [m]
   bool onFloor(int leg) const;    // heel or toe touches
+  /// Of the last step: what each motor got [V], its current [A] and the electric power that it took [W], at the end.
+  double voltage(leo::Joint joint) const { return voltages_[joint]; }
+  double current(leo::Joint joint) const;
+  double power(leo::Joint joint) const { return voltages_[joint] * current(joint); }
+  bool touches(int leg, bool heel) const;
+  double hipSpeed() const;  // forward [m/s]
   /// The largest distance between the two ends of any joint [m].
   double jointSeparation() const;
 
@@ -72,6 +78,7 @@ class LeoWorld {
   b2World world_;
   std::array<b2Body*, leo::kBodies> bodies_{};
   std::array<Hinge, leo::kJoints> joints_{};
+  Voltages voltages_{};  // of the last step
 };
 
 }  // namespace surefoot

@@ -147,6 +147,20 @@ std::vector<double> Pendulum::poseAt(std::span<const double> state) const {
   return {world_->x(), state[0], state[1], state[2], 0.0};
 }
 
+std::vector<Signal> Pendulum::signals() const {
+  return {{.key = "cart_position", .title = "cart position", .symbol = "x", .unit = "m", .group = "motion"},
+          {.key = "torque", .title = "torque of the wheel", .symbol = "T", .unit = "N m", .group = "motors"},
+          {.key = "power", .title = "power of the wheel", .symbol = "P", .unit = "W", .group = "motors"},
+          {.key = "energy", .title = "energy, 0 upright at rest", .symbol = "E", .unit = "J", .group = "motion"}};
+}
+
+void Pendulum::readSignals(std::span<double> values) const {
+  values[0] = world_->x();
+  values[1] = torque_;
+  values[2] = torque_ * state_[2];
+  values[3] = world_->energy();
+}
+
 std::vector<double> Pendulum::pose() const {
   return {world_->x(), state_[0], state_[1], state_[2], torque_};
 }

@@ -43,6 +43,8 @@ class Pendulum final : public Environment {
   std::vector<double> pose() const override;
   void draw(std::span<const double> pose, Scene& scene) const override;
   std::vector<ReadOut> readOuts(std::span<const double> pose) const override;
+  std::vector<Signal> signals() const override;
+  void readSignals(std::span<double> values) const override;
   Status check() const override;
   void parametersChanged() override;
 

@@ -100,4 +100,17 @@ double PendulumWorld::wheelRate() const {
   return static_cast<double>(base_->GetLinearVelocity().x) / radius_;
 }
 
+double PendulumWorld::energy() const {
+  const auto kinetic = [](const b2Body& body) {
+    const double v2 = static_cast<double>(body.GetLinearVelocity().LengthSquared());
+    const double w = static_cast<double>(body.GetAngularVelocity());
+    const double arm2 = static_cast<double>(body.GetLocalCenter().LengthSquared());
+    const double mass = static_cast<double>(body.GetMass());
+    const double inertia = static_cast<double>(body.GetInertia()) - mass * arm2;  // about its centre
+    return 0.5 * mass * v2 + 0.5 * inertia * w * w;
+  };
+  const double height = static_cast<double>(pole_->GetWorldCenter().y) - poleLength_ / 2;
+  return kinetic(*base_) + kinetic(*pole_) + static_cast<double>(pole_->GetMass()) * kGravity * height;
+}
+
 }  // namespace surefoot

@@ -27,6 +27,8 @@ class PendulumWorld {
   double poleAngle() const;  // [rad], clockwise positive
   double poleRate() const;   // [rad/s]
   double wheelRate() const;  // [rad/s]
+  /// Kinetic energy of cart and pole, and what gravity gave the pole, 0 upright [J].
+  double energy() const;
 
   /// The time that Box2D measured for its last step [ms]; 0 as long as box2d_clock.cpp is linked in.
   float profiledStep() const { return world_.GetProfile().step; }

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "core/policies/epsilon_greedy.h"
 #include "core/policies/greedy.h"
 #include "core/policies/softmax.h"
@@ -103,10 +105,15 @@ TEST(Caution, TheGreedyPolicyAndWhatExploresFollowTheRule) {
   Row pi(5);
   policy.greedy(view, pi);
   EXPECT_EQ(pi, (Row{0, 0, 1, 0, 0}));
-  EXPECT_FALSE(policy.explores(view, 2));
-  EXPECT_TRUE(policy.explores(view, 1));
-  EXPECT_FALSE(EpsilonGreedy().explores(view, 0));
-  EXPECT_TRUE(EpsilonGreedy().explores(view, 2));
+  const auto exploring = [&](const Policy& drawn) {  // the actions whose draws count as exploring
+    Random random(1);
+    std::set<Action> actions;
+    for (int i = 0; i < 2000; ++i)
+      if (const auto d = drawn.draw(view, pi, random); d.explores) actions.insert(d.action);
+    return actions;
+  };
+  EXPECT_EQ(exploring(policy), (std::set<Action>{1, 4})) << "among the allowed, 2 is the best";
+  EXPECT_EQ(exploring(EpsilonGreedy()), (std::set<Action>{1, 2, 3, 4})) << "0 is the best";
 }
 
 }  // namespace surefoot
