@@ -118,6 +118,22 @@ std::vector<double> Compass::poseAt(std::span<const double> state) const {
   return {world_->hipX(), state[0], state[1], state[2], state[3], 0.0, static_cast<double>(world_->stanceLeg())};
 }
 
+std::vector<Signal> Compass::signals() const {
+  return {{.key = "hip_position", .title = "hip position", .symbol = "x", .unit = "m", .group = "motion"},
+          {.key = "hip_height", .title = "hip height", .symbol = "y", .unit = "m", .group = "motion"},
+          {.key = "torque", .title = "torque on the swing leg", .symbol = "T", .unit = "N m", .group = "motors"},
+          {.key = "power", .title = "power of the hip", .symbol = "P", .unit = "W", .group = "motors"},
+          {.key = "right_leg_stands", .title = "right leg stands", .group = "contacts", .kind = Signal::Kind::OnOff}};
+}
+
+void Compass::readSignals(std::span<double> values) const {
+  values[0] = world_->hipX();
+  values[1] = world_->hipY();
+  values[2] = torque_;
+  values[3] = torque_ * (state_[3] - state_[1]);
+  values[4] = world_->stanceLeg();
+}
+
 std::vector<double> Compass::pose() const {
   return {
       world_->hipX(), state_[0], state_[1], state_[2], state_[3], torque_, static_cast<double>(world_->stanceLeg())};

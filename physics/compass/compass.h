@@ -34,6 +34,8 @@ class Compass final : public Environment {
   std::vector<double> pose() const override;
   void draw(std::span<const double> pose, Scene& scene) const override;
   std::vector<ReadOut> readOuts(std::span<const double> pose) const override;
+  std::vector<Signal> signals() const override;
+  void readSignals(std::span<double> values) const override;
   void parametersChanged() override;
 
   const CompassWorld& world() const { return *world_; }

@@ -138,7 +138,7 @@ TEST(Rollout, EnergyOfThePendulumStays) {
 }
 
 TEST(Signals, LookingChangesNoBit) {
-  for (const char* name : {"pendulum", "leo"}) {
+  for (const char* name : {"pendulum", "compass", "leo"}) {
     const Configuration c = configured({.environment = name});
     const auto looked = makeEnvironment(registry(), c), alone = makeEnvironment(registry(), c);
     Random a(3), b(3), actions(4);
