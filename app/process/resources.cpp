@@ -29,11 +29,11 @@ std::string resourceFolder(const std::string& name) {
 
 namespace {
 
-/// The TOML files of a folder of resources, in order: "4.10" behind "4.9".
+/// The TOML files of a folder of resources and of the folders in it, in order: "4.10" behind "4.9".
 std::vector<fs::path> filesIn(const std::string& folder) {
   std::vector<fs::path> files;
   std::error_code error;
-  for (const auto& entry : fs::directory_iterator(resourceFolder(folder), error))
+  for (const auto& entry : fs::recursive_directory_iterator(resourceFolder(folder), error))
     if (entry.path().extension() == ".toml") files.push_back(entry.path());
   const auto key = [](const fs::path& file) {
     std::string name = file.stem().string(), padded;

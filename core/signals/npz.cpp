@@ -2,11 +2,76 @@
 #include "core/signals/npz.h"
 
 #include <fmt/format.h>
-#include <zip.h>
+#include <zlib.h>
 
-#include <memory>
+#include <cstdint>
 
 namespace surefoot {
+
+namespace {
+
+/// Numbers of 2 and 4 bytes, little-endian.
+void put16(std::string& to, std::uint32_t value) {
+  for (int shift = 0; shift < 16; shift += 8) to += static_cast<char>(value >> shift & 0xff);
+}
+void put32(std::string& to, std::uint64_t value) {
+  for (int shift = 0; shift < 32; shift += 8) to += static_cast<char>(value >> shift & 0xff);
+}
+
+/// A zip archive of files as they are, without compression, as numpy.savez writes it (PKWARE's APPNOTE 6.3.3, sections
+/// 4.3.7, 4.3.12 and 4.3.16). A library for it would bring a cipher with it.
+class Archive {
+ public:
+  void add(const std::string& name, const std::string& content) {
+    const auto sum = crc32_z(0, reinterpret_cast<const Bytef*>(content.data()), content.size());
+    std::string described;   // the part that both of its headers have
+    put16(described, 20);    // version that can read it
+    put16(described, 0);     // flags
+    put16(described, 0);     // stored
+    put16(described, 0);     // midnight
+    put16(described, 0x21);  // of 1 January 1980: the same bytes at any time
+    put32(described, sum);
+    put32(described, content.size());
+    put32(described, content.size());
+    put16(described, static_cast<std::uint32_t>(name.size()));
+    put16(described, 0);  // no extra field
+
+    put32(directory_, 0x02014b50);
+    put16(directory_, 20);  // version that made it
+    directory_ += described;
+    put16(directory_, 0);  // no comment
+    put16(directory_, 0);  // on the first disk
+    put16(directory_, 0);  // no text
+    put32(directory_, 0);  // no attributes
+    put32(directory_, files_.size());
+    directory_ += name;
+
+    put32(files_, 0x04034b50);
+    files_ += described;
+    files_ += name;
+    files_ += content;
+    ++count_;
+  }
+
+  std::string whole() const {
+    std::string end;
+    put32(end, 0x06054b50);
+    put32(end, 0);  // two disk numbers
+    put16(end, count_);
+    put16(end, count_);
+    put32(end, directory_.size());
+    put32(end, files_.size());
+    put16(end, 0);  // no comment
+    return files_ + directory_ + end;
+  }
+  std::size_t size() const { return files_.size() + directory_.size(); }
+
+ private:
+  std::string files_, directory_;
+  std::uint32_t count_ = 0;
+};
+
+}  // namespace
 
 std::string npyOf(std::span<const double> values) {
   std::string head = fmt::format("{{'descr': '<f8', 'fortran_order': False, 'shape': ({},), }}", values.size());
@@ -14,40 +79,21 @@ std::string npyOf(std::span<const double> values) {
   while ((kBefore + head.size() + 1) % 64 != 0) head += ' ';
   head += '\n';
   std::string bytes("\x93NUMPY\x01\x00", 8);
-  bytes += static_cast<char>(head.size() & 0xff);
-  bytes += static_cast<char>(head.size() >> 8);
+  put16(bytes, static_cast<std::uint32_t>(head.size()));
   bytes += head;
   bytes.append(reinterpret_cast<const char*>(values.data()), values.size_bytes());
   return bytes;
 }
 
 Result<std::string> npzOf(std::span<const NamedArray> arrays) {
-  const Error failed{"the archive of arrays cannot be made.", ErrorKind::File};
-  zip_error_t error;
-  zip_error_init(&error);
-  zip_source_t* whole = zip_source_buffer_create(nullptr, 0, 0, &error);
-  if (!whole) return failed;
-  zip_source_keep(whole);  // it is read below, when the archive has been closed
-  const std::unique_ptr<zip_source_t, void (*)(zip_source_t*)> kept(whole, zip_source_free);
-  zip_t* archive = zip_open_from_source(whole, ZIP_TRUNCATE, &error);
-  if (!archive) return failed;
-  std::vector<std::string> files;  // they must live until the archive is closed
-  files.reserve(arrays.size());
+  constexpr std::size_t kMost = 0xffff'0000;  // what 32 bits can tell
+  Archive archive;
   for (const NamedArray& array : arrays) {
-    files.push_back(npyOf(array.values));
-    zip_source_t* source = zip_source_buffer(archive, files.back().data(), files.back().size(), 0);
-    const zip_int64_t at = source ? zip_file_add(archive, (array.name + ".npy").c_str(), source, ZIP_FL_ENC_UTF_8) : -1;
-    if (at < 0) return zip_source_free(source), zip_discard(archive), failed;
-    zip_file_set_mtime(archive, static_cast<zip_uint64_t>(at), 315532800, 0);  // 1980: the same bytes at any time
+    if (archive.size() + array.values.size_bytes() > kMost)
+      return Error{"the archive of arrays would be larger than 4 GB; take a shorter time."};
+    archive.add(array.name + ".npy", npyOf(array.values));
   }
-  if (zip_close(archive) != 0) return zip_discard(archive), failed;
-  if (zip_source_open(whole) != 0) return failed;
-  std::string bytes;
-  char part[65536];
-  for (zip_int64_t count = 0; (count = zip_source_read(whole, part, sizeof part)) > 0;)
-    bytes.append(part, static_cast<std::size_t>(count));
-  zip_source_close(whole);
-  return bytes;
+  return archive.whole();
 }
 
 }  // namespace surefoot

@@ -196,10 +196,11 @@ TEST_F(KeptLivesTest, AStoreIsGoneOnWithWithoutItsPlan) {
 }
 
 TEST_F(KeptLivesTest, EveryRecipeOfTheProgramComesBackFromItsStore) {
-  for (const char* name : {"4.3", "4.4-4.9", "5.1", "6.2", "walker-mismatch"}) {
+  for (const char* name :
+       {"chapter-4/4.3", "chapter-4/4.4-4.9", "chapter-5/5.1", "chapter-6/6.2", "walker/walker-mismatch"}) {
     const auto plan = readPlan(registry, std::string(SUREFOOT_SOURCE) + "/resources/recipes/" + name + ".toml", {});
     ASSERT_TRUE(plan) << plan.error().message;
-    const auto again = planFromStore(registry, make(*plan, name));
+    const auto again = planFromStore(registry, make(*plan, std::filesystem::path(name).filename().string()));
     ASSERT_TRUE(again) << again.error().message;
     ASSERT_EQ(again->conditions.size(), plan->conditions.size());
     for (std::size_t i = 0; i < plan->conditions.size(); ++i) {
