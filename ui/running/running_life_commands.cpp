@@ -81,7 +81,7 @@ Status RunningLife::checkCaution(const Configuration& changed) const {
 Status RunningLife::setTeacher(std::shared_ptr<const TensorFile> file) {
   auto teacher = makeTeacher(registry_, *file, task());
   if (!teacher) return teacher.error();
-  known_.configuration.teacher = std::move(file);
+  known_.began.teacher = known_.configuration.teacher = std::move(file);  // what is saved goes back to the beginning
   learner_->send(SetTeacher{std::move(*teacher)});
   return Done{};
 }

@@ -3,8 +3,10 @@
 #include <QImage>
 #include <QTemporaryDir>
 #include <atomic>
+#include <filesystem>
 
 #include "core/files/whole_file.h"
+#include "core/saved/checkpoint.h"
 #include "core/saved/q_file.h"
 #include "tests/ui/pixels_of.h"
 #include "tests/ui/window_setup.h"
@@ -133,6 +135,20 @@ TEST(RiskViews, AQFunctionOfAFileIsTheGuardianFromNowOn) {
   w.session->life().setRunning(true);
   EXPECT_TRUE(w.waitFor([&] { return w.session->life().values()->guarded > 100; }));
   EXPECT_FALSE(w.session->editing().guardBy(folder.filePath("none.safetensors").toStdString()));
+
+  // The session that is saved now has it, and opens where the file is not.
+  w.session->life().setRunning(false);
+  const std::string saved = folder.filePath("guarded.surefoot").toStdString();
+  std::optional<Status> status;
+  w.session->files().save(SavedAs::Session, saved, [&](const Status& s) { status = s; });
+  ASSERT_TRUE(w.waitFor([&] { return status.has_value(); }));
+  ASSERT_TRUE(*status) << status->error().message;
+  std::filesystem::remove(path);
+  const auto file = readQFile(saved);
+  ASSERT_TRUE(file) << file.error().message;
+  const auto resumed = resume(w.session->life().registry(), *file, {});
+  ASSERT_TRUE(resumed) << resumed.error().message;
+  EXPECT_TRUE(resumed->configuration.teacher);
 }
 
 // What a robot is careful by in reality it learns boldly.
