@@ -6,30 +6,13 @@
 #include <limits>
 
 #include "core/basics/random.h"
+#include "core/life/life_measures.h"
 
 namespace surefoot {
 
 EpisodeLog::EpisodeLog(bool keepRows, const std::vector<TaskMeasure>& measures) : keepRows_(keepRows) {
   for (std::size_t m = 0; m < measures.size(); ++m) ofALife_[m] = measures[m].ofALife;
 }
-
-namespace {
-
-/// The value for a life that goes on with an episode of value `next`.
-double together(TaskMeasure::OfALife what, double before, double next, bool first) {
-  switch (what) {
-    case TaskMeasure::OfALife::Sum:
-    case TaskMeasure::OfALife::Mean:
-      break;
-    case TaskMeasure::OfALife::Last:
-      return next;
-    case TaskMeasure::OfALife::Largest:
-      return first ? next : std::max(before, next);
-  }
-  return before + next;
-}
-
-}  // namespace
 
 const EpisodeRow& EpisodeLog::finish(Ending ending, std::int64_t lifeSteps, double bestReturn,
                                      std::span<const double> measures) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/life/life_measures.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace surefoot {
@@ -36,6 +37,19 @@ std::vector<LifeMeasure> lifeMeasures(const std::vector<TaskMeasure>& measures) 
   addGreedy("falls", "falls", "");
   if (measureAt(measures, "distance")) all.push_back({"walks_after", "time to the first greedy walk", "min", true});
   return all;
+}
+
+double together(TaskMeasure::OfALife what, double before, double next, bool first) {
+  switch (what) {
+    case TaskMeasure::OfALife::Sum:
+    case TaskMeasure::OfALife::Mean:
+      break;
+    case TaskMeasure::OfALife::Last:
+      return next;
+    case TaskMeasure::OfALife::Largest:
+      return first ? next : std::max(before, next);
+  }
+  return before + next;
 }
 
 double valueOfALife(const TaskMeasure& measure, double total, std::int64_t episodes) {

@@ -24,6 +24,8 @@ struct LifeMeasure {
 /// test in which the robot walked. Empty for a task without measures.
 std::vector<LifeMeasure> lifeMeasures(const std::vector<TaskMeasure>& measures);
 
+/// The total of a life that goes on with an episode of value `next`; `first`: it is the first.
+double together(TaskMeasure::OfALife what, double before, double next, bool first);
 /// The value over all episodes of a life; NaN if it needs an episode and there is none. `total`: from
 /// LifeTotals::measures.
 double valueOfALife(const TaskMeasure& measure, double total, std::int64_t episodes);

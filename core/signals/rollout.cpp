@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/life/life_measures.h"
 #include "core/values_of_state.h"
 
 namespace surefoot {
@@ -66,16 +67,11 @@ class Recorder {
   std::size_t column_ = 0, delta_ = 0;
 };
 
-/// Measures over all episodes, as a life has them.
-void addMeasures(const Environment& environment, std::vector<double>& all) {
+/// Measures with one more episode, as a life adds them up.
+void addMeasures(const Environment& environment, bool first, std::vector<double>& all) {
   const auto& measures = environment.task().measures;
   const auto values = environment.measures();
-  for (std::size_t m = 0; m < measures.size(); ++m) {
-    if (measures[m].ofALife == TaskMeasure::OfALife::Sum) all[m] += values[m];
-    if (measures[m].ofALife == TaskMeasure::OfALife::Largest) all[m] = std::max(all[m], values[m]);
-    if (measures[m].ofALife == TaskMeasure::OfALife::Last || measures[m].ofALife == TaskMeasure::OfALife::Mean)
-      all[m] = values[m];
-  }
+  for (std::size_t m = 0; m < measures.size(); ++m) all[m] = together(measures[m].ofALife, all[m], values[m], first);
 }
 
 }  // namespace
@@ -160,11 +156,14 @@ Rollout rollOut(Environment& environment, const ActionValueFunction& values, con
     running = outcome.ending == Ending::None;
     if (outcome.ending == Ending::Terminal) recorder.setDelta(reward - q);
     if (!running) {
-      addMeasures(environment, rollout.measures);
+      addMeasures(environment, rollout.episodes == 1, rollout.measures);
       if (rollout.stopped = environment.failure(); !rollout.stopped.empty()) break;
     }
   }
-  if (running) addMeasures(environment, rollout.measures);
+  if (running) addMeasures(environment, rollout.episodes == 1, rollout.measures);
+  const auto& measures = environment.task().measures;
+  for (std::size_t m = 0; m < measures.size(); ++m)
+    rollout.measures[m] = valueOfALife(measures[m], rollout.measures[m], rollout.episodes);
   return rollout;
 }
 

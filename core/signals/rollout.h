@@ -40,7 +40,7 @@ struct Rollout {
   std::vector<std::vector<double>> columns;  ///< [signal][row]
   std::int64_t steps = 0, episodes = 0, falls = 0, successes = 0;
   double reward = 0.0;
-  std::vector<double> measures;  ///< Task::measures, added up over the episodes, or of the last one
+  std::vector<double> measures;  ///< Task::measures over all episodes, as a life has them
   std::string stopped{};         ///< why the environment did not go on; empty: it did
 
   const std::vector<double>* column(std::string_view key) const;

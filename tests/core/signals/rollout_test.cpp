@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/life/greedy_trial.h"
+#include "core/life/life_measures.h"
 #include "core/policies/greedy.h"
 #include "tests/core/experiment/test_setup.h"
 
@@ -101,6 +102,30 @@ TEST(Rollout, OfLeoIsItsGreedyTest) {
   for (const char* joint : {"left_hip", "right_hip", "left_knee", "right_knee"})
     for (const double power : *r.column(std::string(joint) + "_power")) work += std::max(0.0, power) / 30.0;
   EXPECT_NEAR(work / r.measures[2], 1.0, 0.5) << "power at the ends of the steps, energy over them";
+}
+
+// Its measures are a life's: a sum, a mean, the last or the largest of the episodes.
+TEST(Rollout, MeasuresItsEpisodesAsALifeDoes) {
+  const Configuration c = configured({.environment = "compass"});
+  const auto life = lived(c, 20);
+  const Rollout whole = rolledOut(c, *life, {.steps = 20'000, .episodes = 6});
+  const auto& measures = life->environment().task().measures;
+  EpisodeLog log(false, measures);
+  const auto environment = makeEnvironment(registry(), c);
+  const auto &action = *whole.column("action"), &end = *whole.column("end");
+  Random world(deriveSeed(1, 0, Stream::World));
+  (*environment)->reset(world);
+  for (std::size_t row = 0; row < action.size(); ++row) {
+    const Outcome outcome = (*environment)->step(static_cast<Action>(action[row]));
+    log.add(outcome);
+    ASSERT_EQ(outcome.ending != Ending::None, end[row] != 0.0);
+    if (outcome.ending == Ending::None) continue;
+    log.finish(outcome.ending, static_cast<std::int64_t>(row) + 1, 0.0, (*environment)->measures());
+    (*environment)->reset(world);
+  }
+  ASSERT_EQ(log.totals().episodes, 6);
+  for (std::size_t m = 0; m < measures.size(); ++m)
+    EXPECT_EQ(whole.measures[m], valueOfALife(measures[m], log.totals().measures[m], 6)) << measures[m].key;
 }
 
 TEST(Rollout, BeginsWhereItIsToldAndIsPushed) {
