@@ -115,30 +115,16 @@ Result<RolloutSettings> settingsOf(const RolloutRequest& r, const Configuration&
   return s;
 }
 
-std::string asCsv(const Rollout& rollout) {
-  std::string text;
-  for (std::size_t i = 0; i < rollout.signals.size(); ++i) text += (i > 0 ? "," : "") + rollout.signals[i].key;
-  text += '\n';
-  for (std::size_t row = 0; row < rollout.columns[0].size(); ++row) {
-    for (std::size_t i = 0; i < rollout.columns.size(); ++i) {
-      const double value = rollout.columns[i][row];
-      text += fmt::format("{}{}", i > 0 ? "," : "", std::isnan(value) ? "" : fmt::format("{}", value));
-    }
-    text += '\n';
-  }
-  return text;
-}
-
 Result<std::string> asNpz(const Rollout& rollout) {
   std::vector<NamedArray> arrays;
-  for (std::size_t i = 0; i < rollout.signals.size(); ++i)
-    arrays.push_back({rollout.signals[i].key, rollout.columns[i]});
+  for (std::size_t i = 0; i < rollout.table.signals().size(); ++i)
+    arrays.push_back({rollout.table.signals()[i].key, rollout.table.columns()[i]});
   return npzOf(arrays);
 }
 
 std::string hashOf(const Rollout& rollout) {
   Hash64 hash;
-  for (const auto& column : rollout.columns)
+  for (const auto& column : rollout.table.columns())
     for (const double value : column) hash.add(std::isnan(value) ? 0.0 : value);
   return fmt::format("{:016x}", hash.value());
 }
@@ -156,7 +142,7 @@ OrderedJson asJson(const Rollout& rollout, const RolloutRequest& r, const Config
   json["reward"] = rollout.reward;
   for (std::size_t m = 0; m < task.measures.size(); ++m) json[task.measures[m].key] = rollout.measures[m];
   json["signals"] = OrderedJson::array();
-  for (const Signal& s : rollout.signals)
+  for (const Signal& s : rollout.table.signals())
     json["signals"].push_back({{"key", s.key},
                                {"title", s.title},
                                {"symbol", s.symbol},
@@ -213,7 +199,7 @@ int rolloutCommand(const Registry& registry, const RolloutRequest& request) {
   if (interrupted) return fail({"interrupted; nothing is written.", ErrorKind::Interrupted});
   if (!rollout.stopped.empty()) return fail({rollout.stopped, ErrorKind::Unanswered});
   if (csv)
-    if (const Status s = csv->commit(asCsv(rollout)); !s) return fail(s.error());
+    if (const Status s = csv->commit(rollout.table.asCsv()); !s) return fail(s.error());
   if (npz) {
     const auto bytes = asNpz(rollout);
     if (!bytes) return fail(bytes.error());

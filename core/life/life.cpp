@@ -94,7 +94,7 @@ void Life::step(const std::atomic<bool>* giveUp) {
   }
   if (everyStep_) tellTime(true);
   const std::int64_t explored = keepInputs_ ? agent_->explored() : 0;
-  const Outcome outcome = environment_->step(action_);
+  const Outcome outcome = outcome_ = environment_->step(action_);
   if (outcome.ending == Ending::Unanswered) {
     unanswered_ = environment_->unanswered();
     return;

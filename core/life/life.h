@@ -132,6 +132,8 @@ class Life {
   std::int64_t steps() const { return steps_; }
   /// [s]; NaN where the task has no clock.
   double simulatedSeconds() const;
+  /// What the last step brought.
+  const Outcome& outcome() const { return outcome_; }
   /// The action that the next step will carry out.
   Action nextAction() const { return action_; }
   bool inEpisode() const { return inEpisode_; }
@@ -177,6 +179,7 @@ class Life {
   bool changesLeftOut_ = false;
   std::int64_t steps_ = 0;
   Action action_ = 0;
+  Outcome outcome_;  // of the last step
   bool inEpisode_ = false;
   bool environmentChanged_ = false;
   std::string failure_;           // of the environment: it can not go on

@@ -113,7 +113,11 @@ void LearnerThread::step() {
     last_.state.assign(state.begin(), state.end());
     last_.action = life_->nextAction();
   }
+  constexpr std::size_t kMostSeen = 2000;  // between two snapshots
+  const bool sees = stepsWanted_ && !turbo_ && life_->inEpisode() && seen_.size() < kMostSeen;
+  if (sees) seen_.push_back(momentNow());
   life_->step(&stop_);
+  if (sees) seen_.back().outcome = life_->outcome();
   if (!noteAnswer()) return;
   if (life_->log().totals().episodes != before) noteEpisode();
   if (watch_) beWatched();

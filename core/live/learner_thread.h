@@ -91,6 +91,8 @@ class LearnerThread {
   /// Asks for a fresh snapshot; take…() tells whether one has come, snapshot() is the newest taken.
   void wantSnapshot() { want(snapshotWanted_); }
   void wantValues() { want(valuesWanted_); }
+  /// Whether snapshots have every step since the one before, unless the life is in turbo.
+  void wantSteps(bool wants) { stepsWanted_ = wants; }
   bool takeSnapshot() { return snapshots_.take(); }
   bool takeValues() { return values_.take(); }
   const Snapshot& snapshot() const { return snapshots_.front(); }
@@ -125,7 +127,8 @@ class LearnerThread {
   bool canStep() const { return running_ && trouble_.empty() && !isOver(); }
   void want(std::atomic<bool>& flag);
   void answer();
-  void fill(Snapshot& snapshot) const;
+  StepSeen momentNow() const;
+  void fill(Snapshot& snapshot);
   void fill(ValueSnapshot& snapshot) const;
   void fillTests(ValueSnapshot& snapshot) const;
 
@@ -139,6 +142,7 @@ class LearnerThread {
   Hand hand_;
   std::function<Watching(const Life&)> watch_;
   StepTaken last_;
+  std::vector<StepSeen> seen_;
   std::size_t changesSeen_ = 0;
   int looksLeft_ = 0;
   std::shared_ptr<const std::vector<std::pair<std::string, double>>> environment_;  // parameters at the last fall
@@ -156,7 +160,7 @@ class LearnerThread {
   std::vector<Command> mailbox_;  // guarded by mutex_
   std::vector<Fall> falls_;       // guarded by mutex_
   std::atomic<bool> mail_{false}, stop_{false};
-  std::atomic<bool> snapshotWanted_{true}, valuesWanted_{true};
+  std::atomic<bool> snapshotWanted_{true}, valuesWanted_{true}, stepsWanted_{false};
   TripleBuffer<Snapshot> snapshots_;
   TripleBuffer<ValueSnapshot> values_;
 

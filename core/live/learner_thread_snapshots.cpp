@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of LearnerThread that fills the copies that others look at.
+#include <utility>
+
 #include "core/live/learner_thread.h"
+#include "core/values_of_state.h"
 
 namespace surefoot {
 
@@ -17,7 +20,22 @@ void LearnerThread::answer() {
   }
 }
 
-void LearnerThread::fill(Snapshot& s) const {
+StepSeen LearnerThread::momentNow() const {
+  const Environment& environment = life_->environment();
+  const ActionValueFunction& values = life_->agent().values();
+  StepSeen moment{
+      .steps = life_->steps(), .episode = life_->log().totals().episodes + 1, .action = life_->nextAction()};
+  moment.state.assign(environment.state().begin(), environment.state().end());
+  moment.signals.resize(environment.signals().size());
+  environment.readSignals(moment.signals);
+  moment.measures.assign(environment.measures().begin(), environment.measures().end());
+  ValuesOfState here;
+  here.evaluate(values, moment.state);
+  moment.q = std::move(here.q), moment.risk = std::move(here.risk), moment.losses = std::move(here.losses);
+  return moment;
+}
+
+void LearnerThread::fill(Snapshot& s) {
   const Environment& environment = life_->environment();
   s.life = lifeNumber_;
   s.steps = life_->steps();
@@ -26,6 +44,10 @@ void LearnerThread::fill(Snapshot& s) const {
   s.averageReward = life_->log().averageReward();
   s.state.assign(environment.state().begin(), environment.state().end());
   s.pose = environment.pose();
+  s.signals.resize(environment.signals().size());
+  environment.readSignals(s.signals);
+  s.measures.assign(environment.measures().begin(), environment.measures().end());
+  s.seen = std::exchange(seen_, {});
   s.fallenPose = fallenPose_;
   const ActionValueFunction& values = life_->agent().values();
   s.q.resize(environment.task().actions.size());

@@ -14,6 +14,14 @@
 
 namespace surefoot {
 
+/// A step that was seen: the moment before its action, and what the action brought.
+struct StepSeen {
+  std::int64_t steps = 0, episode = 1;  ///< steps of the life before it
+  std::vector<double> state{}, signals{}, measures{}, q{}, risk{}, losses{};
+  Action action = kNoAction;
+  Outcome outcome{};
+};
+
 /// The moment: small, sent for every frame.
 struct Snapshot {
   std::uint64_t life = 0;  ///< counts the lives that were put into the window
@@ -26,6 +34,8 @@ struct Snapshot {
   std::vector<double> q;                     ///< q̂(s, ·) in that state
   std::vector<double> risk;                  ///< ρ(state, ·), where it is learned; else empty
   std::vector<double> qPositive, qNegative;  ///< its two parts, where the agent keeps them apart; else empty
+  std::vector<double> signals, measures;     ///< Environment::readSignals and measures, in that state
+  std::vector<StepSeen> seen;                ///< the steps since the snapshot before, while they are wanted
   std::vector<NamedStep> learned;            ///< what the estimates learned in the last step
   std::vector<double> stateBefore;           ///< the state in which that step was made; empty in turbo
   Action actionBefore = kNoAction;           ///< the action of that step

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a policy does, step by step: an environment is lived in by a Q-function that learns nothing, and every signal is
 // written down. Nothing here is part of the learning loop.
-//
-// A row is the moment before an action: the time, the state and the environment's signals then, the action that was
-// chosen and what the Q-function said of it, and the reward that it brought. Numbers that a row does not have are NaN:
-// δ in the last row of an episode that was cut off by the end of the roll-out.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "core/action_value.h"
-#include "core/environment.h"
+#include "core/life/episode_inputs.h"
 #include "core/policy.h"
+#include "core/signals/signal_table.h"
+#include "core/values_of_state.h"
 
 namespace surefoot {
 
@@ -25,6 +23,9 @@ struct TimedPush {
   double impulse = 0.0;  ///< [N s]
 };
 
+/// Called in every moment that becomes a row, with what the Q-function says there and the action that comes next.
+using SeeMoment = std::function<void(const Environment&, const ValuesOfState&, Action)>;
+
 struct RolloutSettings {
   std::uint64_t seed = 1;       ///< of starts, and of a policy that draws
   std::vector<double> start{};  ///< the state of the first episode; empty: the environment draws one
@@ -32,26 +33,26 @@ struct RolloutSettings {
   std::optional<std::int64_t> episodes{};
   double discount = 1.0;            ///< γ, for δ
   std::vector<TimedPush> pushes{};  ///< in the order of their times
+  /// The first episode begins as this one did: its random numbers, its start, its pushes. nullptr: as said above.
+  const EpisodeInputs* as = nullptr;
+  SeeMoment see{};
 };
 
-/// Columns of numbers, one row a step.
 struct Rollout {
-  std::vector<Signal> signals;               ///< the columns
-  std::vector<std::vector<double>> columns;  ///< [signal][row]
+  SignalTable table;
   std::int64_t steps = 0, episodes = 0, falls = 0, successes = 0;
   double reward = 0.0;
   std::vector<double> measures;  ///< Task::measures over all episodes, as a life has them
   std::string stopped{};         ///< why the environment did not go on; empty: it did
-
-  const std::vector<double>* column(std::string_view key) const;
 };
-
-/// Every signal of a roll-out: time and episode, the state, the environment's own, the action, the learner's, the
-/// reward and its terms.
-std::vector<Signal> signalsOf(const Environment& environment, const ActionValueFunction& values);
 
 /// Used by one thread. `interrupted`: ends where it is.
 Rollout rollOut(Environment& environment, const ActionValueFunction& values, const Policy& policy,
                 const RolloutSettings& settings, const std::atomic<bool>* interrupted = nullptr);
+
+/// An episode lived again with the actions of then, and what a Q-function (nullptr: none) and a policy say of them now;
+/// its last row is the state that it ended in. No rows: the episode cannot be repeated.
+SignalTable relive(Environment& environment, const EpisodeInputs& inputs, const ActionValueFunction* values,
+                   const Policy& policy, double discount, const SeeMoment& see = {});
 
 }  // namespace surefoot

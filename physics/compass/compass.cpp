@@ -123,7 +123,8 @@ std::vector<Signal> Compass::signals() const {
           {.key = "hip_height", .title = "hip height", .symbol = "y", .unit = "m", .group = "motion"},
           {.key = "torque", .title = "torque on the swing leg", .symbol = "T", .unit = "N m", .group = "motors"},
           {.key = "power", .title = "power of the hip", .symbol = "P", .unit = "W", .group = "motors"},
-          {.key = "right_leg_stands", .title = "right leg stands", .group = "contacts", .kind = Signal::Kind::OnOff}};
+          {.key = "left_foot", .title = "left foot on the floor", .group = "contacts", .kind = Signal::Kind::OnOff},
+          {.key = "right_foot", .title = "right foot on the floor", .group = "contacts", .kind = Signal::Kind::OnOff}};
 }
 
 void Compass::readSignals(std::span<double> values) const {
@@ -131,7 +132,8 @@ void Compass::readSignals(std::span<double> values) const {
   values[1] = world_->hipY();
   values[2] = torque_;
   values[3] = torque_ * (state_[3] - state_[1]);
-  values[4] = world_->stanceLeg();
+  values[4] = world_->stanceLeg() == 0;
+  values[5] = world_->stanceLeg() == 1;
 }
 
 std::vector<double> Compass::pose() const {

@@ -29,7 +29,7 @@ std::vector<Signal> Leo::signals() const {
   add("hip speed", "m/s", "motion", Signal::Kind::Number);
   for (const char* leg : kLegNames)
     for (const char* part : {"heel", "toe"}) add(std::string(leg) + " " + part, "", "contacts", Signal::Kind::OnOff);
-  add("right leg stands", "", "contacts", Signal::Kind::OnOff);
+  add("right leg stands", "", "gait", Signal::Kind::OnOff);
   for (const char* joint : kJointNames)
     for (const auto& [what, unit, group] : {std::tuple{"angle", "rad", "motion"},
                                             {"rate", "rad/s", "motion"},
@@ -37,6 +37,7 @@ std::vector<Signal> Leo::signals() const {
                                             {"current", "A", "motors"},
                                             {"power", "W", "motors"}})
       add(std::string(joint) + " " + what, unit, group, Signal::Kind::Number);
+  add("power of all motors", "W", "motors", Signal::Kind::Number);
   return all;
 }
 
@@ -49,12 +50,15 @@ void Leo::readSignals(std::span<double> values) const {
   for (int leg = 0; leg < 2; ++leg)
     for (const bool heel : {true, false}) values[i++] = w.touches(leg, heel);
   values[i++] = stance_;
+  double power = 0.0;
   for (int j = 0; j < kJoints; ++j) {
     const auto joint = static_cast<Joint>(j);
     for (const double value :
          {w.jointAngle(joint), w.jointRate(joint), w.voltage(joint), w.current(joint), w.power(joint)})
       values[i++] = value;
+    power += w.power(joint);
   }
+  values[i++] = power;
 }
 
 }  // namespace surefoot

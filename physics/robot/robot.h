@@ -27,6 +27,8 @@ class Robot final : public Environment {
   Action handMadeAction() const override { return values_.handMadeAction(); }
   std::span<const double> state() const override { return values_.state(); }
   std::span<const double> measures() const override { return values_.measures(); }
+  std::vector<Signal> signals() const override;
+  void readSignals(std::span<double> values) const override;
   bool push(double impulse) override;
   bool place(std::span<const double> state) override;
   std::vector<double> poseAt(std::span<const double> state) const override;

@@ -3,10 +3,10 @@
 // second, because a machine's speed wanders from second to second by more than what is to be measured. Needs two
 // processors and a display:
 //
-//   xvfb-run window_bench [MINUTES]
+//   xvfb-run window_bench [MINUTES | signals]
 //
-// With MINUTES every panel is open in a window of 1920×1080, two thirds of the time are the window's, and the memory of
-// the process is told every minute.
+// With "signals" the Signals layout is open. With MINUTES every panel is open in a window of 1920×1080, two thirds of
+// the time are the window's, and the memory of the process is told every minute.
 //
 // Speeds are per second by the clock and per CPU-second of the learner's thread: where the window, the display and the
 // learner share too few processors, the first tells how long the learner waited for one. The ratio is a geometric mean
@@ -192,7 +192,7 @@ std::string meanText(const std::vector<double>& logarithms) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const bool everyPanel = argc > 1;
+  const bool signals = argc > 1 && std::string_view(argv[1]) == "signals", everyPanel = argc > 1 && !signals;
   const double minutes = everyPanel ? std::atof(argv[1]) : kMinutes;
   QApplication application(argc, argv);
   applyAppearance(application, Appearance{});
@@ -206,6 +206,7 @@ int main(int argc, char** argv) {
   everyPanel ? window.resize(1920, 1080) : window.resize(1280, 800);
   window.show();
   if (everyPanel) openEveryPanel(window.livePage());
+  if (signals) window.livePage().useLayout(LivePage::Layout::Signals);
   PaintCounter frames;
   window.findChild<WorldView*>()->installEventFilter(&frames);
   session.life().setTurbo(true);

@@ -20,6 +20,8 @@ class ViewMenu final : public QObject {
   /// Belongs to the view. If it is no CsvSource, `csv` gives its numbers; empty: no numbers (yet). A view that
   /// could not have the focus can now get it by Tab, and shows a ring then.
   explicit ViewMenu(QWidget& view, std::function<std::string()> csv = {});
+  /// Asks for a file and writes the view to it: png, svg, pdf or csv.
+  void exportAs(const QString& ending);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -28,7 +30,6 @@ class ViewMenu final : public QObject {
   void open(const QPoint& at);
   void copyPicture();
   void copyNumbers();
-  void exportAs(const QString& ending);
   std::string numbers() const;
   bool hasNumbers() const;
   bool filterMouse(QEvent& event);

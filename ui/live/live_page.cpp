@@ -68,6 +68,7 @@ LivePage::LivePage(Session& session, QWidget* parent) : QMainWindow(parent), ses
   makeMaps();
   makeCharts();
   makeWords();
+  makeSignals();
   sizedFor_ = textSize();
   whenScaled(this, [this] { followTextSize(); });
   const auto note = [this, actions] {

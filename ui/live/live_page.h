@@ -17,6 +17,7 @@ class Panel;
 class Rival;
 class ParameterForm;
 class Session;
+class SignalsBar;
 class WorldView;
 
 class LivePage final : public QMainWindow {
@@ -30,8 +31,10 @@ class LivePage final : public QMainWindow {
   Rival* rival() { return rival_; }
   void setComparing(bool comparing);
   void resetParameters();
-  enum class Layout { Usual, Teaching, Falls, Maps };
+  enum class Layout { Usual, Teaching, Falls, Maps, Signals };
   void useLayout(Layout layout);
+  /// What the greedy policy does from a new start, in the Signals layout.
+  void rollOut();
   /// False: no panel had the whole page.
   bool leaveFullSize();
   /// The widths and heights of the first start.
@@ -53,7 +56,7 @@ class LivePage final : public QMainWindow {
   void childEvent(QChildEvent* event) override;
 
  private:
-  static constexpr int kLayoutVersion = 3;
+  static constexpr int kLayoutVersion = 4;
 
   Panel* addPanel(const QString& title, const QString& name, QWidget* content, Qt::DockWidgetArea area);
   QWidget* makeCentre();
@@ -61,6 +64,8 @@ class LivePage final : public QMainWindow {
   void makeCharts();
   void makeRival();
   void makeWords();
+  void makeSignals();
+  void useSignals();
   QString actionsNote() const;
   QString fallsNote(const ChartSpan& span) const;
   void toggleFull(QWidget* panel);
@@ -78,10 +83,12 @@ class LivePage final : public QMainWindow {
   Rival *rival_ = nullptr, *resting_ = nullptr;  // resting_: a hidden second learner; it keeps its life
   std::vector<Panel*> panels_;
   Panel *steps_ = nullptr, *rule_ = nullptr, *list_ = nullptr;  // hidden at first
-  std::vector<Panel*> needless_;                                // panels that are hidden because the task has no falls
-  QWidget* full_ = nullptr;                                     // the panel that has the whole page
-  std::vector<std::pair<Panel*, QSize>> before_;                // the panels that were visible before that
-  double sizedFor_ = 1.0;                                       // the text size that the columns were made for
+  SignalsBar* signalsBar_ = nullptr;
+  Panel *signals_ = nullptr, *portrait_ = nullptr, *strides_ = nullptr;  // as well
+  std::vector<Panel*> needless_;                  // panels that are hidden because the task has no falls
+  QWidget* full_ = nullptr;                       // the panel that has the whole page
+  std::vector<std::pair<Panel*, QSize>> before_;  // the panels that were visible before that
+  double sizedFor_ = 1.0;                         // the text size that the columns were made for
   bool laidOut_ = false;
   bool untouched_ = true;  // no one has moved a separator: the columns follow the width of the window
 };

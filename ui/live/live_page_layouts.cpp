@@ -77,6 +77,9 @@ void LivePage::useLayout(Layout layout) {
       for (const char* name : {"parameters", "reward", "falls"}) panel(name)->hide();
       resizeDocks({panel("maps")}, {width() * 6 / 10}, Qt::Horizontal);
       break;
+    case Layout::Signals:
+      useSignals();
+      break;
   }
   untouched_ = false;
   followTask();
@@ -98,10 +101,12 @@ void LivePage::resetLayout() {
   addDockWidget(Qt::BottomDockWidgetArea, panel("step"));
   addDockWidget(Qt::BottomDockWidgetArea, panel("rule"));
   addDockWidget(Qt::RightDockWidgetArea, panel("list"));
+  for (Panel* extra : {signals_, strides_}) addDockWidget(Qt::RightDockWidgetArea, extra);
+  addDockWidget(Qt::BottomDockWidgetArea, portrait_);
   // Panels that are hidden at first share the place of a visible one, or they would cut each other.
   for (Panel* extra : {steps_, rule_}) tabifyDockWidget(panel("actions"), extra);
   tabifyDockWidget(panel("falls"), list_);
-  for (Panel* extra : {steps_, rule_, list_}) extra->hide();
+  for (Panel* extra : {steps_, rule_, list_, signals_, strides_, portrait_}) extra->hide();
   for (const char* front : {"actions", "falls"}) panel(front)->raise();
   needless_.clear();
   followTask();

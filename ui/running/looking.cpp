@@ -25,7 +25,9 @@ Looking::Looking(RunningLife& life) : life_(life) {
   });
   connect(&life_, &RunningLife::parameterChanged, this, [this](const QString& key) {
     life_.configuration().parameters.applyTo(viewer_->policy(), "policy.");
-    if (key.startsWith(QLatin1String("environment."))) makeViewer();
+    if (!key.startsWith(QLatin1String("environment."))) return;
+    makeViewer();
+    feed_.end();
   });
 }
 
@@ -44,6 +46,8 @@ void Looking::beginAnew() {
   pinned_.clear();
   fallsToCome_.clear();
   recording_.clear();
+  feed_.end();
+  setSecond(nullptr, {});
   backToLive();
   makeViewer();
   shown_ = {};
@@ -67,6 +71,7 @@ void Looking::show(double seconds) {
   std::int64_t falls = now.totals.falls;
   if (viewing) {
     const ActionValueFunction& values = *life_.values()->values;
+    writeSignals(true);
     viewer_->policy().advance(life_.lifeTime());
     viewer_->advance(seconds, values);
     shown_.state.assign(viewer_->environment().state().begin(), viewer_->environment().state().end());
@@ -90,6 +95,8 @@ void Looking::show(double seconds) {
   shown_.flash = sinceFall_.isValid() && sinceFall_.elapsed() < kFlash;
   // The next episode has begun already, but a person must see the fall: the fallen pose stays during the flash.
   if (shown_.flash && !viewing && !now.fallenPose.empty()) shown_.pose = now.fallenPose;
+  if (!viewing) writeSignals(false);
+  shown_.row = feed_.on() ? feed_.last() : -1;
   if (life_.running() || viewing || recording_.size() == 0) recording_.add(shown_);
 }
 

@@ -8,11 +8,13 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 #include <vector>
 
 #include "ui/running/playback.h"
 #include "ui/running/running_life.h"
+#include "ui/running/signal_feed.h"
 #include "ui/running/viewer.h"
 
 namespace surefoot {
@@ -59,6 +61,23 @@ class Looking final : public QObject {
   void play(bool on);
   void backToLive();
 
+  // Signals, written down while somebody watches them.
+  void watchSignals(const QObject* who, bool watches);
+  /// Of the playback, or of the last minutes of the world that is shown.
+  const SignalTable& signals() const { return playback_ ? playback_->signals : feed_.table(); }
+  /// The row of the moment that is shown; none: nothing was written down of it.
+  std::optional<std::size_t> signalRow() const;
+  /// Shows the moment of a row: in the playback, or going back to it.
+  void seekRow(std::size_t row);
+  /// What the greedy policy does from a new start, as a playback; a sentence where this cannot be.
+  Status rollOut(double seconds);
+  /// Another Q-function beside the first, in every playback that can be lived from its start; null: none.
+  void setSecond(std::shared_ptr<const ActionValueFunction> values, const QString& name);
+  const QString& secondName() const { return secondName_; }
+  bool hasSecond() const { return second_ != nullptr; }
+  /// Its signals in this playback; no rows: there are none.
+  const SignalTable& secondSignals() const { return secondSignals_; }
+
   /// The state that is examined: under the cursor on a map, or fixed there; empty: none but the live one.
   const std::vector<double>& examined() const { return hovered_.empty() ? pinned_ : hovered_; }
   bool pinned() const { return hovered_.empty() && !pinned_.empty(); }
@@ -77,6 +96,7 @@ class Looking final : public QObject {
   void examinedChanged();
   void fallsArrived();
   void playbackChanged();
+  void signalsReplaced();                   ///< signals() or secondSignals() are others than before
   void held(std::optional<double> target);  ///< a person holds the body there, or lets go
   void fallReplayed(std::int64_t episode);  ///< a person looks at the fall of this episode again
 
@@ -89,6 +109,8 @@ class Looking final : public QObject {
   bool copyable() const;  ///< the values are small enough to be kept with a fall
   void fillParts(const ActionValueFunction& values);
   void makeViewer();
+  void writeSignals(bool viewing);
+  void begin(Playback playback);
   void beginAnew();
 
   RunningLife& life_;
@@ -99,6 +121,12 @@ class Looking final : public QObject {
   std::vector<Fall> fallsToCome_;  // newer than life_.numbers()
   Recording recording_;
   std::optional<Playback> playback_;
+  SignalFeed feed_;
+  std::set<const QObject*> watching_;
+  bool feedOfViewer_ = false;
+  std::shared_ptr<const ActionValueFunction> second_;
+  QString secondName_;
+  SignalTable secondSignals_;
   QElapsedTimer sinceValues_, sinceFall_;
   std::int64_t fallsBefore_ = 0;
   std::uint64_t lifeShown_ = 0;

@@ -52,14 +52,14 @@ bool Looking::showFall(std::size_t index) {
   if (!then && copyable()) then = life_.values()->values->clone();
   const bool kept = then != nullptr;
   if (!kept && life_.values()) then = {std::shared_ptr<void>(), life_.values()->values.get()};  // for the frames only
-  Playback playback = playbackOf(fall, life_.registry(), life_.configuration().names.environment, std::move(then));
+  Playback playback = playbackOf(fall, life_.registry(), life_.configuration(), std::move(then));
   if (playback.frames.empty()) return false;
   if (!kept) playback.values.reset();
   if (reducedMotion()) {  // the playback stops at the fall; a person steps through it by hand
     playback.rate = 0;
     playback.position = static_cast<double>(playback.frames.size()) - 1;
   }
-  playback_ = std::move(playback);
+  begin(std::move(playback));
   Q_EMIT playbackChanged();
   return true;
 }
@@ -72,7 +72,10 @@ bool Looking::copyable() const {
 void Looking::lookBack(int frames) {
   if (!playback_) {
     if (recording_.size() < 2 || frames > 0) return;
-    playback_ = recording_.playback();
+    Playback recorded = recording_.playback();
+    recorded.signals = feed_.table();
+    recorded.firstRow = feed_.first();
+    begin(std::move(recorded));
   }
   playback_->rate = 0;
   seek(playback_->position + frames);
@@ -93,7 +96,7 @@ void Looking::seek(double position) {
 
 void Looking::play(bool on) {
   if (!playback_) return;
-  if (on && playback_->atEnd()) playback_->position = 0;
+  if (on && playback_->atEnd()) playback_->position = playback_->begin;
   playback_->rate = on ? playback_->usualRate : 0;
   Q_EMIT playbackChanged();
 }
@@ -101,6 +104,8 @@ void Looking::play(bool on) {
 void Looking::backToLive() {
   if (!playback_) return;
   playback_.reset();
+  secondSignals_ = {};
+  Q_EMIT signalsReplaced();
   Q_EMIT playbackChanged();
 }
 

@@ -3,6 +3,7 @@
 
 #include <QObject>
 #include <algorithm>
+#include <cmath>
 
 #include "core/environment_library.h"
 #include "core/parameters.h"
@@ -11,61 +12,127 @@
 namespace surefoot {
 
 namespace {
-constexpr double kSeconds = 3.0;   // shown before a fall
+
+constexpr double kSeconds = 3.0;   // played before a fall
+constexpr double kLongest = 60.0;  // kept before a fall [s]
 constexpr double kSlow = 0.5;      // share of real time
 constexpr double kNoClock = 0.05;  // time of a step in a task without a clock [s]
-}  // namespace
 
-Playback playbackOf(const Fall& fall, const Registry& registry, const std::string& environment,
-                    std::shared_ptr<const ActionValueFunction> values) {
+double stepTimeOf(const Environment& world) {
+  return world.task().stepTime.value_or(kNoClock);
+}
+
+/// A world with the parameters of then; nullptr: there is none, or it takes its time.
+std::unique_ptr<Environment> worldOf(const Fall& fall, const Registry& registry, const std::string& environment) {
   const auto entry = findEnvironment(registry, environment);
-  if (!entry) return {};
-  const auto world = (*entry)->make();
-  if (!world->answersAtOnce()) return {};
+  if (!entry) return nullptr;
+  auto world = (*entry)->make();
+  if (!world->answersAtOnce()) return nullptr;
   Fields fields("environment.");
   world->declare(fields);
   for (const auto& [key, value] : *fall.parameters)
     for (const auto& field : fields.all())
       if (field.parameter.key == key) field.set(value);
   world->parametersChanged();
+  return world;
+}
 
+/// Adds frames to a playback.
+SeeMoment filming(Playback& playback) {
+  return [&playback](const Environment& world, const ValuesOfState& here, Action next) {
+    Shown frame;
+    frame.state.assign(world.state().begin(), world.state().end());
+    frame.pose = world.pose();
+    frame.action = next;
+    frame.q = here.q;
+    frame.risk = here.risk;
+    frame.q.resize(world.task().actions.size());
+    if (playback.values && playback.values->split()) {
+      frame.qPositive.resize(frame.q.size()), frame.qNegative.resize(frame.q.size());
+      playback.values->evaluate(frame.state, Layer::Positive, frame.qPositive);
+      playback.values->evaluate(frame.state, Layer::Negative, frame.qNegative);
+    }
+    frame.row = static_cast<std::int64_t>(playback.frames.size());
+    playback.frames.push_back(std::move(frame));
+  };
+}
+
+double discountOf(const Configuration& c) {
+  const Parameters::Entry* discount = c.parameters.find("agent.discount");
+  return discount ? discount->value : 1.0;
+}
+
+}  // namespace
+
+Playback playbackOf(const Fall& fall, const Registry& registry, const Configuration& configuration,
+                    std::shared_ptr<const ActionValueFunction> values) {
+  const auto world = worldOf(fall, registry, configuration.names.environment);
+  const auto policy = makePolicy(registry, configuration.names.policy, configuration.parameters);
+  if (!world || !policy) return {};
   Playback playback;
   playback.values = std::move(values);
   playback.title = QObject::tr("fall %1, episode %2, at half speed")
                        .arg(QString::fromStdString(countText(static_cast<double>(fall.number))),
                             QString::fromStdString(countText(static_cast<double>(fall.episode))));
-  const std::size_t n = world->task().actions.size();
-  Ending ending = Ending::None;
-  Random random(0);
-  const bool whole = repeat(fall.inputs, *world, random, ending, [&](Action next) {
-    Shown frame;
-    frame.state.assign(world->state().begin(), world->state().end());
-    frame.pose = world->pose();
-    frame.action = next;
-    const std::size_t step = playback.frames.size();
-    if (fall.inputs.explored.size() == fall.inputs.actions.size() && step < fall.inputs.explored.size())
-      frame.explores = fall.inputs.explored[step] != 0;
-    frame.q.resize(n);
-    if (playback.values) {
-      playback.values->evaluate(frame.state, Layer::Sum, frame.q);
-      frame.risk.resize(playback.values->hasRisk() ? n : 0);
-      if (playback.values->hasRisk()) playback.values->evaluate(frame.state, Layer::Risk, frame.risk);
-      if (playback.values->split()) {
-        frame.qPositive.resize(n), frame.qNegative.resize(n);
-        playback.values->evaluate(frame.state, Layer::Positive, frame.qPositive);
-        playback.values->evaluate(frame.state, Layer::Negative, frame.qNegative);
-      }
-    }
-    playback.frames.push_back(std::move(frame));
-  });
-  if (!whole || playback.frames.empty()) return {};
+  playback.signals =
+      relive(*world, fall.inputs, playback.values.get(), **policy, discountOf(configuration), filming(playback));
+  if (playback.signals.rows() == 0 || playback.frames.empty()) return {};
+  playback.start = std::make_shared<const Fall>(fall);
   playback.frames.back().flash = true;
-  const double step = world->task().stepTime.value_or(kNoClock);
-  const auto last = static_cast<std::size_t>(kSeconds / step);
-  if (playback.frames.size() > last)
-    playback.frames.erase(playback.frames.begin(), playback.frames.end() - static_cast<std::ptrdiff_t>(last));
+  const auto& explored = fall.inputs.explored;
+  if (explored.size() == fall.inputs.actions.size())
+    for (std::size_t step = 0; step < explored.size(); ++step) playback.frames[step].explores = explored[step] != 0;
+  const double step = stepTimeOf(*world);
+  const auto most = static_cast<std::size_t>(kLongest / step);
+  if (const std::size_t all = playback.frames.size(); all > most) {
+    playback.frames.erase(playback.frames.begin(), playback.frames.end() - static_cast<std::ptrdiff_t>(most));
+    playback.signals.dropFirst(all - most);
+    playback.firstRow = static_cast<std::int64_t>(all - most);
+  }
+  const double last = static_cast<double>(playback.frames.size()) - 1.0;
+  playback.position = playback.begin = std::max(0.0, last - std::floor(kSeconds / step) + 1.0);
   playback.rate = playback.usualRate = kSlow / step;
   return playback;
+}
+
+Playback rolloutOf(const Registry& registry, const Configuration& configuration,
+                   std::shared_ptr<const ActionValueFunction> values, double seconds, std::uint64_t seed) {
+  const auto world = makeEnvironment(registry, configuration);
+  const auto greedy = makePolicy(registry, "greedy", configuration.parameters);
+  if (!world || !greedy || !(*world)->answersAtOnce()) return {};
+  Fall start;
+  start.inputs.random = Random(deriveSeed(seed, 0, Stream::World)).state();
+  std::vector<std::pair<std::string, double>> parameters;
+  for (const auto& entry : configuration.parameters.all())
+    if (entry.parameter.key.starts_with("environment.")) parameters.emplace_back(entry.parameter.key, entry.value);
+  start.parameters = std::make_shared<const decltype(parameters)>(std::move(parameters));
+  Playback playback;
+  playback.values = std::move(values);
+  const double step = stepTimeOf(**world);
+  playback.signals = rollOut(**world, *playback.values, **greedy,
+                             {.seed = seed,
+                              .steps = std::llround(seconds / step),
+                              .discount = discountOf(configuration),
+                              .see = filming(playback)})
+                         .table;
+  if (playback.frames.empty()) return {};
+  playback.start = std::make_shared<const Fall>(std::move(start));
+  playback.title = QObject::tr("roll-out, greedy, seed %1").arg(seed);
+  playback.rate = playback.usualRate = 1.0 / step;
+  return playback;
+}
+
+SignalTable besideOf(const Playback& playback, const Registry& registry, const Configuration& configuration,
+                     const ActionValueFunction& values) {
+  const auto world = playback.start ? worldOf(*playback.start, registry, configuration.names.environment) : nullptr;
+  const auto greedy = makePolicy(registry, "greedy", configuration.parameters);
+  if (!world || !greedy) return {};
+  const auto steps = playback.firstRow + static_cast<std::int64_t>(playback.frames.size());
+  SignalTable table = rollOut(*world, values, **greedy,
+                              {.steps = steps, .discount = discountOf(configuration), .as = &playback.start->inputs})
+                          .table;
+  table.dropFirst(static_cast<std::size_t>(playback.firstRow));
+  return table;
 }
 
 void Recording::add(const Shown& frame) {

@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "core/action_value.h"
+#include "core/experiment/configuration.h"
 #include "core/life/fall.h"
-#include "core/registry.h"
+#include "core/signals/rollout.h"
 
 namespace surefoot {
 
@@ -22,22 +23,39 @@ struct Shown {
   Action action = kNoAction;
   std::optional<bool> explores{};  ///< `action` was not the best by what the robot knew then; only in a replayed fall
   bool flash = false;              ///< it fell within the last 200 ms
+  std::int64_t row = -1;           ///< the row of this moment in what was written down, from the first on; −1: none
 };
 
 struct Playback {
   std::vector<Shown> frames;
   double position = 0.0;  ///< index of the frame that is shown
+  double begin = 0.0;     ///< where it plays from
   double rate = 0.0;      ///< frames per second; 0: stopped
   double usualRate = 60;  ///< frames per second while it plays
   QString title;
   std::shared_ptr<const ActionValueFunction> values;  ///< the values at that time; nullptr: the present ones are shown
+  SignalTable signals{};                              ///< the signals of its frames
+  std::int64_t firstRow = 0;                          ///< frames' rows count from here
+  /// How it began, with its pushes, and the environment's parameters: another Q-function can be lived from there.
+  /// nullptr: that is not known.
+  std::shared_ptr<const Fall> start{};
 
   bool atEnd() const { return position >= static_cast<double>(frames.size()) - 1.0; }
 };
 
-/// The last seconds before a fall, at half speed. Empty if the episode cannot be repeated.
-Playback playbackOf(const Fall& fall, const Registry& registry, const std::string& environment,
+/// The episode of a fall, at half speed, playing its last seconds. Empty if the episode cannot be repeated.
+/// `configuration`: of the life that fell.
+Playback playbackOf(const Fall& fall, const Registry& registry, const Configuration& configuration,
                     std::shared_ptr<const ActionValueFunction> values);
+
+/// What the greedy policy does with these values in `seconds` from a start that the environment draws, as `surefoot
+/// rollout` has it with the same seed. Empty: the environment takes its time.
+Playback rolloutOf(const Registry& registry, const Configuration& configuration,
+                   std::shared_ptr<const ActionValueFunction> values, double seconds, std::uint64_t seed);
+
+/// The same from where a playback began, with its pushes, as long as that is; by other values. No rows: this cannot be.
+SignalTable besideOf(const Playback& playback, const Registry& registry, const Configuration& configuration,
+                     const ActionValueFunction& values);
 
 /// The last frames that the window has shown, up to kMostFrames and kMostBytes.
 class Recording {

@@ -120,6 +120,8 @@ class RunningLife final : public QObject {
   void watch(std::function<Watching(const Life&)> look);
   /// Pushes the body [N s].
   void push(double impulse);
+  /// Whether snapshots have every step since the one before, unless the life is in turbo.
+  void wantSteps(bool wants);
   /// Counts the lives that ran here.
   std::uint64_t number() const { return lifeSent_; }
   /// Says which life it is, because changes of one life are not undone in another. A life that begins again with

@@ -10,6 +10,10 @@
 
 namespace surefoot {
 
+void RunningLife::wantSteps(bool wants) {
+  learner_->wantSteps(wants);
+}
+
 void RunningLife::setRunning(bool running) {
   if (running && finished()) return;
   Q_EMIT commanded();

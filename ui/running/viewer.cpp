@@ -22,6 +22,7 @@ void Viewer::choose(const ActionValueFunction& values) {
   here_.evaluate(values, environment_->state());
   policy_->probabilities(here_.view(), pi_);
   action_ = sample(pi_, random_);
+  if (feed_) feed_->before(*environment_, here_, action_, pi_);
 }
 
 void Viewer::advance(double seconds, const ActionValueFunction& values) {
@@ -39,6 +40,7 @@ void Viewer::advance(double seconds, const ActionValueFunction& values) {
     }
     if (hand_.holds()) environment_->push(hand_.impulse(*environment_, step));
     const Outcome outcome = environment_->step(action_);
+    if (feed_) feed_->after(outcome);
     falls_ += outcome.event == Event::Fall;
     ended_ = outcome.ending != Ending::None;
     if (ended_)

@@ -11,6 +11,7 @@
 #include "core/life/hand.h"
 #include "core/policy.h"
 #include "core/values_of_state.h"
+#include "ui/running/signal_feed.h"
 
 namespace surefoot {
 
@@ -29,6 +30,8 @@ class Viewer {
   Action action() const { return action_; }
   /// Holds the body at `target`; without a target, lets go.
   void hold(std::optional<double> target) { hand_.hold(target); }
+  /// Writes the signals of its steps down there; nullptr: nowhere.
+  void writeTo(SignalFeed* feed) { feed_ = feed; }
   /// Counts the falls seen here.
   int falls() const { return falls_; }
 
@@ -46,6 +49,7 @@ class Viewer {
   double rest_ = 0.0;  // standing still for this long [s]
   bool ended_ = true;
   int falls_ = 0;
+  SignalFeed* feed_ = nullptr;
 };
 
 }  // namespace surefoot

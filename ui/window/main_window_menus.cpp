@@ -206,6 +206,12 @@ void MainWindow::makeMenus() {
   QAction* preLearn = addAction(run, tr("&Pre-learn, then transfer …"),
                                 tr("Learn in a simulation, then live in reality with what was learned"), Qt::Key_P);
   connect(preLearn, &QAction::triggered, this, &MainWindow::showPreLearning);
+  QAction* rollOut =
+      addAction(run, tr("R&oll out 25 s"), tr("What the greedy policy does from a new start, learning nothing"), {});
+  connect(rollOut, &QAction::triggered, this, [this] {
+    setPage(0);
+    live_->rollOut();
+  });
   for (QAction* action : {compare, preLearn}) liveActions_.push_back(action);
 
   QMenu* experiment = menuBar()->addMenu(tr("E&xperiment"));

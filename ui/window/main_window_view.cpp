@@ -54,7 +54,8 @@ void MainWindow::makeViewMenu() {
        {std::tuple{tr("&Usual"), tr("Every panel back in its place"), LivePage::Layout::Usual},
         {tr("&Teaching"), tr("What a step teaches, and the rule of thumb"), LivePage::Layout::Teaching},
         {tr("&Falls"), tr("The list of falls beside the charts"), LivePage::Layout::Falls},
-        {tr("&Maps"), tr("The value maps large"), LivePage::Layout::Maps}})
+        {tr("&Maps"), tr("The value maps large"), LivePage::Layout::Maps},
+        {tr("&Signals"), tr("How the robot moves: strip charts, phase portrait, strides"), LivePage::Layout::Signals}})
     connect(addAction(layouts, text, tip, {}), &QAction::triggered, live_,
             [this, layout = layout] { live_->useLayout(layout); });
   layouts->addSeparator();

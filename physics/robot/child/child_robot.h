@@ -36,6 +36,9 @@ class ChildRobot final : public Environment {
   std::string failure() const override { return mishaps_.failure(values_.spec(), values_.parameters()); }
   std::span<const double> state() const override { return values_.state(); }
   std::span<const double> measures() const override { return values_.measures(); }
+  /// The numbers that the program sends.
+  std::vector<Signal> signals() const override;
+  void readSignals(std::span<double> values) const override;
   /// The row of numbers.
   std::vector<double> pose() const override { return {values_.row().begin(), values_.row().end()}; }
   void draw(std::span<const double> pose, Scene& scene) const override;

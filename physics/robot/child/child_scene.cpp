@@ -29,6 +29,21 @@ void drawBars(const Task& task, std::span<const double> state, Scene& scene) {
 
 }  // namespace
 
+std::vector<Signal> ChildRobot::signals() const {
+  std::vector<Signal> all;
+  const auto& sends = values_.spec().child.sends;
+  for (std::size_t i = ChildSpec::kOwn; i < sends.size(); ++i) {
+    std::string key = sends[i];
+    std::replace(key.begin(), key.end(), '.', '_');
+    all.push_back({.key = key, .title = sends[i], .group = "sent"});
+  }
+  return all;
+}
+
+void ChildRobot::readSignals(std::span<double> values) const {
+  for (std::size_t i = ChildSpec::kOwn; i < numbers_.size(); ++i) values[i - ChildSpec::kOwn] = numbers_[i];
+}
+
 void ChildRobot::draw(std::span<const double> pose, Scene& scene) const {
   scene.clear();
   const RobotSpec& spec = values_.spec();

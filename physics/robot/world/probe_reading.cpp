@@ -144,6 +144,10 @@ double RobotWorld::jointRate(int index) const {
   return full(joint.child->GetAngularVelocity()) - full(joint.parent->GetAngularVelocity());
 }
 
+bool RobotWorld::touches(int body) const {
+  return isTouching(*bodies_[static_cast<std::size_t>(body)], 0);
+}
+
 double RobotWorld::rayDistance(const ReadProbe& read) const {
   const auto [angle, length] = numbers_.rays[static_cast<std::size_t>(read.probe.index)];
   const Point way = turned({scale_ * length, 0.0}, full(read.body->GetAngle()) + angle);

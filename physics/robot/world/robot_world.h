@@ -32,6 +32,11 @@ class RobotWorld final : private b2ContactListener {
 
   BodyPlacement placement(int body) const;
   double jointPosition(int joint) const;
+  double jointRate(int joint) const;
+  /// Of an actuator under the level u, in the last substep [N m], [N]; what it takes or gives [W].
+  double effort(int actuator) const { return efforts_[static_cast<std::size_t>(actuator)]; }
+  double power(int actuator, double u) const;
+  bool touches(int body) const;
   /// The largest distance between the two ends of any joint [m].
   double jointSeparation() const;
   /// Kinetic and potential energy of all bodies [J]; springs are not in it.
@@ -84,9 +89,7 @@ class RobotWorld final : private b2ContactListener {
 
   void read(const std::vector<ReadProbe>& probes, std::span<double> values, std::span<const double> u) const;
   double measured(const ReadProbe& probe, std::span<const double> u) const;
-  double jointRate(int joint) const;
   double rayDistance(const ReadProbe& probe) const;
-  double power(int actuator, double u) const;
 
   const RobotSpec& robot_;
   const RobotNumbers& numbers_;

@@ -42,19 +42,20 @@ TEST(Rollout, HasARowAStepAndAColumnASignal) {
   const Configuration c = configured({});
   const auto life = lived(c, 100);
   const Rollout r = rolledOut(c, *life, {.steps = 1000, .discount = 0.98});
-  ASSERT_EQ(r.signals.size(), r.columns.size());
-  for (std::size_t i = 0; i < r.columns.size(); ++i) EXPECT_EQ(r.columns[i].size(), 1000u) << r.signals[i].key;
-  EXPECT_DOUBLE_EQ(r.column("time")->at(200), 1.0);
+  ASSERT_EQ(r.table.signals().size(), r.table.columns().size());
+  for (std::size_t i = 0; i < r.table.columns().size(); ++i)
+    EXPECT_EQ(r.table.columns()[i].size(), 1000u) << r.table.signals()[i].key;
+  EXPECT_DOUBLE_EQ(r.table.column("time")->at(200), 1.0);
   double reward = 0.0;
   std::int64_t falls = 0, ends = 0;
   for (std::size_t row = 0; row < 1000; ++row) {
-    reward += r.column("reward")->at(row);
-    falls += r.column("fall")->at(row) != 0.0;
-    ends += r.column("end")->at(row) != 0.0;
-    EXPECT_EQ(r.column("value")->at(row), r.column("q")->at(row)) << "greedy";
-    const double parts =
-        r.column("reward_goal")->at(row) + r.column("reward_fall")->at(row) + r.column("reward_time")->at(row);
-    EXPECT_EQ(r.column("reward")->at(row), parts);
+    reward += r.table.column("reward")->at(row);
+    falls += r.table.column("fall")->at(row) != 0.0;
+    ends += r.table.column("end")->at(row) != 0.0;
+    EXPECT_EQ(r.table.column("value")->at(row), r.table.column("q")->at(row)) << "greedy";
+    const double parts = r.table.column("reward_goal")->at(row) + r.table.column("reward_fall")->at(row) +
+                         r.table.column("reward_time")->at(row);
+    EXPECT_EQ(r.table.column("reward")->at(row), parts);
   }
   EXPECT_EQ(reward, r.reward);
   EXPECT_EQ(falls, r.falls);
@@ -66,8 +67,8 @@ TEST(Rollout, HasTheTdErrorOfEveryStep) {
   const Configuration c = configured({});
   const auto life = lived(c, 100);
   const Rollout r = rolledOut(c, *life, {.steps = 500, .discount = 0.9});
-  const auto &q = *r.column("q"), &reward = *r.column("reward"), &end = *r.column("end"),
-             &delta = *r.column("td_error");
+  const auto &q = *r.table.column("q"), &reward = *r.table.column("reward"), &end = *r.table.column("end"),
+             &delta = *r.table.column("td_error");
   for (std::size_t row = 0; row + 1 < 500; ++row)
     EXPECT_EQ(delta[row], reward[row] + (end[row] != 0.0 ? 0.0 : 0.9 * q[row + 1]) - q[row]) << row;
 }
@@ -78,9 +79,9 @@ TEST(Rollout, IsTheSameTwiceAndWithAnotherSeedAnother) {
   const Rollout first = rolledOut(c, *life, {.seed = 5, .steps = 400}),
                 again = rolledOut(c, *life, {.seed = 5, .steps = 400});
   const Rollout other = rolledOut(c, *life, {.seed = 6, .steps = 400});
-  EXPECT_EQ(*first.column("pole_angle"), *again.column("pole_angle"));
-  EXPECT_EQ(*first.column("energy"), *again.column("energy"));
-  EXPECT_NE(*first.column("pole_angle"), *other.column("pole_angle"));
+  EXPECT_EQ(*first.table.column("pole_angle"), *again.table.column("pole_angle"));
+  EXPECT_EQ(*first.table.column("energy"), *again.table.column("energy"));
+  EXPECT_NE(*first.table.column("pole_angle"), *other.table.column("pole_angle"));
 }
 
 TEST(Rollout, OfLeoIsItsGreedyTest) {
@@ -94,13 +95,13 @@ TEST(Rollout, OfLeoIsItsGreedyTest) {
   EXPECT_EQ(r.reward, test.reward);
   for (std::size_t m = 0; m < 3; ++m) EXPECT_EQ(r.measures[m], test.measures[m]);
   // What the signals say is what the measures say.
-  const auto& hip = *r.column("hip_position");
+  const auto& hip = *r.table.column("hip_position");
   EXPECT_NEAR(hip.back() - hip.front(), r.measures[0], 0.1);
-  const auto &heel = *r.column("left_heel"), &toe = *r.column("left_toe");
+  const auto &heel = *r.table.column("left_heel"), &toe = *r.table.column("left_toe");
   EXPECT_GT(std::count(heel.begin(), heel.end(), 1.0) + std::count(toe.begin(), toe.end(), 1.0), 0);
   double work = 0.0;  // of hips and knees, as the reward counts it
   for (const char* joint : {"left_hip", "right_hip", "left_knee", "right_knee"})
-    for (const double power : *r.column(std::string(joint) + "_power")) work += std::max(0.0, power) / 30.0;
+    for (const double power : *r.table.column(std::string(joint) + "_power")) work += std::max(0.0, power) / 30.0;
   EXPECT_NEAR(work / r.measures[2], 1.0, 0.5) << "power at the ends of the steps, energy over them";
 }
 
@@ -112,7 +113,7 @@ TEST(Rollout, MeasuresItsEpisodesAsALifeDoes) {
   const auto& measures = life->environment().task().measures;
   EpisodeLog log(false, measures);
   const auto environment = makeEnvironment(registry(), c);
-  const auto &action = *whole.column("action"), &end = *whole.column("end");
+  const auto &action = *whole.table.column("action"), &end = *whole.table.column("end");
   Random world(deriveSeed(1, 0, Stream::World));
   (*environment)->reset(world);
   for (std::size_t row = 0; row < action.size(); ++row) {
@@ -132,11 +133,12 @@ TEST(Rollout, BeginsWhereItIsToldAndIsPushed) {
   const Configuration c = configured({});
   const auto life = lived(c, 1);
   const Rollout r = rolledOut(c, *life, {.start = {0.3, -1.0, 2.0}, .steps = 30});
-  EXPECT_NEAR(r.column("pole_angle")->front(), 0.3, 1e-6);
-  EXPECT_NEAR(r.column("pole_rate")->front(), -1.0, 1e-6);
+  EXPECT_NEAR(r.table.column("pole_angle")->front(), 0.3, 1e-6);
+  EXPECT_NEAR(r.table.column("pole_rate")->front(), -1.0, 1e-6);
   const Rollout pushed = rolledOut(c, *life, {.start = {0.3, -1.0, 2.0}, .steps = 30, .pushes = {{0.05, 0.02}}});
-  EXPECT_EQ(pushed.column("pole_rate")->at(10), r.column("pole_rate")->at(10)) << "the step of the push begins there";
-  EXPECT_GT(pushed.column("pole_rate")->at(11), r.column("pole_rate")->at(11));
+  EXPECT_EQ(pushed.table.column("pole_rate")->at(10), r.table.column("pole_rate")->at(10))
+      << "the step of the push begins there";
+  EXPECT_GT(pushed.table.column("pole_rate")->at(11), r.table.column("pole_rate")->at(11));
 }
 
 /// How much energy the pendulum gains in a tenth of a second without torque, damping and friction [J].
@@ -178,6 +180,46 @@ TEST(Signals, LookingChangesNoBit) {
       ASSERT_TRUE(std::ranges::equal((*looked)->state(), (*alone)->state()));
       if (here.ending != Ending::None) (*looked)->reset(a), (*alone)->reset(b);
     }
+  }
+}
+
+// A roll-out from where another one began, with its pushes, is that one; and lived again by its actions as well.
+TEST(Rollout, BeginsAsAnotherOneAndIsLivedAgain) {
+  const Configuration c = configured({});
+  const auto life = lived(c, 30);
+  EpisodeInputs inputs;
+  inputs.random = Random(77).state();
+  inputs.start = {2.0, 0.5, 0.0};
+  inputs.pushSteps = {3, 3, 20};
+  inputs.pushImpulses = {0.01, 0.02, -0.05};
+  const Rollout first = rolledOut(c, *life, {.steps = 5000, .episodes = 1, .discount = 0.9, .as = &inputs});
+  EXPECT_NEAR(first.table.column("pole_angle")->front(), 2.0, 1e-6);
+  for (const double a : *first.table.column("action")) inputs.actions.push_back(static_cast<std::uint16_t>(a));
+  const auto environment = makeEnvironment(registry(), c);
+  std::size_t seen = 0;
+  const SignalTable again = relive(**environment, inputs, &life->agent().values(), Greedy(), 0.9,
+                                   [&](const Environment&, const ValuesOfState&, Action) { ++seen; });
+  ASSERT_EQ(again.rows(), first.table.rows() + 1) << "and the state that it ended in";
+  EXPECT_EQ(seen, again.rows());
+  for (std::size_t i = 0; i < again.signals().size(); ++i) {
+    if (again.signals()[i].key == "explored") continue;
+    for (std::size_t row = 0; row < first.table.rows(); ++row) {
+      const double a = first.table.columns()[i][row], b = again.columns()[i][row];
+      EXPECT_TRUE(a == b || (std::isnan(a) && std::isnan(b))) << again.signals()[i].key << " in row " << row;
+    }
+  }
+  EXPECT_TRUE(std::isnan(again.column("action")->back()));
+  inputs.actions.push_back(0);
+  EXPECT_EQ(relive(**environment, inputs, nullptr, Greedy(), 0.9).rows(), 0u) << "it was over before";
+}
+
+TEST(Rollout, KeysAreThereOnce) {
+  for (const char* name : {"pendulum", "compass", "leo", "cliff"}) {
+    const auto environment = makeEnvironment(registry(), configured({.environment = name}));
+    const std::vector<Signal> all = signalsOf(**environment, true);
+    for (const Signal& s : all)
+      EXPECT_EQ(std::count_if(all.begin(), all.end(), [&](const Signal& t) { return t.key == s.key; }), 1)
+          << name << ": " << s.key;
   }
 }
 

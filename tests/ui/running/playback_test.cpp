@@ -35,7 +35,7 @@ struct Fallen : Window {
 TEST(Falls, AreReplayedStateByStateAsTheyWere) {
   Fallen w;
   const Fall& fall = w.session->looking().falls().front();
-  const Playback p = playbackOf(fall, w.registry, "pendulum", nullptr);
+  const Playback p = playbackOf(fall, w.registry, w.session->life().configuration(), nullptr);
   ASSERT_EQ(p.frames.size(), fall.inputs.actions.size() + 1);
   EXPECT_GE(std::abs(p.frames.back().state[0]), 0.45 * 3.14159265358979) << "it ends fallen";
   EXPECT_LT(std::abs(p.frames[p.frames.size() - 2].state[0]), 0.45 * 3.14159265358979);

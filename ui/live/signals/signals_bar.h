@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What can be done with the signals, in the header of their panel: choose them, live a roll-out, put a second
+// Q-function beside the first, export. If there is no room, one menu holds all of it.
+#pragma once
+
+#include <QWidget>
+
+#include "ui/controls/panel.h"
+#include "ui/support/background.h"
+
+class QMenu;
+
+namespace surefoot {
+
+class LinkButton;
+class Looking;
+class RunningLife;
+class SignalChooser;
+class SignalsShown;
+
+class SignalsBar final : public QWidget, public Folding {
+  Q_OBJECT
+
+ public:
+  SignalsBar(RunningLife& life, Looking& looking, SignalsShown& shown, QWidget* parent = nullptr);
+  void fold(int room) override;
+  /// "11 of 34, every step"
+  QString note() const;
+  /// What the greedy policy does in 25 s, from a new start.
+  void rollOut();
+  void askForSecond();
+  void setSecond(const QString& path);
+
+ Q_SIGNALS:
+  void refused(const QString& sentence);
+  void exportAsked(const QString& ending);
+
+ private:
+  void fillSecond(QMenu& menu);
+  void fillExport(QMenu& menu);
+  void fillAll(QMenu& menu);
+  void refresh();
+  void compareWithNow();
+  void choose();
+
+  RunningLife& life_;
+  Looking& looking_;
+  SignalsShown& shown_;
+  SignalChooser* chooser_;
+  LinkButton *signals_, *rollOut_, *second_, *export_, *all_;
+  Background reading_;
+};
+
+}  // namespace surefoot
