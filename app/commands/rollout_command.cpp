@@ -10,6 +10,7 @@
 #include "app/commands/stored_function.h"
 #include "app/process/exit_code.h"
 #include "app/process/interrupt.h"
+#include "app/reports/strides_report.h"
 #include "app/requests/requests.h"
 #include "core/basics/hash64.h"
 #include "core/basics/typed_json.h"
@@ -141,6 +142,7 @@ OrderedJson asJson(const Rollout& rollout, const RolloutRequest& r, const Config
   json["successes"] = rollout.successes;
   json["reward"] = rollout.reward;
   for (std::size_t m = 0; m < task.measures.size(); ++m) json[task.measures[m].key] = rollout.measures[m];
+  json["strides"] = asJson(stridesOf(rollout.table));
   json["signals"] = OrderedJson::array();
   for (const Signal& s : rollout.table.signals())
     json["signals"].push_back({{"key", s.key},
@@ -166,6 +168,7 @@ std::string asTable(const Rollout& rollout, const Task& task) {
   row("reward", rollout.reward);
   for (std::size_t m = 0; m < task.measures.size(); ++m)
     row(task.measures[m].title, rollout.measures[m], task.measures[m].unit);
+  text += asLines(stridesOf(rollout.table));
   return text + fmt::format("{:<24}{}\n", "hash", hashOf(rollout));
 }
 

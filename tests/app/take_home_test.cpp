@@ -61,6 +61,7 @@ TEST(RolloutCommand, GivesTheSameBytesTwice) {
 TEST(RolloutCommand, RefusesWhatCannotBeBeforeItLives) {
   const Learned learned;
   const std::string rollout = "rollout " + learned.q() + " ";
+  EXPECT_TRUE(run(rollout + "--seconds 1")["strides"].is_null()) << "a pendulum has no feet";
   expectRefusal("rollout", 2, {"FILE"});
   expectRefusal("rollout nowhere.safetensors", 3, {"nowhere.safetensors"});
   expectRefusal(rollout + "--seconds -1", 2, {"--seconds", "-1"});

@@ -151,8 +151,8 @@ class StepReader {
 }  // namespace
 
 const std::vector<std::string>& lessonPanels() {
-  static const std::vector<std::string> names = {"world", "parameters", "actions", "maps", "reward",
-                                                 "falls", "step",       "rule",    "list"};
+  static const std::vector<std::string> names = {"world", "parameters", "actions", "maps",    "reward",   "falls",
+                                                 "step",  "rule",       "list",    "signals", "portrait", "strides"};
   return names;
 }
 

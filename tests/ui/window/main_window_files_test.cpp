@@ -196,12 +196,14 @@ TEST(MainWindow, ViewsAreExportedInEveryFormat) {
   w.session->life().setRunning(true);
   ASSERT_TRUE(
       w.waitFor([&] { return w.session->life().snapshot().totals.episodes > 100 && w.session->life().values(); }));
+  w.window->livePage().rollOut();  // signals to be exported
   QTest::qWait(200);
   for (Panel* panel : w.window->livePage().panels())
     for (const char* ending : {".png", ".svg", ".pdf", ".csv"}) {
       const std::string path = folder.filePath(panel->objectName() + ending).toStdString();
       const Status s = exportView(*panel->widget(), path);
-      const bool table = dynamic_cast<CsvSource*>(panel->widget()) != nullptr;
+      const bool walks = panel->objectName() != "strides";  // a pendulum has none
+      const bool table = dynamic_cast<CsvSource*>(panel->widget()) != nullptr && walks;
       if (ending != std::string(".csv") || table) {
         EXPECT_TRUE(s) << path;
         EXPECT_GT(QFileInfo(QString::fromStdString(path)).size(), 60) << path;

@@ -14,6 +14,7 @@
 #include "ui/live/signals/signals_shown.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
+#include "ui/support/plain_text.h"
 
 namespace surefoot {
 
@@ -39,7 +40,7 @@ SignalChooser::SignalChooser(SignalsShown& shown, QWidget* parent)
   auto* row = new QHBoxLayout;
   const auto button = [&](const QString& text, const QString& tip, auto&& does) {
     auto* link = new LinkButton(text);
-    link->setToolTip(tip);
+    link->setToolTip(tipText(tip));
     connect(link, &QToolButton::clicked, this, does);
     row->addWidget(link);
   };
@@ -95,7 +96,7 @@ void SignalChooser::name(QListWidgetItem& item) {
   QString text = plainSymbols(toText(signals[at].title));
   if (!signals[at].unit.empty()) text += QStringLiteral("  [%1]").arg(toText(signals[at].unit));
   item.setText(item.data(kWithAbove).toBool() ? QStringLiteral("    + ") + text : text);
-  item.setToolTip(tr("%1, of the group %2").arg(item.data(kKey).toString(), toText(signals[at].group)));
+  item.setToolTip(tipText(tr("%1, of the group %2").arg(item.data(kKey).toString(), toText(signals[at].group))));
 }
 
 void SignalChooser::fill() {
