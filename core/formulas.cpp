@@ -28,6 +28,8 @@ constexpr std::array kLearning = {
     Line{"agent.budget_rate", "Λ ← max(0, Λ + η·(falls − d)) after every episode"},
     Line{"risk.learn", "ρ ← ρ + α·(target − ρ); target: 1 after a fall, 0 after another end, else γ·ρ(s′, a′)"},
     Line{"risk.discount", "ρ = Pr(fall), a fall k steps later counting γᵏ"},
+    Line{"life.rewind", "after a fall s ← s of N steps before, and a new action there"},
+    Line{"life.rewinds", "an episode ends with the fall after so many that were taken back"},
     Line{"_schedule", "linear: v = start + (end − start)·min(t/T, 1); exponential: v = end + (start − end)·2^(−t/T)"},
     Line{"_end", "v → end as t grows: v = end for t ≥ T (linear), half as far at every T (exponential)"},
     Line{"_over", "T in v = start + (end − start)·min(t/T, 1) and v = end + (start − end)·2^(−t/T)"},

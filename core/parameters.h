@@ -46,9 +46,9 @@ struct Parameter {
   std::string help{};    ///< one sentence
   std::string origin{};  ///< where the default comes from: thesis, lab file, calibrated, ours
   Kind kind = Kind::Real;
-  std::vector<std::string> choices{};   ///< names of the values 0, 1, … of a choice
-  int order = 1;                        ///< 1: always in the form; 2: in a larger window; 3: only when asked for
-  std::string needs{};                  ///< key of a choice; while it has its first value, this parameter has no effect
+  std::vector<std::string> choices{};  ///< names of the values 0, 1, … of a choice
+  int order = 1;                       ///< 1: always in the form; 2: in a larger window; 3: only when asked for
+  std::string needs{};  ///< key of a choice, or of a number; while it is its first, or 0, this has no effect
   std::vector<std::string> needsOne{};  ///< the values of that choice with which it has one; empty: all but the first
   double fallback = 0.0;                ///< the default; filled in from the member
 };

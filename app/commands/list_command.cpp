@@ -8,6 +8,7 @@
 #include "core/environment_library.h"
 #include "core/formulas.h"
 #include "core/glossary.h"
+#include "core/life/rewinding.h"
 #include "core/recipes/figure.h"
 #include "core/text/number_text.h"
 #include "core/text/words.h"
@@ -22,6 +23,8 @@ namespace {
 Parameters allParameters(const Registry& registry) {
   Parameters all;
   for (const PolicyEntry& entry : registry.policies) all.add(*entry.make(), "policy.");
+  Rewinding rewinding;
+  all.add(rewinding, "life.");
   for (const EnvironmentEntry& environmentEntry : registry.environments) {
     const auto environment = environmentEntry.make();
     all.add(*environment, "environment.");

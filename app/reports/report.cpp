@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <iterator>
@@ -136,14 +137,14 @@ std::string resultAsJson(const Configuration& configuration, const std::vector<L
   return jsonText(result, 2) + "\n";
 }
 
-std::string logHeads(const std::vector<TaskMeasure>& measures) {
+std::string logHeads(const std::vector<TaskMeasure>& measures, bool rewinds) {
   std::string heads = "life,episode,transitions,reward,falls,ending,average_reward,steps,simulated_minutes";
   for (const TaskMeasure& m : measures) heads += "," + std::string(m.key);
-  return heads + "\n";
+  return heads + (rewinds ? ",rewinds\n" : "\n");
 }
 
 std::string logRows(int life, const std::vector<EpisodeRow>& rows, const std::vector<TaskMeasure>& measures,
-                    std::optional<double> stepTime) {
+                    std::optional<double> stepTime, bool rewinds) {
   fmt::memory_buffer out;
   const auto to = std::back_inserter(out);
   for (const EpisodeRow& row : rows) {
@@ -151,14 +152,16 @@ std::string logRows(int life, const std::vector<EpisodeRow>& rows, const std::ve
                    endingName(endingCode(row)), row.averageReward, row.lifeSteps);
     if (stepTime) fmt::format_to(to, "{:.9g}", static_cast<double>(row.lifeSteps) * *stepTime / 60.0);
     for (std::size_t m = 0; m < measures.size(); ++m) fmt::format_to(to, ",{:.9g}", row.measures[m]);
+    if (rewinds) fmt::format_to(to, ",{}", row.rewinds);
     fmt::format_to(to, "\n");
   }
   return fmt::to_string(out);
 }
 
 std::string logAsCsv(const std::vector<LifeResult>& lives, std::optional<double> stepTime) {
-  std::string text = logHeads(lives.empty() ? std::vector<TaskMeasure>{} : lives[0].taskMeasures);
-  for (const LifeResult& r : lives) text += logRows(r.life, r.rows, r.taskMeasures, stepTime);
+  const bool rewinds = std::any_of(lives.begin(), lives.end(), [](const LifeResult& r) { return r.mayRewind; });
+  std::string text = logHeads(lives.empty() ? std::vector<TaskMeasure>{} : lives[0].taskMeasures, rewinds);
+  for (const LifeResult& r : lives) text += logRows(r.life, r.rows, r.taskMeasures, stepTime, rewinds);
   return text;
 }
 
@@ -211,6 +214,8 @@ std::string resultAsTable(const Configuration& c, const std::vector<LifeResult>&
   }
   if (has([](const LifeResult& r) { return r.priceOfFall.has_value(); }))
     row("price of a fall", column([](const LifeResult& r) { return r.priceOfFall.value_or(std::nan("")); }, 1));
+  if (has([](const LifeResult& r) { return r.mayRewind; }))
+    row("falls taken back", column([](const LifeResult& r) { return static_cast<double>(r.totals.rewinds); }, 1));
   if (has([](const LifeResult& r) { return r.flewApart > 0; }))
     row("episodes that flew apart", column([](const LifeResult& r) { return static_cast<double>(r.flewApart); }, 1));
   row("simulated minutes", column([](const LifeResult& r) { return r.simulatedSeconds / 60.0; }, 2));

@@ -42,6 +42,7 @@ struct TrainRequest {
   std::shared_ptr<const TensorFile> resumed;  ///< the life goes on from here
   NewLimits limits;                           ///< for a life that goes on
   Versions versions = Versions::Same;         ///< for a life that goes on
+  bool mayRewind = false;                     ///< Life::mayRewind
   std::optional<std::int64_t> mostSteps;      ///< limit of a life that is lived anew, if it has no other
 };
 struct WindowRequest : TrainRequest {

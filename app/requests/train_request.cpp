@@ -177,6 +177,7 @@ Result<TrainRequest> makeResumeRequest(const Registry& registry, const TrainOpti
   const auto every = checkpointEvery(o, resumed->life->environment().task());
   if (!every) return every.error();
   request.checkpointEvery = *every;
+  request.mayRewind = resumed->life->mayRewind();
   request.configuration = std::move(resumed->configuration);
   request.resumed = std::move(*file);
   return request;
@@ -265,6 +266,7 @@ Result<TrainRequest> makeTrainRequest(const Registry& registry, const TrainOptio
   const auto every = checkpointEvery(o, (*life)->environment().task());
   if (!every) return every.error();
   request.checkpointEvery = *every;
+  request.mayRewind = (*life)->mayRewind();
   return request;
 }
 

@@ -57,6 +57,8 @@ Result<Configuration> configure(const Registry& registry, const Names& names,
   const auto world = (*environment)->make();
   c.parameters.add(*world, "environment.");
   if (const Status s = (*agent)->declare(world->task(), names.features, c.parameters); !s) return s.error();
+  Rewinding rewinding;
+  c.parameters.add(rewinding, "life.");
 
   std::string &preset = c.names.preset, &scenario = c.names.scenario;
   if (const Status s = assign(presetsOf(registry, here), findPreset(registry, here, preset), preset, c); !s)
@@ -200,6 +202,7 @@ Result<LifeParts> makeParts(const Registry& registry, const Configuration& c, st
     if (!made) return made.error();
     teacher = std::move(*made);
   }
+  if (const Status s = checkRewinding(c.parameters, *environment); !s) return s.error();
   const CautionNeeds has = usableBy((*agent)->values(), task.handMade, teacher != nullptr);
   if (const Status s = (*policy)->caution().check(has); !s) return s.error();
   LifeParts parts{std::move(environment), std::move(*policy), std::move(*agent), c.parameters, c.names.policy, {}};
@@ -221,8 +224,9 @@ Result<LifeParts> makeParts(const Registry& registry, const Configuration& c, st
       if (const Status s = readState(text, *parts.environment, command->state); !s) return s.error();
     if (then.parameters.find(command->key)) {
       if (const Status s = then.parameters.set(command->key, command->value); !s) return s.error();
-      if (const auto possible = makeEnvironment(registry, then); !possible)
-        return Error{fmt::format("at step {}: {}", text.step, possible.error().message)};
+      const auto possible = makeEnvironment(registry, then);
+      const Status s = possible ? checkRewinding(then.parameters, **possible) : Status(possible.error());
+      if (!s) return Error{fmt::format("at step {}: {}", text.step, s.error().message)};
     }
     parts.commands.push_back(std::move(*command));
   }

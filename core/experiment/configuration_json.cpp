@@ -52,7 +52,8 @@ Status readEnvironmentText(const Registry& registry, const Json& json, const std
 /// were, and so do the contents of stores.
 bool isLeftOut(const Parameters::Entry& entry) {
   constexpr std::string_view kLater[] = {"risk.",        "policy.risk",  "policy.losses",      "policy.guardian",
-                                         "policy.omega", "agent.budget", "agent.falls_budget", "split.price_of_fall"};
+                                         "policy.omega", "agent.budget", "agent.falls_budget", "split.price_of_fall",
+                                         "life."};
   const bool later = std::any_of(std::begin(kLater), std::end(kLater),
                                  [&](std::string_view prefix) { return entry.parameter.key.starts_with(prefix); });
   return (later || entry.parameter.key.ends_with(".asymmetry")) && entry.value == entry.usual;

@@ -39,6 +39,7 @@ LifeResult summarise(const Life& life, int index, double cpuSeconds) {
   if (r.steps > 0) r.exploring = share(life.agent().explored()), r.guarded = share(life.agent().guarded());
   if (const Calibration* calibration = life.agent().calibration()) r.calibration = calibration->report();
   r.priceOfFall = life.agent().priceOfFall();
+  r.mayRewind = life.mayRewind();
   return r;
 }
 
@@ -62,6 +63,7 @@ std::vector<NamedValue> measuresOf(const LifeResult& r) {
     all.push_back({"risk_error", r.calibration->error()});
   }
   if (r.priceOfFall) all.push_back({"price_of_fall", *r.priceOfFall});
+  if (r.mayRewind) all.push_back({"rewinds", static_cast<double>(r.totals.rewinds)});
   if (r.final) all.push_back({"final_falls", r.final->falls}), all.push_back({"final_reward", r.final->reward});
   if (r.taskMeasures.empty()) return all;
   for (std::size_t m = 0; m < r.taskMeasures.size(); ++m) {

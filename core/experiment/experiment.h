@@ -41,6 +41,7 @@ struct LifeResult {
   double guarded = 0.0;                              ///< share of the steps in which the guardian acted
   std::optional<Calibration::Report> calibration{};  ///< of the risk, if it is learned
   std::optional<double> priceOfFall{};               ///< at the end, of a falls budget
+  bool mayRewind = false;                            ///< falls are taken back: totals.rewinds
   std::optional<FinalGreedy> final{};                ///< only where it was made
   std::vector<GreedyTest> greedyTests;
   std::vector<EpisodeRow> rows;  ///< only if asked for
@@ -54,8 +55,8 @@ struct NamedValue {
   double value = 0.0;
 };
 /// The values of lifeMeasures(), the share of exploring steps (`exploring`) and of the guardian's (`guarded`), whether
-/// the risk holds (`risk_said`, `risk_fell`, `risk_error`: Calibration), Λ (`price_of_fall`), and what the greedy
-/// policy, under its caution but without its guardian, does at the end
+/// the risk holds (`risk_said`, `risk_fell`, `risk_error`: Calibration), Λ (`price_of_fall`), the falls that
+/// were taken back (`rewinds`), and what the greedy policy, under its caution but without its guardian, does at the end
 /// (`final_falls`, `final_reward`: from `final`, or from the last ten greedy tests); measures that a life does not
 /// have, as without a clock or a greedy test, are left out.
 std::vector<NamedValue> measuresOf(const LifeResult& result);

@@ -67,7 +67,8 @@ constexpr NamedMeasure kMeasures[] = {
     {"risk_said", "risk of a fall, said at the end", [](const LifeMeasures& l) { return own(l, "risk_said"); }},
     {"risk_fell", "falls where this was said", [](const LifeMeasures& l) { return own(l, "risk_fell"); }},
     {"risk_error", "error of the risk", [](const LifeMeasures& l) { return own(l, "risk_error"); }},
-    {"price_of_fall", "price of a fall at the end", [](const LifeMeasures& l) { return own(l, "price_of_fall"); }}};
+    {"price_of_fall", "price of a fall at the end", [](const LifeMeasures& l) { return own(l, "price_of_fall"); }},
+    {"rewinds", "falls taken back", [](const LifeMeasures& l) { return own(l, "rewinds"); }}};
 
 }  // namespace
 

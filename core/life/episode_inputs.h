@@ -3,6 +3,7 @@
 // same states, whatever its physics engine holds inside: so an episode is a few hundred bytes.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -27,6 +28,17 @@ struct EpisodeInputs {
     pushSteps.clear();
     pushImpulses.clear();
     explored.clear();
+  }
+  /// Back to the state in which the action after the first `steps` was chosen: pushes in that state are undone, too.
+  void keepFirst(std::size_t steps) {
+    if (explored.size() == actions.size())
+      explored.resize(steps);
+    else
+      explored.clear();  // not known of all
+    actions.resize(steps);
+    const auto kept = std::lower_bound(pushSteps.begin(), pushSteps.end(), steps) - pushSteps.begin();
+    pushSteps.resize(static_cast<std::size_t>(kept));
+    pushImpulses.resize(static_cast<std::size_t>(kept));
   }
 };
 

@@ -19,6 +19,7 @@ const EpisodeRow& EpisodeLog::finish(Ending ending, std::int64_t lifeSteps, doub
   recent_[static_cast<std::size_t>(totals_.episodes % kAverageOver)] = current_.reward;
   ++totals_.episodes;
   totals_.falls += current_.falls;
+  totals_.rewinds += current_.rewinds;
   const bool failure = !current_.success && current_.falls > 0;
   totals_.successes += current_.success;
   totals_.failures += failure;
@@ -46,6 +47,7 @@ const EpisodeRow& EpisodeLog::finish(Ending ending, std::int64_t lifeSteps, doub
                           static_cast<std::int64_t>(last_.success), static_cast<std::int64_t>(last_.ending)})
     hash_.add(static_cast<std::uint64_t>(word));
   hash_.add(last_.reward);
+  if (last_.rewinds > 0) hash_.add(static_cast<std::uint64_t>(last_.rewinds));
   for (const double measure : measures) hash_.add(measure);
   if (keepRows_) rows_.push_back(last_);
   return last_;
@@ -56,7 +58,7 @@ namespace {
 /// Rows as columns.
 void transferRows(Archive& archive, const std::string& name, std::vector<EpisodeRow>& rows) {
   constexpr std::size_t kMost = 1'000'000'000;
-  std::vector<std::int64_t> episode, steps, lifeSteps, falls;
+  std::vector<std::int64_t> episode, steps, lifeSteps, falls, rewinds;
   std::vector<double> reward, average, measures, highest;
   std::vector<std::uint8_t> success, ending;
   for (const EpisodeRow& r : rows) {
@@ -65,7 +67,9 @@ void transferRows(Archive& archive, const std::string& name, std::vector<Episode
     success.push_back(r.success), ending.push_back(static_cast<std::uint8_t>(r.ending));
     measures.insert(measures.end(), r.measures.begin(), r.measures.end());
     highest.push_back(r.highest);
+    rewinds.push_back(r.rewinds);
   }
+  const bool rewound = std::any_of(rewinds.begin(), rewinds.end(), [](std::int64_t count) { return count > 0; });
   archive.under(name + ".", [&] {
     archive.list("episode", episode, kMost);
     archive.list("steps", steps, kMost);
@@ -78,8 +82,13 @@ void transferRows(Archive& archive, const std::string& name, std::vector<Episode
     archive.list("measures", measures, kMost * kMaxMeasures);
     archive.list("highest", highest, kMost);
     const std::size_t n = episode.size();
-    for (const std::size_t size : {steps.size(), lifeSteps.size(), falls.size(), reward.size(), average.size(),
-                                   success.size(), ending.size(), measures.size() / kMaxMeasures, highest.size()})
+    if (archive.reading() ? archive.has("rewinds") : rewound)  // in most lives no fall is taken back
+      archive.list("rewinds", rewinds, kMost);
+    else
+      rewinds.assign(n, 0);
+    for (const std::size_t size :
+         {steps.size(), lifeSteps.size(), falls.size(), reward.size(), average.size(), success.size(), ending.size(),
+          measures.size() / kMaxMeasures, highest.size(), rewinds.size()})
       if (size != n) archive.refuse("episode", "is not as long as the other columns");
     if (!archive.reading() || !archive.good()) return;
     rows.resize(n);
@@ -88,7 +97,8 @@ void transferRows(Archive& archive, const std::string& name, std::vector<Episode
       for (const std::int64_t count : {episode[i], steps[i], lifeSteps[i]})
         if (count < 0 || count > kMostLifeSteps)
           return archive.refuse("episode", "or a column beside it is out of range");
-      if (falls[i] < 0 || falls[i] > std::numeric_limits<int>::max()) return archive.refuse("falls", "is out of range");
+      for (const auto& [column, count] : {std::pair{"falls", falls[i]}, std::pair{"rewinds", rewinds[i]}})
+        if (count < 0 || count > std::numeric_limits<int>::max()) return archive.refuse(column, "is out of range");
       if (i > 0 && (episode[i] <= episode[i - 1] || lifeSteps[i] < lifeSteps[i - 1]))
         return archive.refuse("episode", "is not in order");
       rows[i] = {episode[i],
@@ -100,7 +110,8 @@ void transferRows(Archive& archive, const std::string& name, std::vector<Episode
                  static_cast<Ending>(ending[i]),
                  average[i],
                  {},
-                 highest[i]};
+                 highest[i],
+                 static_cast<int>(rewinds[i])};
       for (std::size_t m = 0; m < kMaxMeasures; ++m) rows[i].measures[m] = measures[i * kMaxMeasures + m];
     }
   });
@@ -130,6 +141,8 @@ void EpisodeLog::transfer(Archive& archive) {
         std::pair{"successes_after", &totals_.successesAfter},
         std::pair{"success_steps_after", &totals_.successStepsAfter}})
     archive.value(name, *total, 0, kMostLifeSteps);
+  if (archive.reading() ? archive.has("rewinds") : totals_.rewinds > 0)
+    archive.value("rewinds", totals_.rewinds, 0, kMostLifeSteps);
   archive.table("measures", totals_.measures);
   archive.value("highest_reward", totals_.highestReward);
   archive.under("end_of_learning.", [&] { end_.transfer(archive); });

@@ -31,6 +31,7 @@ struct EpisodeRow {
   double averageReward = 0.0;  ///< over the last 80 episodes, this one included
   EpisodeMeasures measures{};  ///< Task::measures
   double highest = kNoReward;  ///< highest reward of one transition
+  int rewinds = 0;             ///< falls that were taken back (rewinding.h), which are not among `falls`
 };
 
 /// Counts and sums over a whole life; episodes cut by the end of the life are not counted.
@@ -40,6 +41,7 @@ struct LifeTotals {
   std::int64_t successesAfter = 0, successStepsAfter = 0;  ///< successes after learning ended; their transitions
   EpisodeMeasures measures{};                              ///< TaskMeasure::ofALife; of a mean: the sum
   double highestReward = kNoReward;                        ///< highest reward of one transition
+  std::int64_t rewinds = 0;                                ///< falls that were taken back
 };
 
 class EpisodeLog {
@@ -56,6 +58,11 @@ class EpisodeLog {
     current_.highest = std::max(current_.highest, outcome.reward);
     current_.falls += outcome.event == Event::Fall;
     current_.success |= outcome.event == Event::Success;
+  }
+  /// The last transition was a fall that is taken back: it counts as a rewind.
+  void takeFallBack() {
+    --current_.falls;
+    ++current_.rewinds;
   }
   /// The episode in hand is over. Returns its row.
   /// `bestReturn` is the highest reward of an episode, for the end of learning; `measures` are its Task::measures.

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "core/life/rule_of_thumb.h"
@@ -42,6 +43,11 @@ void Life::beginEpisode(const std::vector<double>& state) {
     tester_.follow(*environment_);
     environmentChanged_ = false;
   }
+  if (rewindingChanged_) {
+    parameters_.applyTo(rewinding_, "life.");
+    keepInputs_ |= rewinding_.steps > 0;
+    rewindingChanged_ = false;
+  }
   inputs_.clear();
   inputs_.random = worldRandom_.state();
   environment_->reset(worldRandom_);
@@ -51,6 +57,10 @@ void Life::beginEpisode(const std::vector<double>& state) {
   inputs_.start = state;
   if (!state.empty()) environment_->place(state);
   tellTime();
+  startAgent();
+}
+
+void Life::startAgent() {
   const std::int64_t explored = agent_->explored();
   action_ = agent_->start(environment_->state(), policyRandom_);
   explores_ = agent_->explored() != explored;
@@ -114,6 +124,7 @@ void Life::step(const std::atomic<bool>* giveUp) {
       return;
     case Ending::Terminal:
       agent_->end(outcome);
+      if (outcome.event == Event::Fall && rewinding_.takesBack(log_.current().rewinds) && rewind()) return;
       break;
     case Ending::Truncated:
       agent_->truncate(outcome, environment_->state(), policyRandom_);
@@ -132,9 +143,14 @@ Status Life::set(std::string_view key, double value) {
     return Error{fmt::format("{}: a new table is needed for it, so it holds from the next life on.", key)};
   if (const Status s = parameters_.set(key, value); !s) return s;
   if (value == before) return Done{};
+  if (const Status s = checkRewinding(parameters_, *environment_); !s) {
+    static_cast<void>(static_cast<bool>(parameters_.set(key, before)));
+    return s;
+  }
 
   // The task may depend on any parameter of the environment; the environment makes it anew at the next episode.
   if (key.starts_with("environment.")) environmentChanged_ = true;
+  if (key.starts_with("life.")) rewindingChanged_ = true;
   if (entry->parameter.when == When::Now) {
     const auto applyTo = [&](Configurable& part, const char* prefix) {
       Fields fields(prefix);
@@ -174,7 +190,7 @@ bool Life::push(double impulse) {
   if (!inEpisode_) return true;  // between two episodes there is no body to push
   if (!environment_->push(impulse)) return false;
   if (keepInputs_) {
-    inputs_.pushSteps.push_back(static_cast<std::uint64_t>(log_.current().steps));
+    inputs_.pushSteps.push_back(static_cast<std::uint64_t>(inputs_.actions.size()));
     inputs_.pushImpulses.push_back(impulse);
   }
   note("push", "", fmt::format("{}", impulse));
@@ -230,6 +246,13 @@ std::string Life::divergence() const {
                         largest->parameter.key, largest->value);
   return fmt::format("The action values diverged at step {}, in episode {}: {}.", steps_, log_.totals().episodes + 1,
                      cause);
+}
+
+bool Life::mayRewind() const {
+  const Parameters::Entry* rewind = parameters_.find("life.rewind");
+  if ((rewind && rewind->value > 0.0) || rewinding_.steps > 0 || log_.totals().rewinds > 0) return true;
+  return std::any_of(commands_.begin(), commands_.end(),
+                     [](const TimedCommand& c) { return c.key == "life.rewind" && c.value > 0.0; });
 }
 
 double Life::simulatedSeconds() const {

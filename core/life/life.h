@@ -18,6 +18,7 @@
 #include "core/life/episode_log.h"
 #include "core/life/greedy_trial.h"
 #include "core/life/guardians.h"
+#include "core/life/rewinding.h"
 
 namespace surefoot {
 
@@ -139,12 +140,18 @@ class Life {
   bool inEpisode() const { return inEpisode_; }
   /// Inputs of the current episode, or of the last one when it is over; complete only if they are kept.
   const EpisodeInputs& inputs() const { return inputs_; }
+  /// Whether falls of this life were taken back, are, or will be by a command.
+  bool mayRewind() const;
   /// Every row of the log and every weight, in 64 bits.
   std::uint64_t hash() const;
 
  private:
   /// Begins in this state; if it is empty, the environment draws one.
   void beginEpisode(const std::vector<double>& state = {});
+  /// The agent's first action in the state where it begins, or begins anew.
+  void startAgent();
+  /// Takes back the fall that the agent has just learned; false: the environment does not do the same again.
+  bool rewind();
   /// A test of the greedy policy, if one is due and has not been made.
   void test(const std::atomic<bool>* giveUp);
   /// Tells policy and agent the time: they may follow a schedule. `inTheMiddle`: one step since the last call, no more.
@@ -163,6 +170,8 @@ class Life {
   /// Takes the environment to where it was, by giving it the same inputs again; false: it did not answer, or does not
   /// come to the same end.
   bool goBack();
+  /// The episode's inputs again; false: they do not lead to where it was, which is the life's failure.
+  bool repeatEpisode();
 
   std::unique_ptr<Environment> environment_;
   std::unique_ptr<Policy> policy_;
@@ -182,6 +191,8 @@ class Life {
   Outcome outcome_;  // of the last step
   bool inEpisode_ = false;
   bool environmentChanged_ = false;
+  bool rewindingChanged_ = true;  // its parameters hold from the next episode on
+  Rewinding rewinding_;           // in force in this episode
   std::string failure_;           // of the environment: it can not go on
   std::string unanswered_;        // its last answer did not come
   bool away_ = false;             // it has not been taken to where this saved life was

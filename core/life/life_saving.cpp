@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of Life that saves and resumes it. The environment is not saved but brought to the same state again: a reset
-// with the same random numbers, then the same actions and pushes.
+// The part of Life that saves and resumes it, and takes falls back. The environment is not saved but brought to the
+// same state again: a reset with the same random numbers, then the same actions and pushes.
 #include <algorithm>
 
 #include "core/life/life.h"
@@ -74,6 +74,10 @@ void Life::transfer(Archive& archive) {
     archive.value("cut_off.all", cutOffs_.all, 0, kMostLifeSteps);
     archive.value("cut_off.in_a_row", cutOffs_.inARow, 0, kMostLifeSteps);
   }
+  if (archive.reading() ? archive.has("rewinding.steps") : rewinding_.steps > 0) {
+    archive.value("rewinding.steps", rewinding_.steps, 0, Rewinding::kMost);
+    archive.value("rewinding.most", rewinding_.most, 0, Rewinding::kMost);
+  }
   archive.under("log.", [&] { log_.transfer(archive); });
   tester_.transfer(archive);
   if (!archive.reading()) agent_->transferValues(archive);  // when reading, the agent was made from them
@@ -93,7 +97,9 @@ void Life::checkEpisode(Archive& archive) {
     return archive.refuse("episode.push_steps", "is not in order, or goes beyond the episode");
   if (!start.empty() && !checkState(task, start))
     return archive.refuse("episode.start", "is no state of the environment");
-  if (inEpisode_ && static_cast<std::int64_t>(actions.size()) != log_.current().steps)
+  const auto steps = static_cast<std::int64_t>(actions.size());
+  const EpisodeRow& row = log_.current();
+  if (inEpisode_ && (steps > row.steps || (steps < row.steps && row.rewinds == 0)))
     return archive.refuse("episode.actions", "is not as long as the episode");
 }
 
@@ -103,15 +109,29 @@ bool Life::goBack() {
   worldRandom_ = Random(inputs_.random);
   environment_->setCutOffs(cutOffs_);
   if (!inEpisode_ && inputs_.actions.empty()) return true;  // an episode was to begin
+  return repeatEpisode();
+}
+
+bool Life::repeatEpisode() {
+  const Environment::CutOffs cutOffs = environment_->cutOffs();
   Ending ending = Ending::None;
   const bool whole = repeat(inputs_, *environment_, worldRandom_, ending, [](Action) {});
   if (ending == Ending::Unanswered) unanswered_ = environment_->unanswered();
-  environment_->setCutOffs(cutOffs_);  // an episode that was cut off has been so once more
+  environment_->setCutOffs(cutOffs);  // an episode that was cut off has been so once more
   away_ = !unanswered_.empty();
   if (away_) return false;
   if (whole && (ending == Ending::None) == inEpisode_) return true;
   failure_ = "The environment does not do the same again: the episode in hand does not lead to where it was.";
   return false;
+}
+
+bool Life::rewind() {
+  const auto back = static_cast<std::size_t>(rewinding_.steps);
+  inputs_.keepFirst(inputs_.actions.size() - std::min(back, inputs_.actions.size()));
+  if (!repeatEpisode()) return false;
+  log_.takeFallBack();
+  startAgent();
+  return true;
 }
 
 std::vector<std::pair<std::string, double>> Life::environmentInForce() const {

@@ -80,11 +80,12 @@ TensorFile qFileOf(const Life& life, const Configuration& configuration) {
   Configuration now = configuration;
   now.parameters = life.parameters();
   now.names.policy = life.policyName();
-  const Json origin = {{"steps", life.steps()},
-                       {"episodes", life.log().totals().episodes},
-                       {"falls", life.log().totals().falls},
-                       {"average_reward", life.log().averageReward()},
-                       {"hash", fmt::format("{:016x}", life.hash())}};
+  Json origin = {{"steps", life.steps()},
+                 {"episodes", life.log().totals().episodes},
+                 {"falls", life.log().totals().falls},
+                 {"average_reward", life.log().averageReward()},
+                 {"hash", fmt::format("{:016x}", life.hash())}};
+  if (const std::int64_t rewinds = life.log().totals().rewinds; rewinds > 0) origin["rewinds"] = rewinds;
   return qFileOf(const_cast<Agent&>(life.agent()), life.environment().task(), now, origin);  // a writer changes nothing
 }
 

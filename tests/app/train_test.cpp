@@ -51,6 +51,31 @@ TEST(Train, TheSameHashForOneAndTwoJobs) {
   EXPECT_EQ(one, hashes("2"));
 }
 
+// Falls that are taken back are told apart from falls, and only where there may be some.
+TEST(Train, RewindsAreCountedApart) {
+  const Folder folder;
+  const auto rows = [&](const std::string& name, const std::string& options) {
+    const std::string log = folder.file(name);
+    const Json life = train("--lives 2 --episodes 40 --log " + log + options)["lives"][1];
+    return std::pair{life, contentOf(log)};
+  };
+  const auto [life, log] = rows("rewound.csv", " --set life.rewind=20 --set life.rewinds=2");
+  EXPECT_GT(life["rewinds"], 0);
+  EXPECT_LT(life["falls"].get<int>() + life["successes"].get<int>(), 41);
+  EXPECT_EQ(log.substr(0, log.find('\n')),
+            "life,episode,transitions,reward,falls,ending,average_reward,steps,simulated_minutes,rewinds");
+  std::istringstream lines(log);
+  int rewinds = 0;
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with("1,")) rewinds += std::stoi(line.substr(line.rfind(',') + 1));
+  EXPECT_EQ(life["rewinds"], rewinds);
+  const auto [plain, plainLog] = rows("plain.csv", "");
+  EXPECT_FALSE(plain.contains("rewinds"));
+  EXPECT_EQ(plainLog.find("rewinds"), std::string::npos);
+  expectRefusal("train --episodes 1 --set life.rewinds=2", 2,
+                {"life.rewinds: it has no effect while life.rewind is 0"});
+}
+
 TEST(Train, EndsAtMinutesOrEpisodesWhicheverComesFirst) {
   EXPECT_EQ(train("--minutes 0.5 --episodes 1000000")["lives"][0]["steps"], 6000);
   EXPECT_EQ(train("--minutes 500 --episodes 4")["lives"][0]["episodes"], 4);

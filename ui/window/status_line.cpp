@@ -50,6 +50,8 @@ QStringList StatusLine::segments() {
     list << tr("the guardian acted in %1 % of the steps")
                 .arg(toText(fixedText(100.0 * static_cast<double>(v->guarded) / static_cast<double>(v->steps), 1)));
   if (v && v->priceOfFall) list << tr("a fall costs %1 more").arg(toText(countText(*v->priceOfFall)));
+  if (v && v->totals.rewinds > 0)
+    list << tr("%1 falls taken back").arg(toText(countText(static_cast<double>(v->totals.rewinds))));
   cautious_ = -1;
   if (v && v->calibration && v->calibration->all.count >= kLeastActions) {
     const auto percent = [](double share) { return toText(fixedText(100 * share, share < 0.0995 ? 1 : 0)); };

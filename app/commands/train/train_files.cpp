@@ -83,12 +83,12 @@ Error rescue(const std::string& path, const TrainFiles::Write& write, const Erro
 }  // namespace
 
 void TrainFiles::takeRows(int life, const std::vector<EpisodeRow>& rows) {
-  spool_->append(life, logRows(life, rows, task_->measures, task_->stepTime));
+  spool_->append(life, logRows(life, rows, task_->measures, task_->stepTime, request_->mayRewind));
 }
 
 Status TrainFiles::writeLog(WholeFile& file, const std::vector<LifeResult>& lives) const {
   if (!spool_) return file.commit(logAsCsv(lives, task_->stepTime));
-  if (const Status s = file.append(logHeads(task_->measures)); !s) return s;
+  if (const Status s = file.append(logHeads(task_->measures, request_->mayRewind)); !s) return s;
   if (const Status s = spool_->read([&](std::string_view part) { return file.append(part); }); !s) return s;
   return file.commit();
 }

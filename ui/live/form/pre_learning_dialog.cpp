@@ -206,6 +206,7 @@ void PreLearningDialog::transfer() {
   if (!reality) return words_->setText(toText(reality.error().message));
   const PreLearned& one = pool_.pool()[static_cast<std::size_t>(row)];
   beginWith(*reality, one.file);
+  static_cast<void>(static_cast<bool>(reality->parameters.set("life.rewind", 0.0)));  // no robot goes back in time
   if (const Status s = newLives_.begin(std::move(*reality)); !s) return words_->setText(toText(s.error().message));
   Q_EMIT transferred(tr("A life has begun with Q-function %1: %2 episodes and %3 falls of simulation are behind it.")
                          .arg(row + 1)
