@@ -96,6 +96,7 @@ int run(int argc, char** argv) {
     int operator()(const CheckRequest& r) const { return checkCommand(registry, r); }
     int operator()(const NewRobotRequest& r) const { return newRobotCommand(registry, r); }
     int operator()(const ReplayRequest& r) const { return replayCommand(registry, r); }
+    int operator()(const DifferenceRequest& r) const { return differenceCommand(registry, r); }
     int operator()(const BenchRequest& r) const { return benchCommand(registry, r); }
     int operator()(const ExperimentRequest& r) const { return experimentCommand(registry, r); }
     int operator()(const ReproduceRequest& r) const { return reproduceCommand(registry, r); }

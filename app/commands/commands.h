@@ -27,6 +27,7 @@ int lessonsCommand(const Registry& registry, const LessonsRequest& request);
 int checkCommand(const Registry& registry, const CheckRequest& request);
 int newRobotCommand(const Registry& registry, const NewRobotRequest& request);
 int replayCommand(const Registry& registry, const ReplayRequest& request);
+int differenceCommand(const Registry& registry, const DifferenceRequest& request);
 
 /// Prints "surefoot: …" to standard error and returns the exit code of the error.
 int fail(const Error& error);

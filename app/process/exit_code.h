@@ -8,6 +8,7 @@ namespace surefoot {
 
 enum ExitCode : int {
   kDone = 0,
+  kDifferent = 1,  ///< as diff has it
   kUsage = 2,
   kFile = 3,
   kDiverged = 4,

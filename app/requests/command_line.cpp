@@ -126,6 +126,7 @@ struct CommandLine {
   CLI::App* inspect = app.add_subcommand("inspect", "what a file holds and where it comes from");
   CLI::App* resample = app.add_subcommand("resample", "carry a Q-function over into another resolution");
   CLI::App* replay = app.add_subcommand("replay", "live a journal again");
+  CLI::App* difference = app.add_subcommand("difference", "the first step at which two lives differ, and in what");
   CLI::App* bench = app.add_subcommand("bench", "how fast this machine learns");
   CLI::App* probabilities = app.add_subcommand("probabilities", "the probability of every action, given its value");
   LessonsLine lessons{app, *window};
@@ -140,12 +141,13 @@ struct CommandLine {
   InspectRequest inspectOptions;
   ResampleRequest resampleOptions;
   ReplayRequest replayOptions;
+  DifferenceRequest differenceOptions;
   BenchRequest benchOptions;
 
   /// Those that let an environment move.
   std::vector<CLI::App*> livingCommands() const {
     std::vector<CLI::App*> all = laboratory.livingCommands();
-    all.insert(all.end(), {train, window, replay, robots.check, signals.rollout});
+    all.insert(all.end(), {train, window, replay, difference, robots.check, signals.rollout});
     return all;
   }
 
@@ -169,8 +171,8 @@ struct CommandLine {
     addAssignments(*probabilities, probabilitiesOptions.assignments, "a parameter of the policy; may be repeated");
     probabilities->add_flag("--json", probabilitiesOptions.json, "as JSON");
     std::vector<CLI::App*> commands = laboratory.commands();
-    for (CLI::App* c : {&app, train, window, list, probabilities, query, slice, inspect, resample, replay, bench,
-                        lessons.lessons, robots.check, robots.create, signals.rollout})
+    for (CLI::App* c : {&app, train, window, list, probabilities, query, slice, inspect, resample, replay, difference,
+                        bench, lessons.lessons, robots.check, robots.create, signals.rollout})
       commands.push_back(c);
     for (CLI::App* command : commands) {
       command->set_help_flag("-h,--help", "print this help");
@@ -208,6 +210,11 @@ struct CommandLine {
     file(replay, replayOptions.file, "a journal");
     replay->add_flag("--verify", replayOptions.verify, "fail unless the hash is that of the journal");
     replay->add_flag("--json", replayOptions.json, "print the result as one JSON object");
+
+    const char* kinds = "a journal, a checkpoint (or session), or a log of lives";
+    difference->add_option("FIRST", differenceOptions.first, kinds)->type_name("");
+    difference->add_option("SECOND", differenceOptions.second, "another of the same kind")->type_name("");
+    difference->add_flag("--json", differenceOptions.json, "as JSON");
   }
 
   /// An error for words that no option takes, or for an option that took a word not meant for it.
@@ -259,6 +266,7 @@ Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv
   if (line.resample->parsed()) return Request(line.resampleOptions);
   if (line.bench->parsed()) return Request(line.benchOptions);
   if (line.replay->parsed()) return Request(line.replayOptions);
+  if (line.difference->parsed()) return Request(line.differenceOptions);
   if (line.lessons.lessons->parsed()) return Request(line.lessons.request);
   auto request = makeTrainRequest(registry, line.windowOptions, true);
   if (!request) return request.error();

@@ -95,6 +95,12 @@ struct ReplayRequest {
   bool verify = false, json = false;
 };
 
+/// `surefoot difference`: the first place where two records of lives part.
+struct DifferenceRequest {
+  std::string first, second;
+  bool json = false;
+};
+
 /// `surefoot bench`
 struct BenchRequest {
   bool json = false;
@@ -166,9 +172,9 @@ struct PrintRequest {
 };
 
 using Request = std::variant<ListRequest, ProbabilitiesRequest, TrainRequest, WindowRequest, QueryRequest, SliceRequest,
-                             RolloutRequest, InspectRequest, ResampleRequest, ReplayRequest, BenchRequest,
-                             ExperimentRequest, ReproduceRequest, ExportRequest, MergeRequest, StatisticsRequest,
-                             LessonsRequest, CheckRequest, NewRobotRequest, PrintRequest>;
+                             RolloutRequest, InspectRequest, ResampleRequest, ReplayRequest, DifferenceRequest,
+                             BenchRequest, ExperimentRequest, ReproduceRequest, ExportRequest, MergeRequest,
+                             StatisticsRequest, LessonsRequest, CheckRequest, NewRobotRequest, PrintRequest>;
 
 Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv);
 

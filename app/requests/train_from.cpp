@@ -26,14 +26,9 @@ Result<LivedBefore> ofSession(const Registry& registry, std::shared_ptr<const Te
                               const std::string& path) {
   const auto resumed = resume(registry, std::move(file), {}, Versions::Any);
   if (!resumed) return resumed.error();
-  const Life& life = *resumed->life;
-  LifeResult result = summarise(life, 0, 0.0);
-  std::erase_if(result.changes, [](const Change& c) { return c.key == kOtherLives; });  // it is lived anew
-  auto lived = ofJournal(registry, journalOf(resumed->configuration, result), path);
-  if (!lived) return lived;
-  for (const CommandText& command : resumed->configuration.commands)  // commands that were still to come
-    if (command.step >= life.steps()) lived->configuration.commands.push_back(command);
-  return lived;
+  auto journal = journalOf(registry, *resumed, path);
+  if (!journal) return journal.error();
+  return LivedBefore{std::move(journal->configuration), journal->steps};
 }
 
 }  // namespace

@@ -13,7 +13,6 @@
 #include "core/files/limited_json.h"
 #include "core/files/read_file.h"
 #include "core/life/lives_version.h"
-#include "core/saved/checkpoint.h"
 #include "core/saved/q_file.h"
 #include "core/text/text.h"
 #include "core/version.h"
@@ -175,6 +174,41 @@ Result<Journal> readJournal(const Registry& registry, const std::string& path) {
   const auto text = readText(path);
   if (!text) return text.error();
   return parseJournal(registry, *text, path);
+}
+
+namespace {
+
+/// What was done to a saved life, but for the step to another version: it is lived anew.
+std::vector<Change> changesOf(const Resumed& saved) {
+  std::vector<Change> changes = saved.life->changes();
+  std::erase_if(changes, [](const Change& c) { return c.key == kOtherLives; });
+  return changes;
+}
+
+void addCommandsToCome(const Resumed& saved, std::vector<CommandText>& commands) {
+  for (const CommandText& command : saved.configuration.commands)
+    if (command.step >= saved.life->steps()) commands.push_back(command);
+}
+
+}  // namespace
+
+Result<Journal> journalOf(const Registry& registry, const Resumed& saved, const std::string& name) {
+  LifeResult result = summarise(*saved.life, 0, 0.0);
+  result.changes = changesOf(saved);
+  auto journal = parseJournal(registry, journalOf(saved.configuration, result), name);
+  if (journal) addCommandsToCome(saved, journal->configuration.commands);
+  return journal;
+}
+
+Journal toldTo(const Resumed& saved) {
+  const Life& life = *saved.life;
+  Journal journal{.configuration = saved.configuration, .steps = life.steps(), .hash = life.hash()};
+  auto& commands = journal.configuration.commands = {};
+  for (const Change& change : changesOf(saved)) commands.push_back({change.step, change.key, change.after});
+  addCommandsToCome(saved, commands);
+  journal.episodes = life.log().totals().episodes, journal.falls = life.log().totals().falls;
+  journal.livesVersion = kLivesVersion;
+  return journal;
 }
 
 Result<LifeResult> replay(const Registry& registry, const Journal& journal, const RunOptions& options) {

@@ -8,6 +8,7 @@
 
 #include "core/experiment/configuration.h"
 #include "core/experiment/experiment.h"
+#include "core/saved/checkpoint.h"
 
 namespace surefoot {
 
@@ -32,6 +33,12 @@ struct Journal {
 /// the journal's folder or the current folder; it must still have the same values.
 Result<Journal> parseJournal(const Registry& registry, const std::string& text, const std::string& name);
 Result<Journal> readJournal(const Registry& registry, const std::string& path);
+
+/// The journal of a saved life, with the commands that were still to come: by it the life can be lived again. `name` is
+/// the file of the saved life.
+Result<Journal> journalOf(const Registry& registry, const Resumed& saved, const std::string& name);
+/// The same without the Q-functions that the life began with or was guarded by: to compare it, not to live it.
+Journal toldTo(const Resumed& saved);
 
 /// Lives it again, up to the step where it was left.
 Result<LifeResult> replay(const Registry& registry, const Journal& journal, const RunOptions& options);

@@ -61,4 +61,32 @@ TEST(JournalFile, WhatCannotBeLivedAgainIsTheJournalsFault) {
   EXPECT_EQ(surefoot("replay " + other + " --verify").code, 5);
 }
 
+// Two lives that part at a push, two that are the same, two logs; codes as those of diff.
+TEST(DifferenceCommand, TellsWhereTwoLivesPart) {
+  const Folder folder;
+  const auto live = [&](const std::string& name, const std::string& options) {
+    hashOf("--episodes 20 --journal " + folder.file(name + ".jsonl") + " --log " + folder.file(name + ".csv") +
+           options);
+    return folder.file(name);
+  };
+  const std::string a = live("a", ""), same = live("same", ""), pushed = live("pushed", " --at 500:push=0.05");
+  const Finished equal = surefoot("difference " + a + ".jsonl " + same + ".jsonl");
+  EXPECT_EQ(equal.code, 0) << equal.err;
+  EXPECT_NE(equal.out.find("are the same"), std::string::npos) << equal.out;
+  EXPECT_EQ(surefoot("difference " + a + ".csv " + same + ".csv").code, 0);
+  const Finished other = surefoot("difference " + a + ".jsonl " + pushed + ".jsonl");
+  EXPECT_EQ(other.code, 1);
+  EXPECT_NE(other.out.find("told at step 500: nothing and push = 0.05"), std::string::npos) << other.out;
+  EXPECT_NE(other.out.find("after 500 equal steps"), std::string::npos) << other.out;
+  const Finished json = surefoot("difference " + a + ".csv " + pushed + ".csv --json");
+  EXPECT_EQ(json.code, 1);
+  const auto parsed = nlohmann::json::parse(json.out);
+  EXPECT_EQ(parsed["differ"], true);
+  EXPECT_EQ(parsed["kind"], "log");
+  EXPECT_EQ(parsed["parting"]["life"], 0);
+  expectRefusal("difference " + a + ".csv " + a + ".jsonl", 3, {"only two of a kind"});
+  expectRefusal("difference " + a + ".csv", 2, {"FIRST SECOND"});
+  expectRefusal("difference " + a + ".csv " + folder.file("none"), 3, {"none"});
+}
+
 }  // namespace surefoot
