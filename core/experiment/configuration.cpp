@@ -9,6 +9,7 @@
 #include "core/environment_library.h"
 #include "core/experiment/configuration_json.h"
 #include "core/experiment/task_description.h"
+#include "core/life/inputs_text.h"
 #include "core/text/number_text.h"
 
 namespace surefoot {
@@ -150,7 +151,7 @@ Result<TimedCommand> makeCommand(const Registry& registry, const Configuration& 
     command.value = *value;
     return command;
   }
-  if (text.key == "place") return command;  // its state is read where the task is known
+  if (text.key == "place" || text.key == "go_on") return command;  // they are read where the task is known
   Parameters parameters = c.parameters;
   if (const Status s = parameters.set(text.key, std::string_view(text.value)); !s) return s.error();
   const Parameters::Entry* entry = parameters.find(text.key);
@@ -222,6 +223,13 @@ Result<LifeParts> makeParts(const Registry& registry, const Configuration& c, st
           fmt::format("at step {}: push: the environment {} has no body to push.", text.step, c.names.environment)};
     if (command->key == "place")
       if (const Status s = readState(text, *parts.environment, command->state); !s) return s.error();
+    if (command->key == "go_on") {
+      auto until = inputsFrom(text.value, parts.environment->task());
+      if (!until) return Error{fmt::format("at step {}: {}", text.step, until.error().message)};
+      if (!until->pushSteps.empty() && !parts.environment->push(0.0))
+        return Error{fmt::format("at step {}: go_on: there is no body to push.", text.step)};
+      command->until = std::move(*until);
+    }
     if (then.parameters.find(command->key)) {
       if (const Status s = then.parameters.set(command->key, command->value); !s) return s.error();
       const auto possible = makeEnvironment(registry, then);

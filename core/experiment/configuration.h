@@ -33,7 +33,7 @@ struct Assignment {
 };
 
 /// A command for every life after `step` steps, as a person writes it: a parameter and its value, "policy" and a name,
-/// or "push" and an impulse in N s.
+/// "push" and an impulse in N s, "place" and a state, or "go_on" and an episode (core/life/inputs_text.h).
 struct CommandText {
   std::int64_t step = 0;
   std::string key, value;

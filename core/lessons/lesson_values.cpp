@@ -34,8 +34,9 @@ double counterOf(const Life& life, LessonQuantity::Kind kind) {
     case Of::Exploring:
       return steps > 0 ? static_cast<double>(life.agent().explored()) / steps : 0.0;
     default:
-      return static_cast<double>(std::count_if(life.changes().begin(), life.changes().end(),
-                                               [](const Change& c) { return c.key == "push" || c.key == "place"; }));
+      return static_cast<double>(std::count_if(life.changes().begin(), life.changes().end(), [](const Change& c) {
+        return c.key == "push" || c.key == "place" || c.key == "go_on";
+      }));
   }
 }
 

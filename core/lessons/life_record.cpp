@@ -36,7 +36,8 @@ Status doNow(const Registry& registry, Life& life, const CommandText& change) {
     life.setPolicy(change.value, std::move(*policy));
     return Done{};
   }
-  if (change.key == "push" || change.key == "place") return Done{};  // what is judged was before it
+  if (change.key == "push" || change.key == "place" || change.key == "go_on")
+    return Done{};  // what is judged was before it
   Parameters changed = life.parameters();
   if (const Status s = changed.set(change.key, std::string_view(change.value)); !s) return s;
   return life.set(change.key, changed.get(change.key));

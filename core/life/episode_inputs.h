@@ -19,6 +19,7 @@ struct EpisodeInputs {
   std::vector<std::uint8_t> explored{};  ///< 1: the action was not the best by q̂; as long as `actions`, or not known
   std::vector<std::uint64_t> pushSteps;  ///< steps of the episode before each push
   std::vector<double> pushImpulses;      ///< [N s]
+  std::uint64_t before = 0;              ///< steps of it that were not lived by this life, which went on from there
 
   /// Negative actions (kHandMade) are stored at the upper end of the numbers.
   Action actionAt(std::size_t step) const { return static_cast<std::int16_t>(actions[step]); }
@@ -28,6 +29,7 @@ struct EpisodeInputs {
     pushSteps.clear();
     pushImpulses.clear();
     explored.clear();
+    before = 0;
   }
   /// Back to the state in which the action after the first `steps` was chosen: pushes in that state are undone, too.
   void keepFirst(std::size_t steps) {

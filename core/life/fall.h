@@ -21,8 +21,9 @@ struct Fall {
   /// The environment's parameters in that episode.
   std::shared_ptr<const std::vector<std::pair<std::string, double>>> parameters;
 
-  /// A person placed or pushed the body in this episode: the fall says little about the policy.
-  bool byHand() const { return !inputs.start.empty() || !inputs.pushSteps.empty(); }
+  /// A person placed or pushed the body in this episode, or went on with an earlier one: the fall says little about the
+  /// policy.
+  bool byHand() const { return !inputs.start.empty() || !inputs.pushSteps.empty() || inputs.before > 0; }
 };
 
 /// A window keeps at most this many falls: the newest, and a selection of older ones spread over the life.

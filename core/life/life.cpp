@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/life/inputs_text.h"
 #include "core/life/rule_of_thumb.h"
 
 namespace surefoot {
@@ -36,7 +37,7 @@ void Life::setTeacher(std::unique_ptr<Agent> teacher) {
   guardians_ = std::move(guardians);
 }
 
-void Life::beginEpisode(const std::vector<double>& state) {
+void Life::takeParameters() {
   if (environmentChanged_) {
     parameters_.applyTo(*environment_, "environment.");
     environment_->parametersChanged();
@@ -48,6 +49,10 @@ void Life::beginEpisode(const std::vector<double>& state) {
     keepInputs_ |= rewinding_.steps > 0;
     rewindingChanged_ = false;
   }
+}
+
+void Life::beginEpisode(const std::vector<double>& state) {
+  takeParameters();
   inputs_.clear();
   inputs_.random = worldRandom_.state();
   environment_->reset(worldRandom_);
@@ -182,6 +187,8 @@ void Life::obey(TimedCommand& command) {
     push(command.value);
   else if (command.key == "place")
     static_cast<void>(static_cast<bool>(place(command.state)));  // as below
+  else if (command.key == "go_on")
+    static_cast<void>(static_cast<bool>(goOn(command.until)));  // as it went then
   else
     static_cast<void>(static_cast<bool>(set(command.key, command.value)));  // checked when the life was made
 }
@@ -206,6 +213,30 @@ Status Life::place(const std::vector<double>& state) {
   }
   beginEpisode(state);
   note("place", "", fmt::format("{}", fmt::join(state, " ")));
+  return Done{};
+}
+
+Status Life::goOn(const EpisodeInputs& until) {
+  if (!environment_->answersAtOnce())
+    return Error{"go_on: a robot that a program moves cannot be put back into a moment."};
+  if (inEpisode_) {
+    agent_->abandon();
+    log_.giveUp();
+  }
+  note("go_on", "", textOf(until));
+  takeParameters();
+  Random random(0);
+  Ending ending = Ending::None;
+  if (!repeat(until, *environment_, random, ending, [](Action) {}) || ending != Ending::None) {
+    beginEpisode();
+    return Error{"go_on: under the model of now the episode ends before that moment; a new one begins."};
+  }
+  worldRandom_ = random;
+  inputs_ = until;
+  inputs_.before = until.actions.size();
+  inEpisode_ = true;
+  tellTime();
+  startAgent();
   return Done{};
 }
 

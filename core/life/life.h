@@ -28,12 +28,12 @@ inline constexpr std::size_t kMostChanges = 10'000;
 /// Something was done to a life while it went on.
 struct Change {
   std::int64_t step = 0;      ///< steps of the life before it
-  std::string key;            ///< a parameter's key, or "policy", "push", "place"
+  std::string key;            ///< a parameter's key, or "policy", "push", "place", "go_on"
   std::string before, after;  ///< as a person writes them
 };
 
 /// Something to be done to a life when it has taken so many steps: a parameter to set, a policy to follow, a push [N
-/// s], a state to be placed in.
+/// s], a state to be placed in, an episode to go on with.
 struct TimedCommand {
   std::int64_t step = 0;
   std::string key;
@@ -41,6 +41,7 @@ struct TimedCommand {
   std::unique_ptr<Policy> policy;  ///< for the key "policy"
   std::string policyName;
   std::vector<double> state{};  ///< for the key "place"
+  EpisodeInputs until{};        ///< for the key "go_on"
 };
 
 struct LifeParts {
@@ -104,6 +105,11 @@ class Life {
   bool push(double impulse);
   /// Gives up the current episode, which is then not counted, and begins one in this state.
   Status place(const std::vector<double>& state);
+  /// Gives up the current episode, which is then not counted, and goes on in another one as it stood after these
+  /// inputs: the world is taken through it again, exactly, and its random numbers go on as they did then. What was
+  /// lived before that moment is not learned or counted again. Refused, and a new episode begins, where the world of
+  /// now ends before that moment.
+  Status goOn(const EpisodeInputs& until);
 
   /// From now on remembers the environment's inputs in the current episode, so that the life can be saved in the middle
   /// of an episode. Call it before the first step.
@@ -146,6 +152,8 @@ class Life {
   std::uint64_t hash() const;
 
  private:
+  /// Parameters that hold from an episode's beginning on.
+  void takeParameters();
   /// Begins in this state; if it is empty, the environment draws one.
   void beginEpisode(const std::vector<double>& state = {});
   /// The agent's first action in the state where it begins, or begins anew.

@@ -69,6 +69,8 @@ void Life::transfer(Archive& archive) {
   archive.list("episode.start", inputs_.start, task.state.size());
   archive.list("episode.push_steps", inputs_.pushSteps, kMostInputs);
   archive.list("episode.push_impulses", inputs_.pushImpulses, kMostInputs);
+  if (archive.reading() ? archive.has("episode.before") : inputs_.before > 0)
+    archive.value("episode.before", inputs_.before, 0, kMostInputs);
   if (!archive.reading()) cutOffs_ = environment_->cutOffs();
   if (archive.reading() ? archive.has("cut_off.all") : cutOffs_.all > 0) {  // most lives have none
     archive.value("cut_off.all", cutOffs_.all, 0, kMostLifeSteps);
@@ -85,7 +87,7 @@ void Life::transfer(Archive& archive) {
 }
 
 void Life::checkEpisode(Archive& archive) {
-  const auto& [random, start, actions, explored, pushSteps, pushImpulses] = inputs_;
+  const auto& [random, start, actions, explored, pushSteps, pushImpulses, before] = inputs_;
   static_cast<void>(explored);  // only for people
   const Task& task = environment_->task();
   for (std::size_t i = 0; i < actions.size(); ++i)
@@ -99,7 +101,8 @@ void Life::checkEpisode(Archive& archive) {
     return archive.refuse("episode.start", "is no state of the environment");
   const auto steps = static_cast<std::int64_t>(actions.size());
   const EpisodeRow& row = log_.current();
-  if (inEpisode_ && (steps > row.steps || (steps < row.steps && row.rewinds == 0)))
+  const std::int64_t most = row.steps + static_cast<std::int64_t>(before);
+  if (inEpisode_ && (steps > most || (steps < most && row.rewinds == 0)))
     return archive.refuse("episode.actions", "is not as long as the episode");
 }
 

@@ -207,6 +207,7 @@ void LearnerThread::carryOut(Command& command) {
     void operator()(SetPace& c) const { t.pace_ = c.pace; }
     void operator()(SetTurbo& c) const { t.turbo_ = c.turbo; }
     void operator()(SetHand& c) const { t.hand_.hold(c.target); }
+    void operator()(GoOn& c) const { static_cast<void>(static_cast<bool>(t.life_->goOn(c.until))); }
     void operator()(Place& c) const { static_cast<void>(static_cast<bool>(t.life_->place(c.state))); }
     void operator()(Visit& c) const { c.look(*t.life_); }
     void operator()(SingleStep&) const {

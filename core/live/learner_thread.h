@@ -47,6 +47,9 @@ struct SetHand {
 struct Place {
   std::vector<double> state;
 };  ///< a new episode there
+struct GoOn {
+  EpisodeInputs until;
+};  ///< an earlier episode, as it stood after these inputs
 struct Visit {
   std::function<void(const Life&)> look;
 };                     ///< called on the learner's thread, between two steps
@@ -76,8 +79,8 @@ struct ReplaceLife {
   StepTaken last{};                     ///< the last step of the new one, if it is known
 };
 
-using Command = std::variant<SetParameter, SetPolicy, SetTeacher, SetRunning, SetPace, SetTurbo, SetHand, Place, Visit,
-                             SingleStep, Watch, Push, ReplaceLife>;
+using Command = std::variant<SetParameter, SetPolicy, SetTeacher, SetRunning, SetPace, SetTurbo, SetHand, Place, GoOn,
+                             Visit, SingleStep, Watch, Push, ReplaceLife>;
 
 /// send(), wantSnapshot(), takeSnapshot() … are for one thread, the window's; the life belongs to the thread in here.
 class LearnerThread {

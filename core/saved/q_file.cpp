@@ -197,4 +197,14 @@ Result<Configuration> configurationOf(const Registry& registry, const TensorFile
   return c;
 }
 
+std::string originOf(const TensorFile& file, const std::string& path) {
+  const Json& about = file.about;
+  return fmt::format("From {}, content {}, after {} steps and {} episodes with {} falls; Surefoot {}.",
+                     std::filesystem::path(path).filename().string(), contentOf(file),
+                     jsonText(about.value("/learned/steps"_json_pointer, Json(0))),
+                     jsonText(about.value("/learned/episodes"_json_pointer, Json(0))),
+                     jsonText(about.value("/learned/falls"_json_pointer, Json(0))),
+                     about.value("program", "of an unknown version"));
+}
+
 }  // namespace surefoot

@@ -28,6 +28,9 @@ Status checkKind(const TensorFile& file, const std::vector<std::string>& kinds);
 /// A hash of its values, 64 bits in hexadecimal. It does not depend on the file's name, place or history.
 std::string contentOf(const TensorFile& file);
 
+/// Where a Q-function comes from, in a sentence: "From walk.safetensors, content 3f2a…, after 7,000 steps …".
+std::string originOf(const TensorFile& file, const std::string& path);
+
 /// A hash of the whole file, as old journals have it.
 std::string wholeHashOf(const TensorFile& file);
 

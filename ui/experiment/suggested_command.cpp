@@ -31,6 +31,8 @@ std::string somewhatLonger(const RunningLife& life, const LifeProgress& written)
 
 QString suggestedCommand(SavedAs what, const QString& path, const RunningLife& life, const LifeProgress& written) {
   const std::string file = shellQuoted(path.toStdString());
+  if (what == SavedAs::PolicyInC)
+    return QStringLiteral("gcc -std=c99 -DPOLICY_SELF_TEST %1 && ./a.out").arg(QString::fromStdString(file));
   const std::string command = what == SavedAs::Journal ? "surefoot replay " + file
                               : what == SavedAs::QFunction
                                   ? fmt::format("surefoot train --load {} {}", file, usualLength(life))

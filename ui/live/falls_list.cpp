@@ -26,6 +26,7 @@ Qt::Alignment alignmentOf(int column) {
 
 /// The person's actions in the episode, because of which the fall is not the policy's alone.
 QString handOf(const Fall& fall) {
+  if (fall.inputs.before > 0) return QObject::tr("gone on with");
   return fall.inputs.start.empty() ? QObject::tr("pushed") : QObject::tr("placed");
 }
 
@@ -117,7 +118,10 @@ std::string FallsList::asCsv() const {
     csv += fmt::format("{},{},{},{},{},{}\n", fall.number, fall.episode,
                        perStep > 0 ? fmt::format("{:.9g}", static_cast<double>(fall.lifeSteps) * perStep) : "",
                        fall.inputs.actions.size(), fall.policy,
-                       fall.byHand() ? fall.inputs.start.empty() ? "pushed" : "placed" : "");
+                       !fall.byHand()              ? ""
+                       : fall.inputs.before > 0    ? "gone on"
+                       : fall.inputs.start.empty() ? "pushed"
+                                                   : "placed");
   return csv;
 }
 

@@ -205,7 +205,9 @@ QWidget* LivePage::makeCentre() {
   column->setSpacing(0);
   worldHeader_ = new PanelHeader(tr("World"), true, centre);
   worldHeader_->setOnPaper(true);
-  worldHeader_->addWidget(new Scrubber(session_.looking()));
+  auto* scrubber = new Scrubber(session_.looking());
+  worldHeader_->addWidget(scrubber);
+  connect(scrubber, &Scrubber::goOnAsked, this, &LivePage::goOn);
   world_ = new WorldView(session_.life(), session_.looking(), centre);
   new ViewMenu(*world_);
   column->addWidget(worldHeader_);

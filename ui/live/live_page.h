@@ -33,6 +33,10 @@ class LivePage final : public QMainWindow {
   void resetParameters();
   enum class Layout { Usual, Teaching, Falls, Maps, Signals };
   void useLayout(Layout layout);
+  /// The learner goes on from the moment that a playback shows.
+  void goOn();
+  /// Two lives from that moment: the first as it is, the second by another rule for learning or for acting.
+  void whatIf(const std::string& agent, const std::string& policy);
   /// What the greedy policy does from a new start, in the Signals layout.
   void rollOut();
   /// False: no panel had the whole page.
@@ -46,6 +50,7 @@ class LivePage final : public QMainWindow {
  Q_SIGNALS:
   void refused(const QString& sentence);
   void told(const QString& sentence);
+  void comparingAsked();  ///< a second learner is wanted beside the first
   /// A changed parameter of the second learner needs a new table.
   void newTableAsked(const QString& sentence, const std::function<void()>& startAgain);
 

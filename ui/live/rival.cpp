@@ -107,6 +107,8 @@ void Rival::startAgain() {
     begin_ = began_;
     return Q_EMIT refused(toText(s.error().message));
   }
+  if (const auto until = std::exchange(begin_.until, std::nullopt))
+    if (const Status s = session_->life().goOn(*until); !s) Q_EMIT refused(toText(s.error().message));
   follow();
   if (begin_.start == Start::Same && empty && !began.isEmpty())
     Q_EMIT told(tr("The second cannot have the same start (%1): its tables differ. It begins empty.").arg(began));
@@ -186,6 +188,15 @@ void Rival::choose(const std::string& agent, const std::string& policy) {
 
 void Rival::setStart(Start start) {
   askToStartAgain(tr("Another start"), [this, start] { begin_.start = start; });
+}
+
+void Rival::startIn(std::shared_ptr<const TensorFile> file, EpisodeInputs until, const std::string& agent,
+                    const std::string& policy) {
+  askToStartAgain(tr("What if"), [this, file = std::move(file), until = std::move(until), agent, policy] {
+    agent_ = agent;
+    policy_ = policy;
+    begin_ = {Start::File, file, until};
+  });
 }
 
 void Rival::startWith(const QString& path) {

@@ -40,6 +40,9 @@ class Rival final : public QWidget {
   // Another learning rule or start begins a new life; if the old one has learned anything, the person is asked first.
   void choose(const std::string& agent, const std::string& policy);
   void setStart(Start start);
+  /// Starts with this Q-function, learning and acting so, in the middle of an episode as it stood after these inputs.
+  void startIn(std::shared_ptr<const TensorFile> file, EpisodeInputs until, const std::string& agent,
+               const std::string& policy);
   /// Starts with a Q-function from a file.
   void startWith(const QString& path);
   /// Parameters with other values than the first's: "Threshold 66". Empty: none.
@@ -69,6 +72,7 @@ class Rival final : public QWidget {
   struct Beginning {
     Start start = Start::Same;
     std::shared_ptr<const TensorFile> file{};
+    std::optional<EpisodeInputs> until{};  ///< used once
   };
   std::string policy_, agent_;
   Beginning begin_, began_;  // the beginning that is chosen; the beginning of the present life

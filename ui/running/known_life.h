@@ -27,7 +27,7 @@ struct LifeFile {
 };
 
 /// The kinds of files: a session goes on exactly, a Q-function holds the learned values, a journal repeats the life.
-enum class SavedAs { Session, QFunction, Journal };
+enum class SavedAs { Session, QFunction, Journal, PolicyInC };
 
 struct KnownLife {
   Configuration configuration;  ///< as it is now

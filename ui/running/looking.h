@@ -5,6 +5,7 @@
 
 #include <QElapsedTimer>
 #include <QObject>
+#include <atomic>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -60,6 +61,9 @@ class Looking final : public QObject {
   /// Plays it (from the beginning if it is at its end), or stops it.
   void play(bool on);
   void backToLive();
+  /// The episode of the playback up to the moment that is shown: what a life can go on with. Refused where that is not
+  /// known, or the model was another one then.
+  Result<EpisodeInputs> momentShown() const;
 
   // Signals, written down while somebody watches them.
   void watchSignals(const QObject* who, bool watches);
@@ -110,6 +114,8 @@ class Looking final : public QObject {
   void fillParts(const ActionValueFunction& values);
   void makeViewer();
   void writeSignals(bool viewing);
+  void askForEpisodeInHand();
+  Result<EpisodeInputs> recordedMoment() const;
   void begin(Playback playback);
   void beginAnew();
 
@@ -127,6 +133,13 @@ class Looking final : public QObject {
   std::shared_ptr<const ActionValueFunction> second_;
   QString secondName_;
   SignalTable secondSignals_;
+  /// The episode that the life was in when the recording was opened, filled on the learner's thread.
+  struct InHand {
+    std::atomic<bool> ready = false;
+    EpisodeInputs inputs;
+    std::int64_t begun = 0;  ///< steps of the life before it
+  };
+  std::shared_ptr<InHand> inHand_;
   QElapsedTimer sinceValues_, sinceFall_;
   std::int64_t fallsBefore_ = 0;
   std::uint64_t lifeShown_ = 0;

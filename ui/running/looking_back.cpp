@@ -75,6 +75,7 @@ void Looking::lookBack(int frames) {
     Playback recorded = recording_.playback();
     recorded.signals = feed_.table();
     recorded.firstRow = feed_.first();
+    askForEpisodeInHand();
     begin(std::move(recorded));
   }
   playback_->rate = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of Looking that writes signals down and lives roll-outs.
 #include <algorithm>
+#include <cmath>
 
 #include "ui/running/looking.h"
 
@@ -30,8 +31,10 @@ void Looking::writeSignals(bool viewing) {
 }
 
 std::optional<std::size_t> Looking::signalRow() const {
-  const std::int64_t row = shown_.row - (playback_ ? playback_->firstRow : feed_.first());
-  if (shown_.row < 0 || row < 0 || row >= static_cast<std::int64_t>(signals().rows())) return std::nullopt;
+  const Playback* p = playback();
+  const std::int64_t shown = p ? p->frames[static_cast<std::size_t>(p->position)].row : shown_.row;
+  const std::int64_t row = shown - (p ? p->firstRow : feed_.first());
+  if (shown < 0 || row < 0 || row >= static_cast<std::int64_t>(signals().rows())) return std::nullopt;
   return static_cast<std::size_t>(row);
 }
 
@@ -58,6 +61,58 @@ Status Looking::rollOut(double seconds) {
   begin(std::move(playback));
   Q_EMIT playbackChanged();
   return Done{};
+}
+
+void Looking::askForEpisodeInHand() {
+  inHand_ = std::make_shared<InHand>();
+  life_.visit([to = inHand_](const Life& life) {
+    to->inputs = life.inputs();
+    to->begun = life.steps() - static_cast<std::int64_t>(life.inputs().actions.size() - life.inputs().before);
+    to->ready = true;
+  });
+}
+
+/// Of the last minutes: the episode in hand, or one that ended in a fall.
+Result<EpisodeInputs> Looking::recordedMoment() const {
+  const auto row = signalRow();
+  if (feedOfViewer_ || !row || playback_->signals.rows() == 0)
+    return Error{tr("Only the learner's own world can be gone on with, in the Signals layout and without turbo; or a "
+                    "fall, or a roll-out.")
+                     .toStdString()};
+  const double stepTime = life_.task().stepTime.value_or(1.0);
+  const auto lived = std::llround(playback_->signals.columns()[0][*row] / stepTime);
+  for (const Fall& fall : seen_.falls) {
+    const auto length = static_cast<std::int64_t>(fall.inputs.actions.size() - fall.inputs.before);
+    if (lived >= fall.lifeSteps || lived < fall.lifeSteps - length) continue;
+    EpisodeInputs until = fall.inputs;
+    until.keepFirst(static_cast<std::size_t>(lived - fall.lifeSteps + std::ssize(fall.inputs.actions)));
+    return until;
+  }
+  if (inHand_ && inHand_->ready && lived >= inHand_->begun) {
+    EpisodeInputs until = inHand_->inputs;
+    const auto step = static_cast<std::size_t>(lived - inHand_->begun) + until.before;
+    if (step < until.actions.size()) until.keepFirst(step);
+    return until;
+  }
+  return Error{tr("That episode is over, and it did not end in a fall: its inputs were not kept.").toStdString()};
+}
+
+Result<EpisodeInputs> Looking::momentShown() const {
+  if (!playback_) return Error{tr("Nothing is shown again: open a fall, look back, or roll out first.").toStdString()};
+  if (!playback_->start) return recordedMoment();
+  const Parameters& now = life_.configuration().parameters;
+  for (const auto& [key, value] : *playback_->start->parameters)
+    if (const Parameters::Entry* entry = now.find(key); entry && entry->value != value)
+      return Error{tr("%1 was %2 then and is %3 now: the same inputs would lead elsewhere.")
+                       .arg(QString::fromStdString(key), QString::fromStdString(formatValue(entry->parameter, value)),
+                            QString::fromStdString(formatValue(entry->parameter, entry->value)))
+                       .toStdString()};
+  EpisodeInputs until = playback_->start->inputs;
+  const std::int64_t step = playback_->frames[static_cast<std::size_t>(playback_->position)].row;
+  if (step < 0 || step >= std::ssize(until.actions))
+    return Error{tr("The episode was over then; choose a moment before its end.").toStdString()};
+  until.keepFirst(static_cast<std::size_t>(step));
+  return until;
 }
 
 void Looking::setSecond(std::shared_ptr<const ActionValueFunction> values, const QString& name) {

@@ -116,6 +116,9 @@ Playback rolloutOf(const Registry& registry, const Configuration& configuration,
                               .see = filming(playback)})
                          .table;
   if (playback.frames.empty()) return {};
+  const std::vector<double>&action = *playback.signals.column("action"), &episode = *playback.signals.column("episode");
+  for (std::size_t row = 0; row < action.size() && episode[row] == 1.0; ++row)
+    start.inputs.actions.push_back(static_cast<std::uint16_t>(action[row]));
   playback.start = std::make_shared<const Fall>(std::move(start));
   playback.title = QObject::tr("roll-out, greedy, seed %1").arg(seed);
   playback.rate = playback.usualRate = 1.0 / step;

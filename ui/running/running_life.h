@@ -102,6 +102,8 @@ class RunningLife final : public QObject {
   void hold(std::optional<double> target);
   /// Puts the body into a state: a new episode begins there.
   Status place(const std::vector<double>& state);
+  /// Goes on in an earlier episode as it stood after these inputs; the life goes on learning there.
+  Status goOn(EpisodeInputs until);
   /// Whether the window is visible; a hidden window asks the learner only for the present moment.
   void setLookedAt(bool lookedAt) { lookedAt_ = lookedAt; }
 

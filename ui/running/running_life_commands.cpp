@@ -56,6 +56,14 @@ Status RunningLife::place(const std::vector<double>& state) {
   return Done{};
 }
 
+Status RunningLife::goOn(EpisodeInputs until) {
+  if (finished()) return Error{tr("The life is complete; nothing goes on in it.").toStdString()};
+  if (!environment().answersAtOnce())
+    return Error{tr("A program moves this robot; it cannot be put back into a moment.").toStdString()};
+  learner_->send(GoOn{std::move(until)});
+  return Done{};
+}
+
 Status RunningLife::setParameter(const std::string& key, double value) {
   Configuration changed = configuration();
   if (const Status s = changed.parameters.set(key, value); !s) return s;

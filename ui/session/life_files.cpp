@@ -3,6 +3,7 @@
 
 #include <new>
 
+#include "core/c_policy/known_actions.h"
 #include "core/experiment/experiment.h"
 #include "core/files/read_file.h"
 #include "core/files/whole_file.h"
@@ -17,6 +18,15 @@ namespace {
 /// A journal longer than this is left to `surefoot replay`: about ten seconds.
 constexpr std::int64_t kMostReplayed = 10'000'000;  // [steps]
 
+/// The greedy policy as C, with a check of a thousand states.
+Result<std::string> policyOf(const Life& life, const Configuration& now, const std::string& path) {
+  const TensorFile file = qFileOf(life, now);
+  const Task& task = life.environment().task();
+  return policyAsC(
+      file, task,
+      {.floats = false, .known = knownActions(life.agent().values(), task), .origin = originOf(file, path)});
+}
+
 /// The bytes of a file that holds the life.
 std::string bytesOf(const Life& life, const Configuration& began, const Configuration& now, SavedAs what) {
   switch (what) {
@@ -25,6 +35,7 @@ std::string bytesOf(const Life& life, const Configuration& began, const Configur
     case SavedAs::QFunction:
       return qFileOf(life, now).write();
     case SavedAs::Journal:
+    case SavedAs::PolicyInC:
       break;
   }
   return journalOf(began, summarise(life, 0, 0.0));
@@ -38,6 +49,10 @@ Status write(const Life& life, const Configuration& began, const Configuration& 
   if (life.diverged() && what != SavedAs::Journal)
     return Error{"The action values diverged; there is nothing worth keeping."};
   try {
+    if (what == SavedAs::PolicyInC) {
+      const auto text = policyOf(life, now, path);
+      return text ? writeWhole("file", path, *text) : Status(text.error());
+    }
     return writeWhole("file", path, bytesOf(life, began, now, what));
   } catch (const std::bad_alloc&) {
     return Error{path + ": there is not enough memory to write it; nothing is lost."};
@@ -57,6 +72,13 @@ void LifeFiles::save(SavedAs what, const std::string& path, Then then) {
       if (of == life_.number()) written_ = written;
       then(status);
     });
+  });
+}
+
+void LifeFiles::withQ(WithQ then) {
+  life_.visit([this, then = std::move(then), now = life_.configuration()](const Life& life) {
+    auto file = checkedQFile(qFileOf(life, now));
+    calls_.post([then, file = std::move(file)] { then(file); });
   });
 }
 

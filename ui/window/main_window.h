@@ -85,6 +85,7 @@ class MainWindow final : public QMainWindow {
   void setTextSize(double size);
   void keepLayout();
   void fillLayouts();
+  void fillWhatIf(QMenu& menu);
   void fillRecent();
   void showPreLearning();
   void askForSeed();

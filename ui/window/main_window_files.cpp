@@ -98,11 +98,12 @@ void MainWindow::saveWithDialog(SavedAs what, const QString& title, const QStrin
 void MainWindow::saveTo(SavedAs what, const QString& path, const std::function<void()>& then) {
   session_.files().save(what, path.toStdString(), [this, what, path, then](const Status& s) {
     if (!s) return messages_->say(toText(s.error().message));
-    remember(path);
+    if (what != SavedAs::PolicyInC) remember(path);
     const auto& written = session_.files().written();
     if (what == SavedAs::Session && written) session_.life().setFile({path, *written});
-    messages_->tell(tr("%1 is written. Without a window: %2")
-                        .arg(QFileInfo(path).fileName(),
+    const QString says = what == SavedAs::PolicyInC ? tr("%1 is written. It checks itself: %2")
+                                                    : tr("%1 is written. Without a window: %2");
+    messages_->tell(says.arg(QFileInfo(path).fileName(),
                              suggestedCommand(what, path, session_.life(), session_.files().lastWritten())));
     if (then) then();
   });

@@ -125,6 +125,8 @@ void MainWindow::makeFileMenu() {
        [this] { onRobotPage() ? static_cast<void>(robot_->saveAs()) : saveSessionAs(); });
   item(file, tr("Save the Q-&function …"), tr("What was learned, to load it elsewhere"), {},
        [this] { saveWithDialog(SavedAs::QFunction, tr("Save the Q-function"), "learned.safetensors", "safetensors"); });
+  item(file, tr("Export the policy as &C …"), tr("The greedy policy as a C99 program that needs nothing else"), {},
+       [this] { saveWithDialog(SavedAs::PolicyInC, tr("Export the policy as C"), "policy.c", "c"); });
   item(file, tr("Save the &journal …"), tr("A small text by which the life can be lived again"), {},
        [this] { saveWithDialog(SavedAs::Journal, tr("Save the journal"), "life.jsonl", "jsonl"); });
   QMenu* exporting = file->addMenu(tr("&Export"));
@@ -192,6 +194,12 @@ void MainWindow::makeMenus() {
   for (QAction* action : {run_.turbo, run_.faster, run_.slower}) run->addAction(action);
   run->addSeparator();
   for (QAction* action : {run_.back, run_.live}) run->addAction(action);
+  QAction* goOn =
+      addAction(run, tr("&Go on from here"),
+                tr("The learner's world is put into the moment that a replay shows; it goes on learning"), {});
+  connect(goOn, &QAction::triggered, live_, &LivePage::goOn);
+  QMenu* whatIf = run->addMenu(tr("&What if"));
+  connect(whatIf, &QMenu::aboutToShow, this, [this, whatIf] { fillWhatIf(*whatIf); });
   QAction* compare = addAction(run, tr("&Compare with a second learner"),
                                tr("Another method with the same seed, side by side"), Qt::Key_C);
   compare->setCheckable(true);
@@ -206,6 +214,11 @@ void MainWindow::makeMenus() {
   QAction* preLearn = addAction(run, tr("&Pre-learn, then transfer …"),
                                 tr("Learn in a simulation, then live in reality with what was learned"), Qt::Key_P);
   connect(preLearn, &QAction::triggered, this, &MainWindow::showPreLearning);
+  connect(live_, &LivePage::comparingAsked, compare, [this, compare] {
+    const QSignalBlocker quiet(compare);
+    compare->setChecked(true);
+    live_->setComparing(true);
+  });
   QAction* rollOut =
       addAction(run, tr("R&oll out 25 s"), tr("What the greedy policy does from a new start, learning nothing"), {});
   connect(rollOut, &QAction::triggered, this, [this] {
@@ -266,6 +279,22 @@ QWidget* MainWindow::makeTabs() {
   }
   tabs_.front()->setChecked(true);
   return box;
+}
+
+/// One thing is different from the moment that a replay shows: how the second acts, or how it learns.
+void MainWindow::fillWhatIf(QMenu& menu) {
+  menu.clear();
+  const Names& now = session_.life().configuration().names;
+  const auto add = [&](const QString& text, const std::string& agent, const std::string& policy) {
+    connect(menu.addAction(text), &QAction::triggered, live_, [this, agent, policy] { live_->whatIf(agent, policy); });
+  };
+  add(tr("&Nothing else: the same again"), now.agent, now.policy);
+  menu.addSection(tr("Another policy"));
+  for (const auto& entry : session_.life().registry().policies)
+    if (entry.name != now.policy) add(plainSymbols(toText(entry.title)), now.agent, entry.name);
+  menu.addSection(tr("Another learning rule"));
+  for (const auto& entry : session_.life().registry().agents)
+    if (entry.name != now.agent) add(plainSymbols(toText(entry.title)), entry.name, now.policy);
 }
 
 }  // namespace surefoot

@@ -26,6 +26,7 @@ QString LearningChart::textOf(const Change& change) const {
   }
   if (change.key == "push") return tr("pushed by hand");
   if (change.key == "place") return tr("placed by hand");
+  if (change.key == "go_on") return tr("gone on from an earlier moment");
   const auto* entry = life_.configuration().parameters.find(change.key);
   const QString title = toText(entry ? entry->parameter.title : change.key).toLower();
   return title + ' ' + values.arg(toText(change.before), toText(change.after)).replace('-', QChar(0x2212));

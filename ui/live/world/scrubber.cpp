@@ -10,6 +10,7 @@
 #include "ui/running/looking.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
+#include "ui/support/plain_text.h"
 
 namespace surefoot {
 
@@ -17,6 +18,7 @@ Scrubber::Scrubber(Looking& looking, QWidget* parent)
     : QWidget(parent),
       looking_(looking),
       play_(new LinkButton(tr("Play"), this)),
+      goOn_(new LinkButton(tr("Go on from here"), this)),
       live_(new LinkButton(tr("Back to live"), this)),
       slider_(new Slider(this)) {
   auto* row = new QHBoxLayout(this);
@@ -28,7 +30,10 @@ Scrubber::Scrubber(Looking& looking, QWidget* parent)
   });
   row->addWidget(play_);
   row->addWidget(slider_, 1);
+  row->addWidget(goOn_);
   row->addWidget(live_);
+  goOn_->setToolTip(tipText(tr("The learner's world is put into this moment, and it goes on learning there")));
+  connect(goOn_, &QToolButton::clicked, this, &Scrubber::goOnAsked);
   connect(play_, &QToolButton::clicked, this, [this] {
     if (const Playback* p = looking_.playback()) looking_.play(p->rate == 0);
   });
@@ -45,7 +50,9 @@ Scrubber::Scrubber(Looking& looking, QWidget* parent)
 }
 
 void Scrubber::fold(int room) {
-  const int usual = scaled(290);
+  const int link = goOn_->sizeHint().width() + scaled(4), least = scaled(290);
+  goOn_->setVisible(looking_.playback() && room >= least + link);
+  const int usual = goOn_->isHidden() ? least : least + link;
   setFixedWidth(looking_.playback() ? std::clamp(usual, 0, std::max(0, room)) : 0);
 }
 

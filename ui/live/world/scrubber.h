@@ -20,12 +20,15 @@ class Scrubber final : public QWidget, public Folding {
   explicit Scrubber(Looking& looking, QWidget* parent = nullptr);
   void fold(int room) override;
 
+ Q_SIGNALS:
+  void goOnAsked();
+
  private:
   void refresh();
   void place();
 
   Looking& looking_;
-  LinkButton *play_, *live_;
+  LinkButton *play_, *goOn_, *live_;
   Slider* slider_;
 };
 
