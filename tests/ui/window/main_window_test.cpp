@@ -158,6 +158,7 @@ TEST(MainWindow, UndoTakesAChangeBackAndRedoMakesItAgain) {
 
 TEST(MainWindow, APoolIsLearnedInSimulationAndOneOfItLivesInReality) {
   Window w("epsilon-greedy");
+  ASSERT_TRUE(w.session->editing().setParameter("life.rewind", 20.0));
   w.key(Qt::Key_P);
   auto* dialog = w.window->findChild<QDialog*>();
   ASSERT_TRUE(dialog);
@@ -184,7 +185,9 @@ TEST(MainWindow, APoolIsLearnedInSimulationAndOneOfItLivesInReality) {
   field("Damping in reality")->setText("0.07");
   press("Begin a life in reality with it");
   EXPECT_EQ(w.session->life().configuration().parameters.get("environment.damping"), 0.07);
-  EXPECT_TRUE(w.session->life().configuration().start) << "it began with what was learned";
+  ASSERT_TRUE(w.session->life().configuration().start) << "it began with what was learned";
+  EXPECT_GT(w.session->life().configuration().start->about["learned"]["rewinds"], 0);
+  EXPECT_EQ(w.session->life().configuration().parameters.get("life.rewind"), 0.0) << "reality does not go back";
 }
 
 TEST(MainWindow, PreferencesAreKeptAndApplyAtOnce) {
