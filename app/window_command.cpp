@@ -53,6 +53,7 @@ void onMessage(QtMsgType type, const QMessageLogContext& context, const QString&
 std::string groupOf(const ShippedPlan& plan) {
   if (plan.name.starts_with("walker")) return "Walking robot LEO";
   if (plan.name.starts_with("beyond") || plan.name == "readings") return "Beyond the thesis";
+  if (plan.name.starts_with("caution")) return "Caution: falling less";
   if (plan.name.starts_with("2.")) return "Chapter 2: reinforcement learning";
   if (plan.name.starts_with("4.") || plan.name.starts_with("table-4")) return "Chapter 4: thresholds (TRL)";
   return plan.name.starts_with("5.") ? "Chapter 5: Softmax" : "Chapter 6: resolution, and two Q-functions";

@@ -8,11 +8,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/files/limited_json.h"
+
 namespace surefoot {
 
 namespace {
 
-using InputsJson = nlohmann::ordered_json;
+using InputsJson = nlohmann::ordered_json;  // the order of its keys is that of the text
 
 constexpr std::size_t kMostActionsTold = 10'000'000;
 
@@ -73,7 +75,7 @@ std::string textOf(const EpisodeInputs& inputs) {
 
 Result<EpisodeInputs> inputsFrom(const std::string& text, const Task& task) {
   const auto wrong = [](const char* what) { return Error{fmt::format("go_on: {} is not as a journal has it.", what)}; };
-  const InputsJson json = InputsJson::parse(text, nullptr, false);
+  const InputsJson json = parseJson(text);
   if (!json.is_object()) return wrong("the episode");
   EpisodeInputs inputs;
   for (const char* part : {"random", "start", "actions", "pushes"})
