@@ -180,7 +180,8 @@ int windowCommand(const Registry& registry, const WindowRequest& request, int ar
   if (const Status s = enterLessons(request, window); !s) return fail(s.error());
   application.tell = [&session](const QString& sentence) { Q_EMIT session.newLives().refused(sentence); };
   session.life().setTurbo(request.turbo);
-  session.life().setRunning(preferences.beginRunning);
+  session.life().setRunning(preferences.beginRunning && !request.follow);
+  if (request.follow) window.follow(QString::fromStdString(*request.follow));
 
   const std::atomic<bool>& interrupted = watchForInterrupt();
   QTimer watch;

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
+#include "app/requests/follow_line.h"
 #include "app/requests/laboratory_line.h"
 #include "app/requests/lessons_line.h"
 #include "app/requests/requests.h"
@@ -130,6 +131,7 @@ struct CommandLine {
   CLI::App* bench = app.add_subcommand("bench", "how fast this machine learns");
   CLI::App* probabilities = app.add_subcommand("probabilities", "the probability of every action, given its value");
   LessonsLine lessons{app, *window};
+  FollowLine follow{*window};
   RobotsLine robots{app};
   SignalsLine signals{app};
   LaboratoryLine laboratory{app};
@@ -268,9 +270,11 @@ Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv
   if (line.replay->parsed()) return Request(line.replayOptions);
   if (line.difference->parsed()) return Request(line.differenceOptions);
   if (line.lessons.lessons->parsed()) return Request(line.lessons.request);
+  if (const Status s = line.follow.check(); !s) return s.error();
   auto request = makeTrainRequest(registry, line.windowOptions, true);
   if (!request) return request.error();
   WindowRequest shown{std::move(*request)};
+  shown.follow = line.follow.follow;
   if (const Status s = line.lessons.complete(shown); !s) return s.error();
   return Request(std::move(shown));
 }

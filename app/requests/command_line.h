@@ -46,6 +46,7 @@ struct TrainRequest {
   std::optional<std::int64_t> mostSteps;      ///< limit of a life that is lived anew, if it has no other
 };
 struct WindowRequest : TrainRequest {
+  std::optional<std::string> follow{};           ///< looks at this file while another process writes it
   std::optional<std::string> lesson{}, kiosk{};  ///< begins with a lesson, or shows nothing else
   std::string student{}, classFolder{};          ///< answers are appended to a file of the student in a shared folder
   int resetAfter = 90;                           ///< [s] without a touch, after which a kiosk begins again

@@ -37,6 +37,7 @@
 namespace surefoot {
 
 class StoreLock;
+class TemporaryFolder;
 
 enum class EndingCode : int { End, Success, Fall, Truncated };
 EndingCode endingCode(const EpisodeRow& row);
@@ -108,6 +109,10 @@ class Store {
   /// To read, also while a process writes and where nothing can be written. It must have our tables and no others.
   /// Opening and reading end soon after `interrupted` is set.
   static Result<Store> open(const std::string& path, const std::atomic<bool>* interrupted = nullptr);
+  /// To read while another process writes, and leave no trace: a copy of one moment is read, from the folder for
+  /// temporary files. No lock is taken, no file is made or touched beside the store. A store that changes faster than
+  /// it can be copied is refused; a later try may succeed.
+  static Result<Store> peek(const std::string& path, const std::atomic<bool>* interrupted = nullptr);
   /// There is no file, or an empty one.
   static bool missing(const std::string& path);
 
@@ -146,6 +151,9 @@ class Store {
   struct Database;
   Store(std::string path, std::unique_ptr<Database> database);
   static Result<Store> openLocked(const std::string& path, StoreLock lock, const std::atomic<bool>* interrupted);
+  /// Reads what is at `uri`. `alone`: nobody writes the store now, and it has no log.
+  static Result<Store> openAt(const std::string& path, const std::string& uri, TemporaryFolder folder, bool alone,
+                              const std::atomic<bool>* interrupted);
   std::string path_;
   std::unique_ptr<Database> database_;
 };

@@ -2,12 +2,16 @@
 // How a store is made and opened: by one process to write, by any number to read, wherever the file lies.
 #include <fmt/format.h>
 #include <sqlite3.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <thread>
 
+#include "core/files/file_stamp.h"
 #include "core/files/read_file.h"
 #include "core/store/store_database.h"
 
@@ -183,19 +187,24 @@ Result<Store> Store::openLocked(const std::string& path, StoreLock lock, const s
   });
 }
 
+Result<Store> Store::openAt(const std::string& path, const std::string& uri, TemporaryFolder folder, bool alone,
+                            const std::atomic<bool>* interrupted) {
+  return guarded<Store>(path, [&]() -> Result<Store> {
+    auto data = std::make_unique<Database>(uri, std::move(folder));
+    obey(data->db, interrupted);
+    if (const Status s = checkTables(data->db, path); !s) return s.error();
+    if (alone)
+      if (const Status s = checkAlone(data->db, path, data->note); !s) return s.error();
+    if (data->format() < kFormat && data->note.empty()) data->note = fileError(path, kUnchecked).message;
+    return Store(path, std::move(data));
+  });
+}
+
 Result<Store> Store::open(const std::string& path, const std::atomic<bool>* interrupted) {
   if (const Status s = checkFile(path); !s) return s.error();
   const bool log = isThere(path + "-wal"), journal = isThere(path + "-journal");
   const auto read = [&](const std::string& uri, TemporaryFolder folder) {
-    return guarded<Store>(path, [&]() -> Result<Store> {
-      auto data = std::make_unique<Database>(uri, std::move(folder));
-      obey(data->db, interrupted);
-      if (const Status s = checkTables(data->db, path); !s) return s.error();
-      if (!log && !StoreLock::isHeld(path))
-        if (const Status s = checkAlone(data->db, path, data->note); !s) return s.error();
-      if (data->format() < kFormat && data->note.empty()) data->note = fileError(path, kUnchecked).message;
-      return Store(path, std::move(data));
-    });
+    return openAt(path, uri, std::move(folder), !log && !StoreLock::isHeld(path), interrupted);
   };
   // If the log is missing, SQLite would make one: a reader must not do that, and it fails where nothing can be written.
   if (!log && !journal && wantsLog(path) && !StoreLock::isHeld(path)) return read(uriOf(path, "?immutable=1"), {});
@@ -204,6 +213,35 @@ Result<Store> Store::open(const std::string& path, const std::atomic<bool>* inte
   auto copy = copyOf(path);
   if (!copy) return store;
   return read(uriOf(copy->second, ""), std::move(copy->first));
+}
+
+namespace {
+
+/// While this stays the same, a copy of the file and then of its log is of one moment: whatever is written into the
+/// file meanwhile is in the log, too. The log begins anew, with another head, only when the file has all of it.
+std::string momentOf(const std::string& path) {
+  constexpr std::size_t kHeadOfLog = 32;  // with the two numbers that are drawn anew
+  struct stat s {};
+  if (isThere(path + "-wal") && stat(path.c_str(), &s) == 0)
+    if (const auto head = readHead(path + "-wal", kHeadOfLog)) return fmt::format("{} {}", s.st_ino, *head);
+  return stampOf(path).identity + ' ' + stampOf(path + "-journal").identity;
+}
+
+}  // namespace
+
+Result<Store> Store::peek(const std::string& path, const std::atomic<bool>* interrupted) {
+  constexpr int kCopies = 5;
+  for (int i = 0; i < kCopies && !(interrupted && *interrupted); ++i) {
+    if (i > 0) std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    if (const Status s = checkFile(path); !s) return s.error();
+    const std::string moment = momentOf(path);
+    const bool alone = !isThere(path + "-wal") && !StoreLock::isHeld(path);
+    auto copy = copyOf(path);
+    if (!copy) return copy.error();
+    if (momentOf(path) != moment) continue;
+    return openAt(path, uriOf(copy->second, ""), std::move(copy->first), alone, interrupted);
+  }
+  return fileError(path, "it changes faster than it can be copied to be read.");
 }
 
 }  // namespace surefoot

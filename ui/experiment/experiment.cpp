@@ -73,6 +73,7 @@ void Experiment::setState(State state) {
 }
 
 QString Experiment::whyNoResults() const {
+  if (state_ == State::Following) return tr("Appears with the first lives.");
   if (!plan_) return tr("Choose a plan, and run it.");
   return state_ == State::Running ? tr("Appears with the first lives.") : tr("Appears when the plan runs.");
 }

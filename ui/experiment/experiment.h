@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The data of the Experiment page: a plan as text, the run that carries it out, and the newest results.
+// The data of the Experiment page: a plan as text, the run that carries it out (or the store of another process that is
+// followed), and the newest results.
 #pragma once
 
 #include <QElapsedTimer>
@@ -13,6 +14,7 @@
 #include "core/recipes/recipe.h"
 #include "ui/experiment/experiment_results.h"
 #include "ui/experiment/plans/plan_source.h"
+#include "ui/support/following.h"
 
 namespace surefoot {
 
@@ -20,7 +22,8 @@ class Experiment final : public QObject {
   Q_OBJECT
 
  public:
-  enum class State { Ready, Running, Paused, Complete };
+  /// Following: the lives are another process's, and are only looked at.
+  enum class State { Ready, Running, Paused, Complete, Following };
 
   Experiment(const Registry& registry, std::vector<PlanSource> sources, QString folder, QObject* parent = nullptr);
   const Registry& registry() const { return registry_; }
@@ -36,6 +39,15 @@ class Experiment final : public QObject {
   /// tells the end.
   Status open(const std::string& path);
   bool isOpening() const { return opening_.busy(); }
+  /// Looks at a store that another process writes, or will write: read only, and anew whenever it has grown. What was
+  /// shown before is left as by open(). Nothing runs until stopFollowing(), open() or setText().
+  void follow(const std::string& path);
+  /// The results stay, as if the store had been opened.
+  void stopFollowing();
+  /// nullptr: nothing is followed.
+  const Following* following() const { return following_.get(); }
+  /// How the store that is followed stands, in words.
+  QString followingText() const;
   /// The expected time of the plan [min]; 0: unknown.
   double minutes() const { return minutes_; }
   /// The plan that a text describes; the experiment keeps its own.
@@ -76,7 +88,7 @@ class Experiment final : public QObject {
 
   State state() const { return state_; }
   /// Whether results are missing; if the plan cannot run, run() says why.
-  bool canRun() const { return (plan_ || !whyNot_.empty()) && state_ != State::Complete; }
+  bool canRun() const { return (plan_ || !whyNot_.empty()) && state_ != State::Complete && state_ != State::Following; }
   /// Whether there is a plan's text to begin again with.
   bool canStartAgain() const { return !text_.empty() && (livesDone_ > 0 || thread_); }
   /// Runs the missing lives, or goes on after a pause: into the store that was opened, else into a new store in the
@@ -113,6 +125,7 @@ class Experiment final : public QObject {
   void resultsChanged();
   void chosenChanged();
   void stateChanged();
+  void followed();  ///< once a second, while something is followed
   void failed(const QString& sentence);
   /// Another plan was opened; the lives of the plan before it are in this store.
   void leftBehind(const QString& store);
@@ -134,11 +147,15 @@ class Experiment final : public QObject {
     std::string whyNot{}, note{};
   };
   using Prepare = std::function<Result<Opened>(const std::atomic<bool>& interrupted)>;
-  Result<Opened> prepareStore(const std::string& path, const std::atomic<bool>& interrupted) const;
+  Result<Opened> prepareStore(const Store& store) const;
   Result<Opened> prepareText(const std::string& text, const std::string& path,
                              const std::atomic<bool>& interrupted) const;
+  void addRecipe(Opened& opened, const std::atomic<bool>& interrupted) const;
   Status begin(Prepare prepare);
   void adopt(Opened opened);
+  void takePlan(Opened& opened);
+  void takeView(Opened& opened);
+  void takeFollowed(Opened opened);
   Status openToRun(bool otherVersion);
   void leave();
   std::string placeForResults() const;
@@ -171,6 +188,9 @@ class Experiment final : public QObject {
   double minutes_ = 0;
   int livesDone_ = 0;
   std::int64_t falls_ = 0;
+  std::unique_ptr<Following> following_;
+  QElapsedTimer sinceFirstLife_;  // that came while it was followed: the time left is reckoned from then on
+  int livesAtFirst_ = 0;
   Background opening_;  // last member: its destructor runs first and waits
 };
 

@@ -44,30 +44,31 @@ Result<Experiment::Opened> Experiment::prepareText(const std::string& text, cons
   return opened;
 }
 
-Result<Experiment::Opened> Experiment::prepareStore(const std::string& path,
-                                                    const std::atomic<bool>& interrupted) const {
-  const auto store = Store::open(path, &interrupted);
-  if (!store) return store.error();
-  auto view = viewOf(registry_, *store);
+Result<Experiment::Opened> Experiment::prepareStore(const Store& store) const {
+  auto view = viewOf(registry_, store);
   if (!view) return view.error();
-  const auto lives = store->lives();
+  const auto lives = store.lives();
   if (!lives) return lives.error();
-  Opened opened{.text = {}, .path = path, .plan = {}, .stored = view->findings.plan, .figures = {}, .claims = {}};
-  if (auto plan = planFromStore(registry_, *store))
+  Opened opened{
+      .text = {}, .path = store.path(), .plan = {}, .stored = view->findings.plan, .figures = {}, .claims = {}};
+  if (auto plan = planFromStore(registry_, store))
     opened.plan = std::move(*plan);
   else
     opened.whyNot = plan.error().message;
   opened.figures = standardFigures(opened.stored);
   opened.lives = static_cast<int>(lives->size());
   for (const StoredLife& life : *lives) opened.falls += life.falls;
-  opened.note = store->note();
+  opened.note = store.note();
   opened.view = std::make_shared<const LabView>(std::move(*view));
   return opened;
 }
 
 Status Experiment::open(const std::string& path) {
   return begin([this, path](const std::atomic<bool>& interrupted) -> Result<Opened> {
-    if (isStore(path)) return prepareStore(path, interrupted);
+    if (isStore(path)) {
+      const auto store = Store::open(path, &interrupted);
+      return store ? prepareStore(*store) : store.error();
+    }
     const auto text = readText(path);
     if (!text) return text.error();
     return prepareText(*text, path, interrupted);
@@ -104,21 +105,9 @@ Status Experiment::begin(Prepare prepare) {
 
 void Experiment::adopt(Opened opened) {
   reset();
-  text_ = std::move(opened.text);
-  path_ = std::move(opened.path);
-  title_ = opened.stored.title;
-  plan_ = std::move(opened.plan);
-  stored_ = std::move(opened.stored);
-  figures_ = std::move(opened.figures);
-  minutes_ = opened.minutes;
-  whyNot_ = std::move(opened.whyNot);
-  results_.begin(std::move(opened.claims), stored_);
+  takePlan(opened);
   if (opened.view) {
-    view_ = std::move(opened.view);
-    storePath_ = path_;
-    livesDone_ = opened.lives;
-    falls_ = opened.falls;
-    share_ = livesPlanned() > 0 ? static_cast<double>(livesDone_) / livesPlanned() : 0;
+    takeView(opened);
     setState(livesDone_ >= livesPlanned() ? State::Complete : State::Paused);
   }
   Q_EMIT planChanged();
@@ -128,6 +117,26 @@ void Experiment::adopt(Opened opened) {
     Q_EMIT resultsChanged();
   Q_EMIT progressed();
   if (!opened.note.empty()) Q_EMIT failed(toText(opened.note));
+}
+
+void Experiment::takePlan(Opened& opened) {
+  text_ = std::move(opened.text);
+  path_ = std::move(opened.path);
+  title_ = opened.stored.title;
+  plan_ = std::move(opened.plan);
+  stored_ = std::move(opened.stored);
+  figures_ = std::move(opened.figures);
+  minutes_ = opened.minutes;
+  whyNot_ = std::move(opened.whyNot);
+  results_.begin(std::move(opened.claims), stored_);
+}
+
+void Experiment::takeView(Opened& opened) {
+  view_ = std::move(opened.view);
+  storePath_ = path_;
+  livesDone_ = opened.lives;
+  falls_ = opened.falls;
+  share_ = livesPlanned() > 0 ? static_cast<double>(livesDone_) / livesPlanned() : 0;
 }
 
 }  // namespace surefoot

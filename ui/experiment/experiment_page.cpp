@@ -14,6 +14,7 @@
 #include "core/text/text.h"
 #include "ui/controls/bar_button.h"
 #include "ui/controls/link_button.h"
+#include "ui/controls/notice_strip.h"
 #include "ui/controls/panel.h"
 #include "ui/experiment/condition_list.h"
 #include "ui/experiment/experiment_progress.h"
@@ -30,11 +31,13 @@ namespace surefoot {
 namespace {
 
 /// Where the results are, the person's own folder as ~.
-QString storeText(const std::string& path) {
+QString storeText(const Experiment& experiment) {
+  const Following* followed = experiment.following();
+  const std::string& path = followed ? followed->path() : experiment.storePath();
   if (path.empty()) return QObject::tr("nothing lived yet");
   QString shown = toText(path);
   if (shown.startsWith(QDir::homePath() + '/')) shown.replace(0, QDir::homePath().size(), QStringLiteral("~"));
-  return QObject::tr("%1, saved after every life").arg(shown);
+  return followed ? QObject::tr("%1, followed").arg(shown) : QObject::tr("%1, saved after every life").arg(shown);
 }
 
 }  // namespace
@@ -53,6 +56,10 @@ ExperimentPage::ExperimentPage(const RunningLife& life, std::vector<PlanSource> 
   line->setAutoFillBackground(true);
   line->setBackgroundRole(QPalette::Midlight);
   column->addWidget(line);
+  following_ = new NoticeStrip;
+  following_->addLink(tr("Stop following"), tr("The results stay, as if the store had been opened"),
+                      [this] { stopFollowing(); });
+  column->addWidget(following_);
   auto* splitter = new QSplitter(Qt::Horizontal);
   splitter->setHandleWidth(1);
   splitter->setChildrenCollapsible(false);
@@ -93,6 +100,8 @@ ExperimentPage::ExperimentPage(const RunningLife& life, std::vector<PlanSource> 
   for (auto signal :
        {&Experiment::stateChanged, &Experiment::planChanged, &Experiment::progressed, &Experiment::resultsChanged})
     connect(&experiment_, signal, this, &ExperimentPage::refresh);
+  for (auto signal : {&Experiment::stateChanged, &Experiment::followed})
+    connect(&experiment_, signal, this, &ExperimentPage::showFollowing);
   if (!experiment_.sources().empty()) open(toText(experiment_.sources().front().path));
   refresh();
 }
@@ -109,8 +118,9 @@ QWidget* ExperimentPage::makeBar() {
   connect(source_, &PlanChooser::planChosen, this, &ExperimentPage::open);
   connect(source_, &PlanChooser::openAsked, this, &ExperimentPage::openWithDialog);
   connect(&experiment_, &Experiment::planChanged, this, [this] {
-    if (!experiment_.path().empty()) source_->addOwn(toText(experiment_.title()), toText(experiment_.path()));
-    source_->setCurrent(shownName(experiment_.title()));
+    const bool waits = experiment_.following() && experiment_.storedPlan().conditions.empty();
+    if (!experiment_.path().empty() && !waits) source_->addOwn(toText(experiment_.title()), toText(experiment_.path()));
+    source_->setCurrent(waits ? experiment_.following()->name() : shownName(experiment_.title()));
     if (experiment_.text().empty()) showPlan(false);
     if (std::exchange(runWhenOpen_, false)) runOrPause();
   });
@@ -188,6 +198,17 @@ void ExperimentPage::open(const QString& path) {
   if (const Status s = experiment_.open(path.toStdString()); !s) Q_EMIT refused(toText(s.error().message));
 }
 
+void ExperimentPage::follow(const QString& path) {
+  runWhenOpen_ = false;
+  experiment_.follow(path.toStdString());
+}
+
+void ExperimentPage::showFollowing() {
+  const Following* file = experiment_.following();
+  following_->say(file ? tr("Following %1, read only").arg(file->name()) : QString(), experiment_.followingText(),
+                  file && file->warns());
+}
+
 void ExperimentPage::showPlan(bool shown) {
   stack_->setCurrentIndex(shown ? 1 : 0);
   edit_->setText(shown ? tr("Show the results") : tr("Edit the plan"));
@@ -239,7 +260,7 @@ void ExperimentPage::refresh() {
   if (const std::int64_t more = experiment_.falls() - experiment_.fallsShown();
       more > 0 && experiment_.state() != Experiment::State::Complete)
     right += tr(", and %1 in lives that are not over").arg(count(more));
-  Q_EMIT statusChanged(storeText(experiment_.storePath()), right);
+  Q_EMIT statusChanged(storeText(experiment_), right);
 }
 
 }  // namespace surefoot

@@ -17,6 +17,7 @@ namespace surefoot {
 
 class FigurePanel;
 class LinkButton;
+class NoticeStrip;
 class PlanChooser;
 class PanelHeader;
 class PlanEditor;
@@ -31,6 +32,9 @@ class ExperimentPage final : public QWidget {
   Experiment& experiment() { return experiment_; }
   /// A plan, a recipe or a store of results.
   void open(const QString& path);
+  /// Looks at a store that another process writes.
+  void follow(const QString& path);
+  void stopFollowing() { experiment_.stopFollowing(); }
   void showPlan(bool shown);
   const std::vector<FigurePanel*>& figures() const { return figures_; }
 
@@ -62,6 +66,7 @@ class ExperimentPage final : public QWidget {
   QWidget* makeColumn();
   QWidget* makeResults();
   void refresh();
+  void showFollowing();
   void setFull(QWidget* panel);
   void foldBar();
   void askForLives();
@@ -86,6 +91,7 @@ class ExperimentPage final : public QWidget {
   std::vector<FigurePanel*> figures_;
   std::vector<std::pair<QWidget*, PanelHeader*>> panels_;  // the figures, then the table
   QHBoxLayout* bar_ = nullptr;
+  NoticeStrip* following_ = nullptr;
   std::vector<QWidget*> copies_;  // have their places in the menu as well
   QWidget *upper_ = nullptr, *full_ = nullptr;
   Background writing_;  // last member: its destructor runs first and waits

@@ -60,8 +60,9 @@ void ExperimentPage::exportTables(bool forSpreadsheets) {
   askForFolder(this, tr("Folder for the tables"), [this, forSpreadsheets](const QString& folder) {
     inBackground(
         tr("Writing the tables"), 0,
-        [path = experiment_.storePath(), folder = folder.toStdString(), forSpreadsheets](std::atomic<int>&) -> Status {
-          const auto store = Store::open(path);
+        [path = experiment_.storePath(), followed = experiment_.following() != nullptr, folder = folder.toStdString(),
+         forSpreadsheets](std::atomic<int>&) -> Status {
+          const auto store = followed ? Store::peek(path) : Store::open(path);
           return store ? surefoot::exportCsv(*store, folder, "folder", forSpreadsheets) : store.error();
         },
         tr("conditions.csv, lives.csv and episodes.csv are in %1.").arg(folder));

@@ -27,8 +27,8 @@ ExperimentProgress::ExperimentProgress(Experiment& experiment, QWidget* parent)
   });
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setAccessibleName(tr("Progress"));
-  for (auto signal :
-       {&Experiment::progressed, &Experiment::stateChanged, &Experiment::planChanged, &Experiment::resultsChanged})
+  for (auto signal : {&Experiment::progressed, &Experiment::stateChanged, &Experiment::planChanged,
+                      &Experiment::resultsChanged, &Experiment::followed})
     connect(&experiment_, signal, this, qOverload<>(&QWidget::update));
 }
 
@@ -63,10 +63,12 @@ void ExperimentProgress::paintEvent(QPaintEvent*) {
   else if (experiment_.state() == Experiment::State::Paused)
     second = tr("paused");
   else if (const double minutes = experiment_.minutes();
-           minutes > 0 && experiment_.state() != Experiment::State::Complete)
+           minutes > 0 && experiment_.state() != Experiment::State::Complete && !experiment_.following())
     second = tr("takes about %1").arg(toText(roundedTime(minutes)));
-  else if (experiment_.state() == Experiment::State::Complete)
+  else if (experiment_.state() == Experiment::State::Complete || experiment_.livesDone() >= planned)
     second = tr("complete");
+  else if (experiment_.following())
+    second = tr("followed, read only");
   p.drawText(QRectF(256, 19, 160, 18), Qt::AlignVCenter, second);
 }
 

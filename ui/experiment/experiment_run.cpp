@@ -21,12 +21,15 @@ constexpr int kTick = 200;  // [ms]
 }  // namespace
 
 Experiment::~Experiment() {
-  if (thread_) thread_->stop();  // tell all threads to stop; the wait comes later
+  if (thread_) thread_->stop();                                    // tell all threads to stop; the wait comes later
+  for (Following* left : findChildren<Following*>()) delete left;  // they use the members
 }
 
 Status Experiment::run(bool otherVersion) {
   needs_ = Consent::None;
   if (state_ == State::Running || state_ == State::Complete) return Done{};
+  if (state_ == State::Following)
+    return Error{tr("%1 is followed, read only; stop following first.").arg(following_->name()).toStdString()};
   if (!plan_) return whyNot_.empty() ? Status(Done{}) : Error{whyNot_, ErrorKind::File};
   if (const Status s = checkPrograms(registry_, *plan_); !s) {
     needs_ = Consent::Programs;
@@ -104,6 +107,7 @@ void Experiment::leave() {
 void Experiment::reset() {
   if (thread_ || (livesDone_ > 0 && !text_.empty())) Q_EMIT leftBehind(toText(storePath_));
   leave();
+  Following::end(std::move(following_), this);
   view_.reset();
   results_.begin(results_.claims(), stored_);
   storePath_.clear();
@@ -154,6 +158,11 @@ double Experiment::elapsed() const {
 }
 
 std::optional<double> Experiment::left() const {
+  if (state_ == State::Following) {
+    const int came = livesDone_ - livesAtFirst_, missing = livesPlanned() - livesDone_;
+    if (!sinceFirstLife_.isValid() || came <= 0 || missing <= 0 || !following_->isWritten()) return std::nullopt;
+    return static_cast<double>(sinceFirstLife_.elapsed()) * 1e-3 * missing / came;
+  }
   const double done = share_ - shareAtStart_;
   if (state_ != State::Running || done < 0.01) return std::nullopt;
   return static_cast<double>(running_.elapsed()) * 1e-3 * (1.0 - share_) / done;

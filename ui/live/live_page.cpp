@@ -182,6 +182,8 @@ QString LivePage::worldNote() const {
   if (const Playback* p = session_.looking().playback())
     return p->rate > 0 ? tr("%1; Escape: back to live").arg(p->title)
                        : tr("%1; ← → move, Escape: back to live").arg(p->title);
+  if (session_.looking().demonstrating() && !session_.life().running() && session_.looking().hasViewer())
+    return tr("real time, newest Q-function; nothing is learned");
   if (session_.life().finished()) return tr("the life is complete");
   if (!session_.life().running())
     return session_.life().turbo() ? tr("the learner's world, paused; turbo is on") : tr("the learner's world, paused");

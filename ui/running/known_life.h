@@ -24,6 +24,7 @@ struct LifeProgress {
 struct LifeFile {
   QString path;  ///< empty: none yet
   LifeProgress saved{};
+  bool followed = false;  ///< another process lives this life and writes it; here it is only looked at
 };
 
 /// The kinds of files: a session goes on exactly, a Q-function holds the learned values, a journal repeats the life.

@@ -85,6 +85,8 @@ class Looking final : public QObject {
   /// The state that is examined: under the cursor on a map, or fixed there; empty: none but the live one.
   const std::vector<double>& examined() const { return hovered_.empty() ? pinned_ : hovered_; }
   bool pinned() const { return hovered_.empty() && !pinned_.empty(); }
+  /// The state that is fixed on the maps; empty: none.
+  const std::vector<double>& pinnedState() const { return pinned_; }
   void examine(const std::optional<std::vector<double>>& state);
   void pin(const std::optional<std::vector<double>>& state);
 

@@ -78,9 +78,9 @@ class RunningLife final : public QObject {
   /// The life has reached its limit, or diverged.
   bool finished() const { return isShown() && (snapshot().finished || !snapshot().trouble.empty()); }
   LifeProgress progress() const;
-  /// Whether anything was learned at all, and whether since the last save.
-  bool learned() const { return progress().learnedSince({}); }
-  bool unsaved() const { return progress().learnedSince(known_.file.saved); }
+  /// Whether anything was learned here at all, and whether since the last save.
+  bool learned() const { return !known_.file.followed && progress().learnedSince({}); }
+  bool unsaved() const { return !known_.file.followed && progress().learnedSince(known_.file.saved); }
   /// Memory of the learned values [bytes]; hashed tables grow.
   std::size_t bytes() const;
   /// Curves of this life and of those before it.

@@ -115,6 +115,15 @@ void History::replace(KnownLife next, std::unique_ptr<Life> life, As as) {
   Q_EMIT lifeKept();
 }
 
+void History::renew(KnownLife next, std::unique_ptr<Life> life) {
+  next.lineage = life_.lineage();
+  next.progress = {life->log().totals().episodes, life->steps()};
+  next.falls = life->log().totals().falls;
+  next.bytes = life->agent().values().bytes();
+  looking_.setSeen({});
+  life_.replace(std::move(next), {.life = std::move(life), .back = {}, .before = nullptr});
+}
+
 void History::exchange(std::shared_ptr<KeptLife>& kept) {
   const std::shared_ptr<KeptLife> back = std::exchange(kept, putAside());
   const bool elsewhere = back->known.configuration.names.environment != kept->known.configuration.names.environment;

@@ -51,6 +51,8 @@ class History final : public QObject {
   /// A new life replaces the one that runs. SameAgain: if the old life had learned nothing, its changes can still be
   /// undone.
   void replace(KnownLife next, std::unique_ptr<Life> life, As as);
+  /// The life that runs, at a later moment (or an earlier one): nothing is kept, and it stays the same life.
+  void renew(KnownLife next, std::unique_ptr<Life> life);
 
   /// Lives that undo or redo can bring back and that are not saved.
   std::vector<std::shared_ptr<KeptLife>> unsavedBefore() const;

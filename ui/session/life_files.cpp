@@ -97,23 +97,16 @@ void LifeFiles::open(const std::string& path, const Then& then) {
   static_cast<void>(newLives_.beginWhenMade(*head == "{" ? makeOfJournal(path) : makeOfFile(path), then));
 }
 
-namespace {
-
-/// A checkpoint: its life goes on.
-Result<NewLives::Made> goOnFrom(const Registry& registry, const std::string& path,
-                                const std::shared_ptr<const TensorFile>& file) {
-  auto resumed = resume(registry, file, {}, Versions::Any);
+Result<NewLives::Made> lifeOf(const Registry& registry, const std::shared_ptr<const TensorFile>& checkpoint) {
+  auto resumed = resume(registry, checkpoint, {}, Versions::Any);
   if (!resumed) return resumed.error();
   resumed->life->keepInputs();
   const Life& life = *resumed->life;
-  const bool named = path.ends_with(".surefoot");  // a file with another ending may belong to another program
-  LifeFile from{named ? QString::fromStdString(path) : QString(), {life.log().totals().episodes, life.steps()}};
-  const Status same = checkLivesVersion(*file);
+  const Status same = checkLivesVersion(*checkpoint);
+  LifeFile from{{}, {life.log().totals().episodes, life.steps()}};
   return NewLives::Made{std::move(resumed->configuration), std::move(resumed->life), std::move(from),
                         same ? "" : same.error().message + " It goes on with those of this one."};
 }
-
-}  // namespace
 
 NewLives::Make LifeFiles::makeOfFile(const std::string& path) const {
   return [&registry = life_.registry(), keepRows = life_.keepsRows(), path,
@@ -121,7 +114,12 @@ NewLives::Make LifeFiles::makeOfFile(const std::string& path) const {
     try {
       auto file = readQFile(path);
       if (!file) return file.error();
-      if ((*file)->about.value("kind", "") == "checkpoint") return goOnFrom(registry, path, *file);
+      if ((*file)->about.value("kind", "") == "checkpoint") {
+        auto made = lifeOf(registry, *file);
+        if (made && path.ends_with(".surefoot"))  // a file with another ending may belong to another program
+          made->file->path = QString::fromStdString(path);
+        return made;
+      }
       auto learned = configurationOf(registry, **file);
       if (!learned) return learned.error();
       learned->seed = now.seed;

@@ -11,6 +11,9 @@
 
 namespace surefoot {
 
+/// The life of a checkpoint, to go on with; one that another version lived has a remark. Any thread.
+Result<NewLives::Made> lifeOf(const Registry& registry, const std::shared_ptr<const TensorFile>& checkpoint);
+
 class LifeFiles final : public QObject {
   Q_OBJECT
 

@@ -52,15 +52,19 @@ Status NewLives::beginWhenMade(Make make, const Then& then) {
       std::move(make), [this](Made made) { return adopt(std::move(made)); }, then);
 }
 
-Status NewLives::adopt(Made made) {
+KnownLife NewLives::known(const Made& made) const {
   Configuration now = made.configuration;
   now.commands.clear();
   now.parameters = made.life->parameters();
   now.names.policy = made.life->policyName();
-  KnownLife known = knownAs(life_.registry(), std::move(now), std::move(made.configuration));
-  known.last = std::move(made.last);
-  if (made.file) known.file = std::move(*made.file);
-  history_.replace(std::move(known), std::move(made.life), History::As::Another);
+  KnownLife known = knownAs(life_.registry(), std::move(now), made.configuration);
+  known.last = made.last;
+  if (made.file) known.file = *made.file;
+  return known;
+}
+
+Status NewLives::adopt(Made made) {
+  history_.replace(known(made), std::move(made.life), History::As::Another);
   if (!made.remark.empty()) Q_EMIT remarked(QString::fromStdString(made.remark));
   return Done{};
 }

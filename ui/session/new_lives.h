@@ -48,6 +48,8 @@ class NewLives final : public QObject {
     std::string remark{};            ///< about that file
     StepTaken last{};                ///< that the life made, if it is known
   };
+  /// What the window knows of it.
+  KnownLife known(const Made& made) const;
   using Make = std::function<Result<Made>(const std::atomic<bool>& interrupted)>;
   /// Makes a life in the background and begins it; `then` is called when it has begun, or could not.
   Status beginWhenMade(Make make, const Then& then = {});

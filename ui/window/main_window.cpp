@@ -12,6 +12,7 @@
 #include <QVBoxLayout>
 
 #include "ui/controls/message_bar.h"
+#include "ui/controls/notice_strip.h"
 #include "ui/controls/panel.h"
 #include "ui/controls/preferences.h"
 #include "ui/experiment/experiment_page.h"
@@ -63,6 +64,7 @@ MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent)
   liveColumn->setContentsMargins(0, 0, 0, 0);
   liveColumn->setSpacing(0);
   liveColumn->addWidget(bar_);
+  liveColumn->addWidget(following_ = new NoticeStrip);
   liveColumn->addWidget(scroll, 1);
   pages_->addWidget(live);
   if (setup.folder.isEmpty()) setup.folder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
@@ -101,6 +103,7 @@ MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent)
   });
   connect(bar_, &RunBar::meaningAsked, this, &MainWindow::showWords);
   askQuestions();
+  makeFollowing();
   placeMessages();
   refresh();
   live_->world().setFocus();
@@ -160,6 +163,13 @@ void MainWindow::refresh() {
                                : tr("Start the life again with the same seed and the same start: %1").arg(beginning));
   const QSignalBlocker blocker(run_.turbo);
   run_.turbo->setChecked(session_.life().turbo());
+}
+
+void MainWindow::tellHowItBegan() {
+  if (const QString beginning = session_.life().beginning(); !beginning.isEmpty())
+    messages_->tell(tr("The life begins again with the same start: %1. Run › Restart with an empty table begins from "
+                       "nothing.")
+                        .arg(beginning));
 }
 
 }  // namespace surefoot

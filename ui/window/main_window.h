@@ -23,10 +23,13 @@ namespace surefoot {
 
 class Autosave;
 class ExperimentPage;
+class LifeFollower;
+class LinkButton;
 class LessonsPage;
 class LivePage;
 class RobotPage;
 class MessageBar;
+class NoticeStrip;
 struct KeptLife;
 class Session;
 class SessionName;
@@ -58,6 +61,10 @@ class MainWindow final : public QMainWindow {
   void setPage(int page);
   /// Opens any kind of file: a session, a Q-function, a journal, a plan, results.
   void openFile(const QString& path);
+  /// Looks at a store or a checkpoint that another process writes, read only, on the page where it belongs.
+  void follow(const QString& path);
+  void stopFollowing();
+  LifeFollower& follower() { return *follower_; }
   void saveTo(SavedAs what, const QString& path, const std::function<void()>& then = {});
   /// The program is ended from outside: the session is kept for the next start, then the window closes.
   void closeForNow();
@@ -118,6 +125,9 @@ class MainWindow final : public QMainWindow {
   void makeLessons(const WindowSetup& setup);
   void makeRobot(const WindowSetup& setup);
   void openRobot(const QString& path);
+  void makeFollowing();
+  void followWithDialog();
+  void showFollowing();
   void usePreferences(const Preferences& preferences);
   void showPreferences();
   /// The focus goes where the page's single keys work.
@@ -142,6 +152,10 @@ class MainWindow final : public QMainWindow {
   ExperimentPage* experiment_ = nullptr;
   LessonsPage* lessons_ = nullptr;
   RobotPage* robot_ = nullptr;
+  LifeFollower* follower_ = nullptr;
+  NoticeStrip* following_ = nullptr;  ///< of the Live page; the Experiment page has its own
+  LinkButton* goOnFromHere_ = nullptr;
+  QAction* stopFollowing_ = nullptr;
   StatusLine* status_ = nullptr;
   QUndoGroup* undoOfPage_ = nullptr;
   QAction *undo_ = nullptr, *redo_ = nullptr;

@@ -12,6 +12,7 @@
 #include "ui/controls/message_bar.h"
 #include "ui/live/live_page.h"
 #include "ui/live/rival.h"
+#include "ui/session/life_follower.h"
 #include "ui/session/session.h"
 #include "ui/session/session_name.h"
 #include "ui/style/symbol_text.h"
@@ -105,15 +106,9 @@ void MainWindow::askBeforeEnding(const std::shared_ptr<KeptLife>& kept, const st
                  {{tr("Save it first"), [this, goOn] { saveSession(goOn); }}, {tr("End it"), goOn}});
 }
 
-void MainWindow::tellHowItBegan() {
-  if (const QString beginning = session_.life().beginning(); !beginning.isEmpty())
-    messages_->tell(tr("The life begins again with the same start: %1. Run › Restart with an empty table begins from "
-                       "nothing.")
-                        .arg(beginning));
-}
-
 QString MainWindow::sessionName() const {
   const QString& path = session_.life().file().path;
+  if (session_.life().file().followed && follower_->following()) return follower_->following()->name();
   return path.isEmpty() ? tr("untitled session") : QFileInfo(path).completeBaseName();
 }
 

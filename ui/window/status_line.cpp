@@ -80,7 +80,7 @@ QString StatusLine::state() const {
   if (life_.snapshot().finished)
     text = tr("the life is complete") + (text.isEmpty() ? "" : "; " + text);
   else if (!life_.running())
-    text = tr("paused") + (text.isEmpty() ? "" : "; " + text);
+    text = (life_.file().followed ? tr("followed") : tr("paused")) + (text.isEmpty() ? "" : "; " + text);
   return text;
 }
 

@@ -49,7 +49,8 @@ ChartSpan::ChartSpan(RunningLife& life, QObject* parent) : QObject(parent), life
   connect(&life_, &RunningLife::valuesArrived, this, &ChartSpan::refresh);
   connect(&life_, &RunningLife::configurationChanged, this, &ChartSpan::refresh);
   connect(&life_, &RunningLife::replaced, this, [this] {
-    if (wished_ == Shows::Part) wished_.reset();  // the chosen part belongs to a life that is over
+    const bool another = std::exchange(lineage_, life_.lineage()) != life_.lineage();
+    if (wished_ == Shows::Part && another) wished_.reset();  // the chosen part belongs to a life that is over
     refresh();
   });
   refresh();

@@ -62,6 +62,7 @@ class ChartSpan final : public QObject {
   RunningLife& life_;
   QPointer<RunningLife> second_;
   std::optional<Shows> wished_;
+  std::uint64_t lineage_ = 0;  // of the life that is shown
   bool episodes_ = false;
   double least_ = 0;
   double from_ = 0, to_ = 1;
