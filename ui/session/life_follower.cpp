@@ -107,7 +107,8 @@ void LifeFollower::renew(NewLives::Made made) {
   const std::vector<double> pinned = session_.looking().pinnedState();
   renewing_ = true;
   steps_ = made.life->steps();
-  session_.history().renew(session_.newLives().known(made), std::move(made.life));
+  KnownLife next = session_.newLives().known(made);
+  session_.history().renew(std::move(next), std::move(made.life));
   shown_ = session_.life().number();
   renewing_ = false;
   if (pinned.size() == session_.life().task().state.size()) session_.looking().pin(pinned);

@@ -64,7 +64,8 @@ KnownLife NewLives::known(const Made& made) const {
 }
 
 Status NewLives::adopt(Made made) {
-  history_.replace(known(made), std::move(made.life), History::As::Another);
+  KnownLife next = known(made);  // needs the life, so it comes first
+  history_.replace(std::move(next), std::move(made.life), History::As::Another);
   if (!made.remark.empty()) Q_EMIT remarked(QString::fromStdString(made.remark));
   return Done{};
 }
