@@ -158,6 +158,7 @@ void Autosave::leave(std::function<void(const Status&)> then) {
   timer_.stop();
   leaving_ = true;
   const auto before = history_.unsavedBefore();
+  if (before.empty() && life_.file().followed) return then(Done{});
   if (life_.learned() || before.empty()) return save(std::move(then));
   files_.saveKept(*before.back(), path_.toStdString(), std::move(then));
 }

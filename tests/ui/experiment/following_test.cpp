@@ -92,7 +92,7 @@ TEST(Following, ShowsAStoreWhileAnotherProcessWritesItAndEndsWithItsTable) {
   QObject::connect(&w.experiment(), &Experiment::planChanged, [&] { ++planChanges; });
 
   ASSERT_TRUE(w.waitFor([&] { return w.experiment().livesShown() == 16; }, 100'000));
-  ASSERT_TRUE(process.waitForFinished(30'000));
+  ASSERT_TRUE(w.waitFor([&] { return process.state() == QProcess::NotRunning; }, 30'000));
   ASSERT_TRUE(w.says("all lives are there"));
   EXPECT_EQ(planChanges, 0);
   EXPECT_EQ(w.experiment().chosen(), "two");

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A checkpoint that another process writes again and again, looked at from the Live page.
+#include <QDir>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <filesystem>
 
@@ -101,6 +103,19 @@ TEST(LifeFollower, WhatGoesOnHereBecomesALifeOfOnesOwn) {
   ASSERT_TRUE(w.waitFor([&] { return w.says("as of"); }));
   w.session->looking().stepOnce();
   EXPECT_TRUE(w.waitFor([&] { return !w.window->follower().following(); }));
+}
+
+TEST(LifeFollower, ALifeThatIsOnlyLookedAtIsNotKeptForTheNextStart) {
+  FollowedLife w;
+  const QDir data(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation));
+  const auto kept = [&] { return data.entryList({"*.surefoot"}, QDir::Files).size(); };
+  const auto before = kept();
+  w.write(20);
+  w.window->follow(w.path);
+  ASSERT_TRUE(w.shows(20));
+  w.window->closeForNow();
+  EXPECT_TRUE(w.waitFor([&] { return !w.window->isVisible(); }));
+  EXPECT_EQ(kept(), before);
 }
 
 TEST(LifeFollower, BrokenFilesAndOtherKindsAreToldAndLookedAtAgain) {
