@@ -18,8 +18,12 @@ CurvePoint between(const CurvePoint& a, const CurvePoint& b, std::int64_t step) 
 
 }  // namespace
 
-void RunCurves::update(const std::string& agent, const std::string& policy, const std::vector<CurvePoint>& points,
+void RunCurves::update(const std::string& agent, const std::string& policy, const std::vector<CurvePoint>& own,
                        const std::vector<Change>& changes) {
+  std::vector<CurvePoint> points;
+  for (const CurvePoint& point : before_)
+    if (!own.empty() && point.episode < own.front().episode) points.push_back(point);
+  points.insert(points.end(), own.begin(), own.end());
   live_ = {agent, live_.number, environment_, points, {}, 0, began_};
   if (points.empty()) return;
   // A life that was lived elsewhere before: when it fell then is not known.
@@ -44,6 +48,7 @@ void RunCurves::update(const std::string& agent, const std::string& policy, cons
 }
 
 void RunCurves::archive() {
+  before_.clear();
   if (!live_.points.empty() && live_.points.back().episode >= kLeastEpisodes) {
     earlier_.push_back(std::move(live_));
     if (earlier_.size() > kMostEarlier) earlier_.erase(earlier_.begin());
@@ -53,6 +58,7 @@ void RunCurves::archive() {
 }
 
 void RunCurves::bringBack(int number) {
+  before_.clear();
   if (live_.number == number) return;
   live_ = {};
   live_.number = number;
@@ -63,6 +69,7 @@ void RunCurves::bringBack(int number) {
 }
 
 void RunCurves::forget() {
+  before_.clear();
   earlier_.clear();
   live_ = {};
   newest_ = live_.number;

@@ -37,6 +37,8 @@ class RunCurves {
 
   /// How the life that runs began, as RunCurve::began.
   void setBegan(std::string began) { began_ = std::move(began); }
+  /// Points of the life that runs that its own curve lacks, because they were seen earlier: those before its first.
+  void setSeenBefore(std::vector<CurvePoint> points) { before_ = std::move(points); }
   /// The points of the life that runs, its learning rule, the policy of its last episode, and its changes
   /// so far.
   void update(const std::string& agent, const std::string& policy, const std::vector<CurvePoint>& points,
@@ -56,6 +58,7 @@ class RunCurves {
 
  private:
   std::string began_;
+  std::vector<CurvePoint> before_;
   int newest_ = 1;  // number of the newest life
   RunCurve live_;
   std::vector<RunCurve> earlier_;

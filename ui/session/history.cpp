@@ -121,6 +121,7 @@ void History::renew(KnownLife next, std::unique_ptr<Life> life) {
   next.falls = life->log().totals().falls;
   next.bytes = life->agent().values().bytes();
   looking_.setSeen({});
+  life_.curves().setSeenBefore(life_.curves().live().points);  // a file without a log has only the newest point
   life_.replace(std::move(next), {.life = std::move(life), .back = {}, .before = nullptr});
 }
 

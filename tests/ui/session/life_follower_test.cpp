@@ -64,7 +64,10 @@ TEST(LifeFollower, ShowsTheNewestStateOfTheFileAndWritesNothing) {
   const std::string bytes = *readFile(w.path.toStdString());
   ASSERT_TRUE(w.shows(90));
   EXPECT_EQ(w.session->life().snapshot().steps, w.other->steps());
-  EXPECT_EQ(w.session->life().curves().live().points.back().episode, 90);
+  const auto& points = w.session->life().curves().live().points;
+  ASSERT_EQ(points.size(), 2u) << "a checkpoint has only its newest point: the curve is of the states that were seen";
+  EXPECT_EQ(points.front().episode, 40);
+  EXPECT_EQ(points.back().episode, 90);
   EXPECT_EQ(w.session->looking().pinnedState(), (std::vector<double>{0.1, 0.0, 0.0}));
   EXPECT_EQ(w.session->history().undo().count(), undoable) << "old states of the file are not kept";
   QTest::qWait(500);

@@ -80,7 +80,9 @@ double ChartSpan::whole() const {
 ChartSpan::Shows ChartSpan::shows() const {
   if (wished_) return *wished_;
   const double learned = endOfLearning();
-  return learned > 0 && whole() > kPressed * learned ? Shows::Learning : Shows::WholeLife;
+  const auto& points = life_.curves().live().points;
+  const bool seen = !points.empty() && timeOf(points.front()) < learned;  // else nobody looked while it learned
+  return seen && whole() > kPressed * learned ? Shows::Learning : Shows::WholeLife;
 }
 
 void ChartSpan::refresh() {
