@@ -125,6 +125,7 @@ class MainWindow final : public QMainWindow {
   void makeLessons(const WindowSetup& setup);
   void makeRobot(const WindowSetup& setup);
   void openRobot(const QString& path);
+  void addFollowing(QMenu* file);
   void makeFollowing();
   void followWithDialog();
   void showFollowing();

@@ -16,6 +16,14 @@
 
 namespace surefoot {
 
+void MainWindow::addFollowing(QMenu* file) {
+  QAction* follow =
+      addAction(file, tr("Fo&llow …"), tr("Look at results or a checkpoint while another process writes them"), {});
+  stopFollowing_ = addAction(file, tr("S&top following"), tr("What was followed stays, as if it had been opened"), {});
+  connect(follow, &QAction::triggered, this, &MainWindow::followWithDialog);
+  connect(stopFollowing_, &QAction::triggered, this, &MainWindow::stopFollowing);
+}
+
 void MainWindow::makeFollowing() {
   follower_ = new LifeFollower(session_, this);
   goOnFromHere_ = following_->addLink(tr("Go on from here"),

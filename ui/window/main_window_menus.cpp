@@ -117,11 +117,7 @@ void MainWindow::makeFileMenu() {
        &MainWindow::openWithDialog);
   recent_ = file->addMenu(tr("Open &recent"));
   connect(recent_, &QMenu::aboutToShow, this, &MainWindow::fillRecent);
-  item(file, tr("Fo&llow …"), tr("Look at results or a checkpoint while another process writes them"), {},
-       &MainWindow::followWithDialog);
-  item(file, tr("S&top following"), tr("What was followed stays, as if it had been opened"), {},
-       &MainWindow::stopFollowing);
-  stopFollowing_ = file->actions().back();
+  addFollowing(file);
   file->addSeparator();
   item(file, tr("&Save"), tr("Save the session: it goes on where it was; on the page Robot, the robot"),
        QKeySequence::Save, [this] { onRobotPage() ? static_cast<void>(robot_->save()) : saveSession(); });

@@ -267,37 +267,4 @@ TEST_F(StoreTest, APlanWithoutAFileKeepsItsSeeds) {
             "environment=cliff agent=sarsa features=table policy=epsilon-greedy episodes=30");
 }
 
-TEST_F(StoreTest, PeekingIsACopyOfOneMomentWhileLivesAreWritten) {
-  const std::string path = folder.file("live");
-  const pid_t child = fork();
-  if (child == 0) {
-    {
-      auto store = Store::create(path, *planToStore(registry, plan("lives = 400\n" + kStorePlan.substr(10))));
-      for (int i = 0; store && i < 400; ++i) {
-        save(*store, i);
-        if (i % 7 == 0) static_cast<void>(static_cast<bool>(store->settle()));
-        usleep(1000);
-      }
-    }
-    _exit(0);
-  }
-  std::size_t before = 0, looks = 0;
-  for (int status = 0; waitpid(child, &status, WNOHANG) == 0;) {
-    const auto store = Store::peek(path);
-    if (!store) {  // not there yet, or too fast
-      const std::string& why = store.error().message;
-      EXPECT_TRUE(why.find("no such store") != std::string::npos || why.find("faster") != std::string::npos) << why;
-      continue;
-    }
-    const auto lives = store->lives();
-    ASSERT_TRUE(lives) << lives.error().message;
-    EXPECT_GE(lives->size(), before);
-    before = lives->size();
-    ++looks;
-  }
-  EXPECT_GT(looks, 3u);
-  EXPECT_EQ(Store::peek(path)->lives()->size(), 400u);
-  EXPECT_FALSE(fs::exists(path + "-wal"));
-}
-
 }  // namespace surefoot
