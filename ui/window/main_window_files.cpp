@@ -2,6 +2,7 @@
 // The part of the window that opens, saves and exports.
 #include <QDragEnterEvent>
 #include <QFileInfo>
+#include <QMenu>
 #include <QMimeData>
 #include <QSettings>
 
@@ -14,6 +15,7 @@
 #include "ui/style/symbol_text.h"
 #include "ui/support/ask_for_file.h"
 #include "ui/support/exporting.h"
+#include "ui/support/plain_text.h"
 #include "ui/window/main_window.h"
 
 namespace surefoot {
@@ -78,6 +80,14 @@ void MainWindow::remember(const QString& path) {
   files.removeAll(path);
   files.prepend(path);
   settings.setValue("recent", files.mid(0, kMostRecent));
+}
+
+void MainWindow::fillRecent() {
+  recent_->clear();
+  const QStringList files = QSettings().value("recent").toStringList();
+  for (const QString& path : files)
+    connect(recent_->addAction(menuText(path)), &QAction::triggered, this, [this, path] { openFile(path); });
+  if (files.isEmpty()) recent_->addAction(tr("Nothing yet"))->setEnabled(false);
 }
 
 void MainWindow::saveSession(const std::function<void()>& then) {

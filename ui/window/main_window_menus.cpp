@@ -5,7 +5,6 @@
 #include <QHBoxLayout>
 #include <QMenuBar>
 #include <QPainter>
-#include <QSettings>
 #include <QUndoGroup>
 
 #include "core/text/text.h"
@@ -21,7 +20,6 @@
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
 #include "ui/support/ask_for_file.h"
-#include "ui/support/plain_text.h"
 #include "ui/window/main_window.h"
 
 namespace surefoot {
@@ -169,14 +167,6 @@ void MainWindow::makeEditMenu() {
   edit->addSeparator();
   connect(addAction(edit, tr("Pre&ferences …"), tr("Colours, motion, the start"), QKeySequence::Preferences),
           &QAction::triggered, this, &MainWindow::showPreferences);
-}
-
-void MainWindow::fillRecent() {
-  recent_->clear();
-  const QStringList files = QSettings().value("recent").toStringList();
-  for (const QString& path : files)
-    connect(recent_->addAction(menuText(path)), &QAction::triggered, this, [this, path] { openFile(path); });
-  if (files.isEmpty()) recent_->addAction(tr("Nothing yet"))->setEnabled(false);
 }
 
 void MainWindow::makeMenus() {
