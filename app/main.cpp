@@ -91,6 +91,7 @@ int run(int argc, char** argv) {
     int operator()(const QueryRequest& r) const { return queryCommand(registry, r); }
     int operator()(const SliceRequest& r) const { return sliceCommand(registry, r); }
     int operator()(const RolloutRequest& r) const { return rolloutCommand(registry, r); }
+    int operator()(const RobustnessRequest& r) const { return robustnessCommand(registry, r); }
     int operator()(const InspectRequest& r) const { return inspectCommand(registry, r); }
     int operator()(const ResampleRequest& r) const { return resampleCommand(registry, r); }
     int operator()(const CheckRequest& r) const { return checkCommand(registry, r); }

@@ -20,6 +20,7 @@ int experimentCommand(const Registry& registry, const ExperimentRequest& request
 int reproduceCommand(const Registry& registry, const ReproduceRequest& request);
 int exportCommand(const Registry& registry, const ExportRequest& request);
 int rolloutCommand(const Registry& registry, const RolloutRequest& request);
+int robustnessCommand(const Registry& registry, const RobustnessRequest& request);
 int exportPolicy(const Registry& registry, const ExportRequest& request);
 int mergeCommand(const MergeRequest& request);
 int statisticsCommand(const Registry& registry, const StatisticsRequest& request);

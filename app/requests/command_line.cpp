@@ -149,7 +149,7 @@ struct CommandLine {
   /// Those that let an environment move.
   std::vector<CLI::App*> livingCommands() const {
     std::vector<CLI::App*> all = laboratory.livingCommands();
-    all.insert(all.end(), {train, window, replay, difference, robots.check, signals.rollout});
+    all.insert(all.end(), {train, window, replay, difference, robots.check, signals.rollout, signals.robustness});
     return all;
   }
 
@@ -174,7 +174,7 @@ struct CommandLine {
     probabilities->add_flag("--json", probabilitiesOptions.json, "as JSON");
     std::vector<CLI::App*> commands = laboratory.commands();
     for (CLI::App* c : {&app, train, window, list, probabilities, query, slice, inspect, resample, replay, difference,
-                        bench, lessons.lessons, robots.check, robots.create, signals.rollout})
+                        bench, lessons.lessons, robots.check, robots.create, signals.rollout, signals.robustness})
       commands.push_back(c);
     for (CLI::App* command : commands) {
       command->set_help_flag("-h,--help", "print this help");

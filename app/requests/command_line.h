@@ -9,6 +9,7 @@
 
 #include "core/experiment/configuration.h"
 #include "core/laboratory/laboratory.h"
+#include "core/robustness/robustness_plan.h"
 #include "core/saved/checkpoint.h"
 
 namespace surefoot {
@@ -67,6 +68,14 @@ struct RolloutRequest {
   std::string policy = "greedy";
   std::vector<std::string> assignments, pushes;
   std::optional<std::string> csv, npz;
+  bool json = false;
+};
+
+/// `surefoot robustness`: falls of what one or two Q-functions have learned, over pushes and models.
+struct RobustnessRequest {
+  std::string file, second;
+  RobustnessQuestion question;
+  std::optional<std::string> jobs, csv;
   bool json = false;
 };
 
@@ -172,10 +181,11 @@ struct PrintRequest {
   std::string text;
 };
 
-using Request = std::variant<ListRequest, ProbabilitiesRequest, TrainRequest, WindowRequest, QueryRequest, SliceRequest,
-                             RolloutRequest, InspectRequest, ResampleRequest, ReplayRequest, DifferenceRequest,
-                             BenchRequest, ExperimentRequest, ReproduceRequest, ExportRequest, MergeRequest,
-                             StatisticsRequest, LessonsRequest, CheckRequest, NewRobotRequest, PrintRequest>;
+using Request =
+    std::variant<ListRequest, ProbabilitiesRequest, TrainRequest, WindowRequest, QueryRequest, SliceRequest,
+                 RolloutRequest, RobustnessRequest, InspectRequest, ResampleRequest, ReplayRequest, DifferenceRequest,
+                 BenchRequest, ExperimentRequest, ReproduceRequest, ExportRequest, MergeRequest, StatisticsRequest,
+                 LessonsRequest, CheckRequest, NewRobotRequest, PrintRequest>;
 
 Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The options of `rollout`: what a Q-function does.
+// The options of `rollout` and `robustness`: what a Q-function does.
 #pragma once
 
 #include "app/requests/laboratory_line.h"
@@ -9,11 +9,15 @@ namespace surefoot {
 struct SignalsLine {
   explicit SignalsLine(CLI::App& app);
 
-  CLI::App* rollout;
+  CLI::App *rollout, *robustness;
   RolloutRequest rolloutRequest;
+  RobustnessRequest robustnessRequest;
 
   /// Nothing: none of these commands was given.
   std::optional<Result<Request>> request() const;
+
+ private:
+  void addRobustnessOptions();
 };
 
 }  // namespace surefoot

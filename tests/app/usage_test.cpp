@@ -5,7 +5,7 @@ namespace surefoot {
 
 TEST(Usage, HelpAndVersionEverywhere) {
   for (const char* command : {"", "train", "window", "list", "probabilities", "query", "slice", "inspect", "resample",
-                              "replay", "bench", "rollout", "export"}) {
+                              "replay", "bench", "rollout", "robustness", "export"}) {
     for (const char* option : {"--help", "-h", "--version"}) {
       const Finished run = surefoot(std::string(command) + " " + option);
       EXPECT_EQ(run.code, 0) << command << " " << option;
