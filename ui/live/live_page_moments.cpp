@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of the Live page that goes on from a moment that was lived before.
-#include "core/saved/q_file.h"
 #include "ui/live/live_page.h"
 #include "ui/live/rival.h"
 #include "ui/session/session.h"
@@ -21,7 +20,7 @@ void LivePage::goOn() {
 void LivePage::whatIf(const std::string& agent, const std::string& policy) {
   auto until = session_.looking().momentShown();
   if (!until) return Q_EMIT refused(toText(until.error().message));
-  session_.files().withQ([this, agent, policy, until = std::move(*until)](const auto& file) {
+  session_.files().copyFunction([this, agent, policy, until = std::move(*until)](const auto& file) {
     if (!file) return Q_EMIT refused(toText(file.error().message));
     if (const Status s = session_.life().goOn(until); !s) return Q_EMIT refused(toText(s.error().message));
     session_.looking().backToLive();

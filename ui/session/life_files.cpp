@@ -75,10 +75,15 @@ void LifeFiles::save(SavedAs what, const std::string& path, Then then) {
   });
 }
 
-void LifeFiles::withQ(WithQ then) {
+void LifeFiles::copyFunction(std::function<void(const Function&)> then) {
   life_.visit([this, then = std::move(then), now = life_.configuration()](const Life& life) {
-    auto file = checkedQFile(qFileOf(life, now));
-    calls_.post([then, file = std::move(file)] { then(file); });
+    Function function = Error{"The action values diverged; there is nothing to try."};
+    try {
+      if (!life.diverged()) function = std::make_shared<const TensorFile>(qFileOf(life, now));
+    } catch (const std::bad_alloc&) {
+      function = Error{"There is not enough memory for a copy of the action values; nothing is lost."};
+    }
+    calls_.post([then, function] { then(function); });
   });
 }
 

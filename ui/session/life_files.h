@@ -25,9 +25,9 @@ class LifeFiles final : public QObject {
   void save(SavedAs what, const std::string& path, Then then);
   /// Writes a life that is kept for undo.
   void saveKept(const KeptLife& kept, const std::string& path, Then then);
-  using WithQ = std::function<void(const Result<std::shared_ptr<const TensorFile>>& file)>;
-  /// A copy of what the life has learned up to now, as a file that was never written.
-  void withQ(WithQ then);
+  using Function = Result<std::shared_ptr<const TensorFile>>;
+  /// A copy of what the life that runs has learned, as its file would hold it.
+  void copyFunction(std::function<void(const Function&)> then);
   /// The life's progress when save() wrote it last; nothing if that was another life.
   const std::optional<LifeProgress>& written() const { return written_; }
   /// The progress of the life that save() wrote last, whichever it was.

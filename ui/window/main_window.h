@@ -34,6 +34,7 @@ struct KeptLife;
 class Session;
 class SessionName;
 class PreLearningDialog;
+class RobustnessDialog;
 class StatusLine;
 class WordsDialog;
 struct Preferences;
@@ -95,6 +96,7 @@ class MainWindow final : public QMainWindow {
   void fillWhatIf(QMenu& menu);
   void fillRecent();
   void showPreLearning();
+  void showRobustness();
   void askForSeed();
   void begin(const std::function<Status()>& what);
   void openWithDialog();
@@ -165,6 +167,7 @@ class MainWindow final : public QMainWindow {
   std::vector<QAction*> shortcuts_, liveActions_;
   QMenu *recent_ = nullptr, *ownLayouts_ = nullptr;
   std::map<std::string, QPointer<PreLearningDialog>> preLearning_;  // by environment: each keeps its pool
+  QPointer<RobustnessDialog> robustness_;
   QActionGroup* appearances_ = nullptr;
   Appearance appearance_;
   Autosave* autosave_ = nullptr;

@@ -10,6 +10,7 @@
 #include "ui/controls/fitted_dialog.h"
 #include "ui/controls/message_bar.h"
 #include "ui/live/form/pre_learning_dialog.h"
+#include "ui/robustness/robustness_dialog.h"
 #include "ui/session/session.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
@@ -43,6 +44,16 @@ void MainWindow::showPreLearning() {
   }
   dialog->show();
   dialog->raise();
+}
+
+void MainWindow::showRobustness() {
+  if (robustness_ && robustness_->environment() != session_.life().configuration().names.environment)
+    robustness_->close();  // it asks of another robot
+  if (!robustness_ || !robustness_->isVisible())
+    robustness_ = new RobustnessDialog(session_.life(), session_.files(), this);
+  robustness_->show();
+  robustness_->raise();
+  robustness_->activateWindow();
 }
 
 void MainWindow::showShortcuts() {

@@ -216,7 +216,10 @@ void MainWindow::makeMenus() {
     setPage(0);
     live_->rollOut();
   });
-  for (QAction* action : {compare, preLearn}) liveActions_.push_back(action);
+  QAction* robustness =
+      addAction(run, tr("Rob&ustness …"), tr("How often what was learned falls, over pushes and models"), {});
+  connect(robustness, &QAction::triggered, this, &MainWindow::showRobustness);
+  for (QAction* action : {compare, preLearn, robustness}) liveActions_.push_back(action);
 
   QMenu* experiment = menuBar()->addMenu(tr("E&xperiment"));
   const auto item = [&](const QString& text, const QString& tip, void (ExperimentPage::*slot)()) {

@@ -73,8 +73,8 @@ TEST(Dialogs, PreLearningIsReadableInEveryTask) {
 TEST(Dialogs, AllOthersAreReadable) {
   const UsualLook usual;
   Window w;
-  for (const char* name :
-       {"&Shortcuts", "&About Surefoot", "Pre&ferences …", "Another &seed …", "&Words", "&Keep this one as …"}) {
+  for (const char* name : {"Rob&ustness …", "&Shortcuts", "&About Surefoot", "Pre&ferences …", "Another &seed …",
+                           "&Words", "&Keep this one as …"}) {
     const auto open = [&] { trigger(w, name); };
     ASSERT_NO_FATAL_FAILURE(expectDialogReadable(w, open, QString::fromUtf8(name).remove('&')));
   }
