@@ -13,10 +13,6 @@
 
 namespace surefoot {
 
-namespace {
-constexpr double kJump = 0.05;  // [m]; after a larger move of the tip in one frame the trail starts anew
-}  // namespace
-
 WorldView::WorldView(RunningLife& life, Looking& looking, QWidget* parent)
     : Painted(parent),
       life_(life),
@@ -29,21 +25,19 @@ WorldView::WorldView(RunningLife& life, Looking& looking, QWidget* parent)
 }
 
 void WorldView::fit() {
-  zoom_ = 1.0;
-  pan_ = {};
+  picture_.zoom = 1.0;
+  picture_.pan = {};
   update();
 }
 
 void WorldView::nextFrame() {
   if (!isVisible() || looking_.shown().pose.empty()) return;
-  life_.environment().draw(looking_.shown().pose, scene_);
+  Scene& scene = picture_.scene;
+  life_.environment().draw(looking_.shown().pose, scene);
   measure();
-  const double scale = pixelsPerMetre();
-  if (!reducedMotion() || std::abs(scene_.focus.x - camera_) * scale > width() / 4.0) camera_ = scene_.focus.x;
-  if (!trail_.empty() && std::hypot(trail_.back().x - scene_.tip.x, trail_.back().y - scene_.tip.y) > kJump)
-    trail_.clear();
-  trail_.push_back(scene_.tip);
-  if (trail_.size() > kTrail) trail_.pop_front();
+  if (!reducedMotion() || std::abs(scene.focus.x - picture_.camera) * pixelsPerMetre() > width() / 4.0)
+    picture_.camera = scene.focus.x;
+  picture_.follow(scene.tip);
   update();
 }
 
@@ -54,37 +48,13 @@ void WorldView::setBeside(WorldView* other, const QString& which) {
   update();
 }
 
-double WorldView::pixelsPerMetre() const {
-  const bool both = beside_ && beside_->isVisible() && beside_->fit_ > 0;
-  return (both ? std::min(fit_, beside_->fit_) : fit_) * zoom_;
-}
-
-double WorldView::floorLevel() const {
-  return height() - band_ + pan_.y();
-}
-
-/// The thickness of lines grows with the picture and with the texts.
-double WorldView::strokes() const {
-  constexpr double kUsual = 240;  // height of the drawn scene [px]
-  return textScale() * std::clamp(pixelsPerMetre() / zoom_ * scene_.height / kUsual, 0.4, 1.0);
-}
-
-Point WorldView::toMetres(QPointF at) const {
-  const double scale = pixelsPerMetre();
-  return {camera_ + (at.x() - pan_.x() - width() / 2.0) / scale, (floorLevel() - at.y()) / scale};
-}
-
-QPointF WorldView::toPixel(Point p) const {
-  const double scale = pixelsPerMetre();
-  return {width() / 2.0 + pan_.x() + (p.x - camera_) * scale, floorLevel() - p.y * scale};
-}
-
 void WorldView::wheelEvent(QWheelEvent* event) {
-  const double before = zoom_;
-  zoom_ = std::clamp(zoom_ * std::pow(1.0015, event->angleDelta().y()), 0.3, 6.0);
+  double& zoom = picture_.zoom;
+  const double before = zoom;
+  zoom = std::clamp(zoom * std::pow(1.0015, event->angleDelta().y()), 0.3, 6.0);
   // The point under the cursor stays under it.
-  const QPointF anchor(width() / 2.0, height() - band_), at = mouseAt(*event) - anchor;
-  pan_ = at - (at - pan_) * (zoom_ / before);
+  const QPointF at = mouseAt(*event) - picture_.anchor();
+  picture_.pan = at - (at - picture_.pan) * (zoom / before);
   update();
   event->accept();
 }
@@ -92,22 +62,23 @@ void WorldView::wheelEvent(QWheelEvent* event) {
 /// Near the pole's tip, or where it is thick enough to be taken hold of: within a hand's width of the tip.
 bool WorldView::overBody(QPointF at) const {
   constexpr double kReach = 60;  // [px]
-  const QPointF tip = toPixel(scene_.tip);
+  const QPointF tip = this->tip();
   return std::hypot(at.x() - tip.x(), at.y() - tip.y()) < kReach;
 }
 
 void WorldView::mousePressEvent(QMouseEvent* event) {
-  if (event->button() == Qt::RightButton || event->button() == Qt::MiddleButton) panning_ = mouseAt(*event) - pan_;
+  if (event->button() == Qt::RightButton || event->button() == Qt::MiddleButton)
+    panning_ = mouseAt(*event) - picture_.pan;
   if (event->button() != Qt::LeftButton || !overBody(mouseAt(*event))) return;
   hand_ = mouseAt(*event);
-  looking_.hold(toMetres(*hand_).x);
+  looking_.hold(picture_.toMetres(*hand_).x);
 }
 
 void WorldView::mouseMoveEvent(QMouseEvent* event) {
-  if (panning_) pan_ = mouseAt(*event) - *panning_;
+  if (panning_) picture_.pan = mouseAt(*event) - *panning_;
   if (hand_) {
     hand_ = mouseAt(*event);
-    looking_.hold(toMetres(*hand_).x);
+    looking_.hold(picture_.toMetres(*hand_).x);
   }
   setCursor(hand_ ? Qt::ClosedHandCursor : overBody(mouseAt(*event)) ? Qt::OpenHandCursor : Qt::ArrowCursor);
   update();
