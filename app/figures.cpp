@@ -1,27 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/reports/figures.h"
 
-#include <QApplication>
-
+#include "app/headless_qt.h"
 #include "ui/experiment/figures/figure_view.h"
 #include "ui/lessons/handout.h"
-#include "ui/style/theme.h"
 
 namespace surefoot {
 
-struct FigureDrawer::Application {
-  int argc = 1;
-  char name[9] = "surefoot";
-  char* argv[2] = {name, nullptr};
-  QApplication qt{argc, argv};
-};
+struct FigureDrawer::Application : HeadlessQt {};
 
-FigureDrawer::FigureDrawer() {
-  qputenv("QT_QPA_PLATFORM", "offscreen");
-  qInstallMessageHandler([](QtMsgType, const QMessageLogContext&, const QString&) {});  // no remarks on the platform
-  application_ = std::make_unique<Application>();
-  applyAppearance(application_->qt, Appearance::Light);
-}
+FigureDrawer::FigureDrawer() : application_(std::make_unique<Application>()) {}
 FigureDrawer::~FigureDrawer() = default;
 
 bool FigureDrawer::canDraw() {

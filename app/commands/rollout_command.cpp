@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/commands.h"
+#include "app/commands/rollout_film.h"
 #include "app/commands/stored_function.h"
 #include "app/process/exit_code.h"
 #include "app/process/interrupt.h"
@@ -14,6 +15,7 @@
 #include "app/requests/requests.h"
 #include "core/basics/hash64.h"
 #include "core/basics/typed_json.h"
+#include "core/environment_library.h"
 #include "core/files/whole_file.h"
 #include "core/signals/npz.h"
 #include "core/signals/rollout.h"
@@ -187,7 +189,7 @@ int rolloutCommand(const Registry& registry, const RolloutRequest& request) {
   if (const Status s = (*policy)->caution().check(usableBy(f->values(), task.handMade, true)); !s)
     return fail(s.error());
   (*policy)->advance({});
-  const auto settings = settingsOf(request, c, **environment);
+  auto settings = settingsOf(request, c, **environment);
   if (!settings) return fail(settings.error());
 
   std::optional<WholeFile> csv, npz;  // claimed before anything is lived
@@ -197,10 +199,14 @@ int rolloutCommand(const Registry& registry, const RolloutRequest& request) {
     if (!created) return fail(created.error());
     file->emplace(std::move(*created));
   }
+  const auto film = RolloutFilm::prepare(request, **environment, *settings);
+  if (!film) return fail(film.error());
   const std::atomic<bool>& interrupted = watchForInterrupt();
   const Rollout rollout = rollOut(**environment, f->values(), **policy, *settings, &interrupted);
   if (interrupted) return fail({"interrupted; nothing is written.", ErrorKind::Interrupted});
   if (!rollout.stopped.empty()) return fail({rollout.stopped, ErrorKind::Unanswered});
+  if (*film)
+    if (const Status s = (*film)->make(rollout.steps); !s) return fail(s.error());
   if (csv)
     if (const Status s = csv->commit(rollout.table.asCsv()); !s) return fail(s.error());
   if (npz) {

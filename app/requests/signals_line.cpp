@@ -24,6 +24,12 @@ SignalsLine::SignalsLine(CLI::App& app)
       ->take_all();
   addOption(*rollout, "--csv", r.csv, "write a row a step to this file, which must not exist yet", "FILE.csv");
   addOption(*rollout, "--npz", r.npz, "write an array a signal to this file for numpy.load", "FILE.npz");
+  addOption(*rollout, "--film", r.film,
+            "film it, 30 pictures a second of simulated time: .webp, or with the program ffmpeg .gif, .apng, .mp4, "
+            ".webm",
+            "FILE.webp");
+  addOption(*rollout, "--size", r.size, "width and height of the film in pixels [960x540]", "WxH");
+  addOption(*rollout, "--appearance", r.appearance, "of the film: light or dark [light]", "NAME");
   rollout->add_flag("--json", r.json, "print the result as one JSON object");
   addRobustnessOptions();
 }

@@ -165,6 +165,10 @@ bool WholeFile::giveName() const {
   return false;
 }
 
+std::string WholeFile::openName() const {
+  return temporary_.empty() ? fmt::format("/proc/{}/fd/{}", getpid(), descriptor_) : temporary_;
+}
+
 Status WholeFile::append(std::string_view content) {
   while (!content.empty()) {
     const ssize_t written = write(descriptor_, content.data(), content.size());

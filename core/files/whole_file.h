@@ -24,6 +24,8 @@ class WholeFile {
   /// Without commit() nothing is left behind.
   ~WholeFile();
 
+  /// A name under which another program can open the file to write the content, until commit().
+  std::string openName() const;
   /// Writes a part of the content, where all of it at once would be too much.
   Status append(std::string_view content);
   /// Writes the rest and gives the file its name. Call once.

@@ -43,6 +43,7 @@ Rollout rollOut(Environment& environment, const ActionValueFunction& values, con
       const std::vector<double>& start = as ? as->start : settings.start;
       if (rollout.episodes == 0 && !start.empty()) environment.place(start);
       ++rollout.episodes;
+      if (settings.look) settings.look(static_cast<double>(rollout.steps) * stepTime, false);
     }
     const double time = static_cast<double>(rollout.steps) * stepTime;
     here.evaluate(values, environment.state());
@@ -67,6 +68,7 @@ Rollout rollOut(Environment& environment, const ActionValueFunction& values, con
       break;
     }
     ++rollout.steps;
+    if (settings.look) settings.look(static_cast<double>(rollout.steps) * stepTime, outcome.event == Event::Fall);
     rollout.reward += outcome.reward;
     rollout.falls += outcome.event == Event::Fall;
     rollout.successes += outcome.event == Event::Success;

@@ -36,6 +36,8 @@ struct RolloutSettings {
   /// The first episode begins as this one did: its random numbers, its start, its pushes. nullptr: as said above.
   const EpisodeInputs* as = nullptr;
   SeeMoment see{};
+  /// Sees the world after every reset and every step, with the time [s, or steps without a clock]; `fell`: by the step.
+  std::function<void(double time, bool fell)> look{};
 };
 
 struct Rollout {

@@ -8,6 +8,7 @@
 #include "ui/lessons/questions/option_button.h"
 #include "ui/lessons/writing/lesson_editor.h"
 #include "ui/style/scale.h"
+#include "ui/style/theme.h"
 
 namespace surefoot {
 
