@@ -57,6 +57,8 @@ class Looking final : public QObject {
   void stepOnce();
   /// The playback that is shown, if any; the learner goes on meanwhile.
   const Playback* playback() const { return playback_ ? &*playback_ : nullptr; }
+  /// The last minutes that the window has shown, for a film.
+  Footage recorded() const { return recording_.footage(); }
   void seek(double position);
   /// Plays it (from the beginning if it is at its end), or stops it.
   void play(bool on);

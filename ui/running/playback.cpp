@@ -13,13 +13,24 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kSeconds = 3.0;   // played before a fall
-constexpr double kLongest = 60.0;  // kept before a fall [s]
-constexpr double kSlow = 0.5;      // share of real time
-constexpr double kNoClock = 0.05;  // time of a step in a task without a clock [s]
+constexpr double kSeconds = 3.0;    // played before a fall
+constexpr double kLongest = 60.0;   // kept before a fall [s]
+constexpr double kSlow = 0.5;       // share of real time
+constexpr double kFallShown = 0.2;  // of the fallen body, in a film [s]
+
+/// The poses of frames alone.
+template <class Frames>
+Footage posesOf(const Frames& frames, double rate) {
+  Footage footage{.poses = {}, .falls = {}, .rate = rate};
+  for (const Shown& frame : frames) {
+    footage.poses.push_back(frame.pose);
+    footage.falls.push_back(frame.flash);
+  }
+  return footage;
+}
 
 double stepTimeOf(const Environment& world) {
-  return world.task().stepTime.value_or(kNoClock);
+  return world.task().stepTime.value_or(kUnclockedStep);
 }
 
 /// A world with the parameters of then; nullptr: there is none, or it takes its time.
@@ -91,6 +102,7 @@ Playback playbackOf(const Fall& fall, const Registry& registry, const Configurat
   }
   const double last = static_cast<double>(playback.frames.size()) - 1.0;
   playback.position = playback.begin = std::max(0.0, last - std::floor(kSeconds / step) + 1.0);
+  playback.realRate = 1.0 / step;
   playback.rate = playback.usualRate = kSlow / step;
   return playback;
 }
@@ -121,7 +133,7 @@ Playback rolloutOf(const Registry& registry, const Configuration& configuration,
     start.inputs.actions.push_back(static_cast<std::uint16_t>(action[row]));
   playback.start = std::make_shared<const Fall>(std::move(start));
   playback.title = QObject::tr("roll-out, greedy, seed %1").arg(seed);
-  playback.rate = playback.usualRate = 1.0 / step;
+  playback.rate = playback.usualRate = playback.realRate = 1.0 / step;
   return playback;
 }
 
@@ -138,6 +150,15 @@ SignalTable besideOf(const Playback& playback, const Registry& registry, const C
   return table;
 }
 
+Footage footageOf(const Playback& playback) {
+  Footage footage = posesOf(playback.frames, playback.realRate);
+  if (footage.falls.empty() || !footage.falls.back()) return footage;
+  const auto more = static_cast<std::size_t>(kFallShown * playback.realRate);
+  footage.poses.insert(footage.poses.end(), more, std::vector<double>(footage.poses.back()));
+  footage.falls.insert(footage.falls.end(), more, 1);
+  return footage;
+}
+
 void Recording::add(const Shown& frame) {
   frames_.push_back(frame);
   const std::size_t bytes =
@@ -152,6 +173,10 @@ Playback Recording::playback() const {
   p.position = p.frames.empty() ? 0.0 : static_cast<double>(p.frames.size()) - 1.0;
   p.title = QObject::tr("the last minutes");
   return p;
+}
+
+Footage Recording::footage() const {
+  return posesOf(frames_, Playback().realRate);
 }
 
 }  // namespace surefoot

@@ -11,6 +11,7 @@
 #include "core/action_value.h"
 #include "core/experiment/configuration.h"
 #include "core/life/fall.h"
+#include "core/signals/footage.h"
 #include "core/signals/rollout.h"
 
 namespace surefoot {
@@ -32,6 +33,7 @@ struct Playback {
   double begin = 0.0;     ///< where it plays from
   double rate = 0.0;      ///< frames per second; 0: stopped
   double usualRate = 60;  ///< frames per second while it plays
+  double realRate = 60;   ///< frames per second of the world's own time, or of the window's where it is live
   QString title;
   std::shared_ptr<const ActionValueFunction> values;  ///< the values at that time; nullptr: the present ones are shown
   SignalTable signals{};                              ///< the signals of its frames
@@ -57,6 +59,9 @@ Playback rolloutOf(const Registry& registry, const Configuration& configuration,
 SignalTable besideOf(const Playback& playback, const Registry& registry, const Configuration& configuration,
                      const ActionValueFunction& values);
 
+/// What a film shows of it. A fall at its end is seen for a moment longer.
+Footage footageOf(const Playback& playback);
+
 /// The last frames that the window has shown, up to kMostFrames and kMostBytes.
 class Recording {
  public:
@@ -67,6 +72,8 @@ class Recording {
   void clear() { frames_.clear(); }
   std::size_t size() const { return frames_.size(); }
   Playback playback() const;
+  /// What a film shows of them.
+  Footage footage() const;
 
  private:
   std::deque<Shown> frames_;

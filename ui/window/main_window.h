@@ -22,6 +22,7 @@ class QUndoGroup;
 namespace surefoot {
 
 class Autosave;
+class FilmDialog;
 class ExperimentPage;
 class LifeFollower;
 class LinkButton;
@@ -97,6 +98,7 @@ class MainWindow final : public QMainWindow {
   void fillRecent();
   void showPreLearning();
   void showRobustness();
+  void showFilm();
   void askForSeed();
   void begin(const std::function<Status()>& what);
   void openWithDialog();
@@ -172,6 +174,7 @@ class MainWindow final : public QMainWindow {
   Appearance appearance_;
   Autosave* autosave_ = nullptr;
   QPointer<WordsDialog> words_;
+  QPointer<FilmDialog> film_;
   SessionName* name_ = nullptr;
   QString troubleShown_;
   std::int64_t unansweredTries_ = 0;  ///< that were told

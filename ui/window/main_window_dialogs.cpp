@@ -15,6 +15,7 @@
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
+#include "ui/window/film_dialog.h"
 #include "ui/window/main_window.h"
 #include "ui/window/words_dialog.h"
 
@@ -54,6 +55,14 @@ void MainWindow::showRobustness() {
   robustness_->show();
   robustness_->raise();
   robustness_->activateWindow();
+}
+
+void MainWindow::showFilm() {
+  if (film_ && film_->busy()) return film_->raise(), film_->activateWindow();
+  delete film_;
+  film_ = new FilmDialog(session_.life(), session_.looking(), this);
+  connect(film_, &FilmDialog::made, messages_, &MessageBar::tell);
+  film_->show();
 }
 
 void MainWindow::showShortcuts() {

@@ -65,7 +65,9 @@ void MainWindow::makeViewMenu() {
   connect(ownLayouts_, &QMenu::aboutToShow, this, &MainWindow::fillLayouts);
   QAction* fit = addAction(view, tr("&Fit the world"), tr("The zoom that shows the whole world"), Qt::Key_Home);
   connect(fit, &QAction::triggered, this, [this] { live_->world().fit(); });
-  liveActions_.push_back(fit);
+  QAction* film = addAction(view, tr("Fil&m …"), tr("The last minutes, or a replay, as a film"), {});
+  connect(film, &QAction::triggered, this, &MainWindow::showFilm);
+  for (QAction* action : {fit, film}) liveActions_.push_back(action);
   view->addSeparator();
   appearances_ = new QActionGroup(this);
   for (const auto& [text, appearance] :

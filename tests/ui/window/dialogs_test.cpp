@@ -74,7 +74,7 @@ TEST(Dialogs, AllOthersAreReadable) {
   const UsualLook usual;
   Window w;
   for (const char* name : {"Rob&ustness …", "&Shortcuts", "&About Surefoot", "Pre&ferences …", "Another &seed …",
-                           "&Words", "&Keep this one as …"}) {
+                           "&Words", "&Keep this one as …", "Fil&m …"}) {
     const auto open = [&] { trigger(w, name); };
     ASSERT_NO_FATAL_FAILURE(expectDialogReadable(w, open, QString::fromUtf8(name).remove('&')));
   }
