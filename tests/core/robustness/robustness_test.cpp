@@ -154,7 +154,7 @@ TEST(Trial, IsTheRollOutOfItsSeed) {
     const auto moment = static_cast<std::size_t>(momentOf(trial));
     const Rollout r = rollOut(**environment, f.values(), Greedy(),
                               {.seed = seed, .steps = 2400, .pushes = {{static_cast<double>(moment) * 0.005, 0.1}}});
-    const auto &fall = *r.column("fall"), &ended = *r.column("end");
+    const auto &fall = *r.table.column("fall"), &ended = *r.table.column("end");
     std::size_t row = moment;
     while (row + 1 < ended.size() && ended[row] == 0.0) ++row;
     EXPECT_EQ(*end == TrialEnd::Fell, fall[row] != 0.0) << seed;
