@@ -9,11 +9,11 @@ FilmMaker::FilmMaker(std::unique_ptr<Claimed> claimed) : claimed_(std::move(clai
 FilmMaker::FilmMaker(FilmMaker&&) noexcept = default;
 FilmMaker::~FilmMaker() = default;
 
-Result<FilmMaker> FilmMaker::claim(const FilmOptions&, std::int64_t) {
+Result<FilmMaker> FilmMaker::claim(const FilmOptions&, std::int64_t, const std::vector<Signal>&) {
   return Error{"--film: this program was built without its window (SUREFOOT_UI=OFF), which paints films."};
 }
 
-Status FilmMaker::make(std::shared_ptr<const Environment>, Footage, const std::atomic<bool>&,
+Status FilmMaker::make(std::shared_ptr<const Environment>, Footage, const SignalTable&, const std::atomic<bool>&,
                        const std::function<void(std::int64_t frames)>&) {
   return Done{};
 }

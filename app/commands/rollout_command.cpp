@@ -199,14 +199,14 @@ int rolloutCommand(const Registry& registry, const RolloutRequest& request) {
     if (!created) return fail(created.error());
     file->emplace(std::move(*created));
   }
-  const auto film = RolloutFilm::prepare(request, **environment, *settings);
+  const auto film = RolloutFilm::prepare(request, **environment, f->values().hasRisk(), *settings);
   if (!film) return fail(film.error());
   const std::atomic<bool>& interrupted = watchForInterrupt();
   const Rollout rollout = rollOut(**environment, f->values(), **policy, *settings, &interrupted);
   if (interrupted) return fail({"interrupted; nothing is written.", ErrorKind::Interrupted});
   if (!rollout.stopped.empty()) return fail({rollout.stopped, ErrorKind::Unanswered});
   if (*film)
-    if (const Status s = (*film)->make(rollout.steps); !s) return fail(s.error());
+    if (const Status s = (*film)->make(rollout); !s) return fail(s.error());
   if (csv)
     if (const Status s = csv->commit(rollout.table.asCsv()); !s) return fail(s.error());
   if (npz) {

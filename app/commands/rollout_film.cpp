@@ -18,9 +18,10 @@ RolloutFilm::RolloutFilm(FilmMaker maker, const Environment& environment)
       step_(environment.task().stepTime.value_or(kUnclockedStep)) {}
 
 Result<std::unique_ptr<RolloutFilm>> RolloutFilm::prepare(const RolloutRequest& r, const Environment& environment,
-                                                          RolloutSettings& settings) {
+                                                          bool hasRisk, RolloutSettings& settings) {
   if (!r.film) {
-    for (const auto& [option, value] : {std::pair{"--size", &r.size}, {"--appearance", &r.appearance}})
+    for (const auto& [option, value] :
+         {std::pair{"--size", &r.size}, {"--appearance", &r.appearance}, {"--strips", &r.strips}})
       if (*value) return Error{fmt::format("{}: it says how a film looks; give --film, too.", option)};
     return std::unique_ptr<RolloutFilm>();
   }
@@ -28,8 +29,9 @@ Result<std::unique_ptr<RolloutFilm>> RolloutFilm::prepare(const RolloutRequest& 
   const std::optional<double> clock = environment.task().stepTime;
   const double step = clock.value_or(kUnclockedStep);
   const bool known = r.seconds || !settings.episodes;  // how long it takes; else the episodes decide
-  auto maker = FilmMaker::claim({*r.film, r.size, r.appearance},
-                                known ? filmFrames(static_cast<double>(settings.steps) * step) : 1);
+  auto maker = FilmMaker::claim({*r.film, r.size, r.appearance, r.strips},
+                                known ? filmFrames(static_cast<double>(settings.steps) * step) : 1,
+                                signalsOf(environment, hasRisk));
   if (!maker) return maker.error();
   const double longest = static_cast<double>(kMostFilmFrames) / kFilmRate;
   if (!known) settings.steps = std::min<std::int64_t>(settings.steps, std::llround(longest / step) + 1);
@@ -40,8 +42,8 @@ Result<std::unique_ptr<RolloutFilm>> RolloutFilm::prepare(const RolloutRequest& 
   return film;
 }
 
-Status RolloutFilm::make(std::int64_t steps) {
-  const double seconds = static_cast<double>(steps) * step_;
+Status RolloutFilm::make(const Rollout& rollout) {
+  const double seconds = static_cast<double>(rollout.steps) * step_;
   if (filmFrames(seconds) > kMostFilmFrames)
     return Error{fmt::format("--film: the episodes last longer than the {:.0f} s that a film may have; take fewer.",
                              static_cast<double>(kMostFilmFrames) / kFilmRate)};
@@ -50,7 +52,7 @@ Status RolloutFilm::make(std::int64_t steps) {
   std::optional<ProgressLine> line;
   if (isatty(STDERR_FILENO)) line.emplace();
   const std::shared_ptr<const Environment> painted(std::shared_ptr<void>(), &environment_);  // it is not ours to end
-  return maker_.make(painted, std::move(footage), watchForInterrupt(), [&](std::int64_t done) {
+  return maker_.make(painted, std::move(footage), rollout.table, watchForInterrupt(), [&](std::int64_t done) {
     if (line && (done % 8 == 0 || done == frames))
       line->show(static_cast<double>(done) / static_cast<double>(frames),
                  fmt::format("film: {} of {} pictures", done, frames));

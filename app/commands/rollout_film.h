@@ -13,9 +13,9 @@ class RolloutFilm {
   /// Checks what is asked for and claims the file; `settings` look at the environment for it from now on. nullptr: no
   /// film is asked for.
   static Result<std::unique_ptr<RolloutFilm>> prepare(const RolloutRequest& request, const Environment& environment,
-                                                      RolloutSettings& settings);
-  /// After so many steps; with a line of progress on a terminal.
-  Status make(std::int64_t steps);
+                                                      bool hasRisk, RolloutSettings& settings);
+  /// After the roll-out; with a line of progress on a terminal.
+  Status make(const Rollout& rollout);
 
  private:
   RolloutFilm(FilmMaker maker, const Environment& environment);

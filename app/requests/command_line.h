@@ -68,7 +68,7 @@ struct RolloutRequest {
   std::string policy = "greedy";
   std::vector<std::string> assignments, pushes;
   std::optional<std::string> csv, npz;
-  std::optional<std::string> film, size, appearance;
+  std::optional<std::string> film, size, appearance, strips;
   bool json = false;
 };
 

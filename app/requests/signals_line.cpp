@@ -29,6 +29,8 @@ SignalsLine::SignalsLine(CLI::App& app)
             ".webm",
             "FILE.webp");
   addOption(*rollout, "--size", r.size, "width and height of the film in pixels [960x540]", "WxH");
+  addOption(*rollout, "--strips", r.strips,
+            "signals below the film: keys with , between strips and + between signals of one; or usual", "KEYS");
   addOption(*rollout, "--appearance", r.appearance, "of the film: light or dark [light]", "NAME");
   rollout->add_flag("--json", r.json, "print the result as one JSON object");
   addRobustnessOptions();

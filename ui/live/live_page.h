@@ -50,6 +50,7 @@ class LivePage final : public QMainWindow {
  Q_SIGNALS:
   void refused(const QString& sentence);
   void told(const QString& sentence);
+  void filmAsked();
   void comparingAsked();  ///< a second learner is wanted beside the first
   /// A changed parameter of the second learner needs a new table.
   void newTableAsked(const QString& sentence, const std::function<void()>& startAgain);

@@ -33,6 +33,7 @@ void LivePage::makeSignals() {
   auto* bar = signalsBar_ = new SignalsBar(session_.life(), session_.looking(), *shown);
   signals_->header().addWidget(bar);
   connect(bar, &SignalsBar::refused, this, &LivePage::refused);
+  connect(bar, &SignalsBar::filmAsked, this, &LivePage::filmAsked);
   connect(bar, &SignalsBar::exportAsked, menu, &ViewMenu::exportAs);
   const auto note = [this, bar] { signals_->header().setNote(bar->note()); };
   connect(shown, &SignalsShown::changed, this, note);

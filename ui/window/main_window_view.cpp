@@ -67,6 +67,7 @@ void MainWindow::makeViewMenu() {
   connect(fit, &QAction::triggered, this, [this] { live_->world().fit(); });
   QAction* film = addAction(view, tr("Fil&m …"), tr("The last minutes, or a replay, as a film"), {});
   connect(film, &QAction::triggered, this, &MainWindow::showFilm);
+  connect(live_, &LivePage::filmAsked, this, &MainWindow::showFilm);
   for (QAction* action : {fit, film}) liveActions_.push_back(action);
   view->addSeparator();
   appearances_ = new QActionGroup(this);

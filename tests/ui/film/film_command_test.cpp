@@ -35,6 +35,24 @@ TEST(FilmCommand, FilmsWithoutADisplayAndChangesNoNumber) {
   EXPECT_EQ(decodedWebp(learner.file("dark.webp")).pictures.at(0).pixelColor(0, 0), darkTheme().paper);
 }
 
+TEST(FilmCommand, StripsOfSignalsStandBelow) {
+  const Learner learner;
+  const std::string with = learner.file("with.webp"), without = learner.file("without.webp");
+  run(learner.rollout("--seconds 1 --size 480x270 --strips pole_angle,reward_goal+reward_time --film " + with));
+  run(learner.rollout("--seconds 1 --size 480x270 --film " + without));
+  const Decoded a = decodedWebp(with), b = decodedWebp(without);
+  ASSERT_FALSE(a.pictures.empty());
+  EXPECT_EQ(a.pictures[0].size(), QSize(480, 270));
+  EXPECT_EQ(a.pictures[0].pixelColor(2, 268), lightTheme().panel) << "the strips' ground";
+  EXPECT_NE(b.pictures[0].pixelColor(2, 268), lightTheme().panel);
+  EXPECT_NE(a.pictures.front(), a.pictures.back()) << "the cursor goes along";
+  run(learner.rollout("--seconds 1 --size 480x270 --strips usual --film " + learner.file("usual.webp")));
+  const std::string film = "--seconds 1 --film " + learner.file("no.webp") + " ";
+  expectRefusal(learner.rollout(film + "--strips pole_angel"), 2, {"--strips", "pole_angel"});
+  expectRefusal(learner.rollout(film + "--strips ,"), 2, {"--strips", "pole_angle"});
+  expectRefusal(learner.rollout("--strips reward"), 2, {"--strips", "--film"});
+}
+
 TEST(FilmCommand, FilmsTasksWithoutAClockAtTwentyStepsASecond) {
   const Learner learner("--environment cliff --features table --episodes 300");
   const std::string film = learner.file("a.webp");

@@ -41,6 +41,7 @@ SignalsBar::SignalsBar(RunningLife& life, Looking& looking, SignalsShown& shown,
   signals_ = button(tr("Choose …"), tr("Which signals are shown, and in which order"));
   rollOut_ = button(tr("Roll out 25 s"), tr("What the greedy policy does in 25 s from a new start, learning nothing"));
   second_ = button(tr("Second Q"), tr("Another Q-function beside this one, from the same start with the same pushes"));
+  film_ = button(tr("Film …"), tr("A film of the replay, or of the last minutes"));
   export_ = button(tr("Export"), tr("The signals that are shown, as a picture or as numbers"));
   all_ = button(tr("Signals"), tr("What can be done with the signals"));
   const auto menuOf = [this](LinkButton* link, void (SignalsBar::*fill)(QMenu&)) {
@@ -57,6 +58,7 @@ SignalsBar::SignalsBar(RunningLife& life, Looking& looking, SignalsShown& shown,
   menuOf(all_, &SignalsBar::fillAll);
   connect(signals_, &QToolButton::clicked, this, &SignalsBar::choose);
   connect(rollOut_, &QToolButton::clicked, this, &SignalsBar::rollOut);
+  connect(film_, &QToolButton::clicked, this, &SignalsBar::filmAsked);
   connect(&looking_, &Looking::signalsReplaced, this, &SignalsBar::refresh);
   connect(&reading_, &Background::failed, this, &SignalsBar::refused);
   all_->hide();
@@ -68,7 +70,7 @@ void SignalsBar::choose() {
 }
 
 void SignalsBar::fold(int room) {
-  const std::initializer_list<LinkButton*> parts{signals_, rollOut_, second_, export_};
+  const std::initializer_list<LinkButton*> parts{signals_, rollOut_, second_, film_, export_};
   int needed = -2;
   for (const LinkButton* part : parts) needed += part->sizeHint().width() + 2;
   const bool folded = needed > room;
@@ -157,6 +159,7 @@ void SignalsBar::fillAll(QMenu& menu) {
   connect(menu.addAction(tr("&Choose signals …")), &QAction::triggered, this, &SignalsBar::choose);
   connect(menu.addAction(tr("&Roll out 25 s")), &QAction::triggered, this, &SignalsBar::rollOut);
   fillSecond(*menu.addMenu(tr("&Second Q-function")));
+  connect(menu.addAction(tr("&Film …")), &QAction::triggered, this, &SignalsBar::filmAsked);
   fillExport(*menu.addMenu(tr("&Export")));
 }
 

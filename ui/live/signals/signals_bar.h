@@ -34,6 +34,7 @@ class SignalsBar final : public QWidget, public Folding {
  Q_SIGNALS:
   void refused(const QString& sentence);
   void exportAsked(const QString& ending);
+  void filmAsked();
 
  private:
   void fillSecond(QMenu& menu);
@@ -47,7 +48,7 @@ class SignalsBar final : public QWidget, public Folding {
   Looking& looking_;
   SignalsShown& shown_;
   SignalChooser* chooser_;
-  LinkButton *signals_, *rollOut_, *second_, *export_, *all_;
+  LinkButton *signals_, *rollOut_, *second_, *film_, *export_, *all_;
   Background reading_;
 };
 
