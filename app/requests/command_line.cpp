@@ -34,6 +34,10 @@ void addTrainOptions(CLI::App& app, TrainOptions& o) {
   choice("--features", o.names.features, "representation of the state", usual.features);
   choice("--policy", o.names.policy, "action-selection rule", usual.policy);
   addAssignments(app, o.assignments, "a parameter, e.g. policy.temperature=1; may be repeated");
+  app.add_option_function<std::string>(
+         "--rewind", [&o](const std::string& steps) { o.assignments.push_back("life.rewind=" + steps); },
+         "after a fall go back so many steps and live on, for simulations (life.rewind)")
+      ->type_name("N");
   addOption(app, "--seed", o.seed, "master seed, 0 to 18446744073709551615 [1]", "N");
   addOption(app, "--minutes", o.minutes, "length of a life in simulated minutes", "T");
   addOption(app, "--episodes", o.episodes, "length of a life in episodes; whichever comes first ends it", "N");

@@ -43,6 +43,12 @@ std::vector<Signal> signalsOf(const Environment& environment, bool hasRisk) {
   return all;
 }
 
+bool comesAfterAGap(const SignalTable& table, std::size_t row) {
+  if (row == 0) return false;
+  const std::vector<double>& time = table.columns()[0];
+  return time[row] - time[row - 1] > 1.5 * table.stepTime();
+}
+
 std::size_t signalAt(const std::vector<Signal>& signals, std::string_view key) {
   const auto named = [&](const Signal& s) { return s.key == key; };
   return static_cast<std::size_t>(std::find_if(signals.begin(), signals.end(), named) - signals.begin());

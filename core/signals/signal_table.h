@@ -58,6 +58,8 @@ class SignalTable {
   const std::vector<double>* column(std::string_view key) const;
   /// One row a line, keys in the first; what is not known is empty.
   std::string asCsv() const;
+  /// Between two rows [s], or 1 step.
+  double stepTime() const { return task_.stepTime.value_or(1.0); }
 
  private:
   double& last(std::size_t column, std::size_t back = 0) { return *(columns_[column].end() - 1 - back); }
@@ -68,6 +70,9 @@ class SignalTable {
   std::vector<double> own_{};
   std::size_t q_ = 0, reward_ = 0, end_ = 0, delta_ = 0;  ///< columns
 };
+
+/// Whether rows are missing before this one: more time has passed than a step takes. False for the first row.
+bool comesAfterAGap(const SignalTable& table, std::size_t row);
 
 /// The place of a signal by its key; signals.size(): there is none.
 std::size_t signalAt(const std::vector<Signal>& signals, std::string_view key);

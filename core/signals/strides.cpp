@@ -81,7 +81,7 @@ std::vector<Stride> stridesOf(const SignalTable& table) {
   std::optional<std::size_t> began;
   bool other = false;  // the right foot has touched down since
   for (std::size_t row = 1; row < left.size(); ++row) {
-    if (episode[row] != episode[row - 1]) {
+    if (episode[row] != episode[row - 1] || comesAfterAGap(table, row)) {
       began.reset();
       continue;
     }

@@ -31,7 +31,8 @@ Foot footOf(const Signal& signal);
 /// The rows in which a foot is on the floor, 0 or 1 each; empty: it has no contact.
 std::vector<char> footDown(const SignalTable& table, Foot foot);
 
-/// Empty: it does not walk, or has no feet. Strides do not reach over the end of an episode.
+/// Empty: it does not walk, or has no feet. Strides do not reach over the end of an episode, or over
+/// rows that are missing.
 std::vector<Stride> stridesOf(const SignalTable& table);
 
 /// A mean, and the standard deviation (of n − 1).

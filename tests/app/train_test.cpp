@@ -59,7 +59,7 @@ TEST(Train, RewindsAreCountedApart) {
     const Json life = train("--lives 2 --episodes 40 --log " + log + options)["lives"][1];
     return std::pair{life, contentOf(log)};
   };
-  const auto [life, log] = rows("rewound.csv", " --set life.rewind=20 --set life.rewinds=2");
+  const auto [life, log] = rows("rewound.csv", " --rewind 20 --set life.rewinds=2");
   EXPECT_GT(life["rewinds"], 0);
   EXPECT_LT(life["falls"].get<int>() + life["successes"].get<int>(), 41);
   EXPECT_EQ(log.substr(0, log.find('\n')),
@@ -72,6 +72,7 @@ TEST(Train, RewindsAreCountedApart) {
   const auto [plain, plainLog] = rows("plain.csv", "");
   EXPECT_FALSE(plain.contains("rewinds"));
   EXPECT_EQ(plainLog.find("rewinds"), std::string::npos);
+  expectRefusal("train --episodes 1 --rewind -1", 2, {"life.rewind", "-1"});
   expectRefusal("train --episodes 1 --set life.rewinds=2", 2,
                 {"life.rewinds: it has no effect while life.rewind is 0"});
 }

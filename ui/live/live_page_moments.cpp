@@ -12,7 +12,7 @@ void LivePage::goOn() {
   if (!until) return Q_EMIT refused(toText(until.error().message));
   const auto steps = until->actions.size();
   if (const Status s = session_.life().goOn(std::move(*until)); !s) return Q_EMIT refused(toText(s.error().message));
-  session_.looking().backToLive();
+  session_.looking().wentOn();
   Q_EMIT told(
       tr("The learner goes on %1 steps into that episode, with what it knows now; the journal says so.").arg(steps));
 }
@@ -22,10 +22,12 @@ void LivePage::whatIf(const std::string& agent, const std::string& policy) {
   if (!until) return Q_EMIT refused(toText(until.error().message));
   session_.files().copyFunction([this, agent, policy, until = std::move(*until)](const auto& file) {
     if (!file) return Q_EMIT refused(toText(file.error().message));
-    if (const Status s = session_.life().goOn(until); !s) return Q_EMIT refused(toText(s.error().message));
-    session_.looking().backToLive();
     Q_EMIT comparingAsked();
-    if (rival_) rival_->startIn(*file, until, agent, policy);
+    if (!rival_) return;
+    rival_->startIn(*file, until, agent, policy, [this, until] {
+      if (const Status s = session_.life().goOn(until); !s) return Q_EMIT refused(toText(s.error().message));
+      session_.looking().wentOn();
+    });
   });
 }
 

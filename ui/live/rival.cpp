@@ -107,8 +107,6 @@ void Rival::startAgain() {
     begin_ = began_;
     return Q_EMIT refused(toText(s.error().message));
   }
-  if (const auto until = std::exchange(begin_.until, std::nullopt))
-    if (const Status s = session_->life().goOn(*until); !s) Q_EMIT refused(toText(s.error().message));
   follow();
   if (begin_.start == Start::Same && empty && !began.isEmpty())
     Q_EMIT told(tr("The second cannot have the same start (%1): its tables differ. It begins empty.").arg(began));
@@ -134,6 +132,8 @@ void Rival::firstReplaced() {
 }
 
 void Rival::secondReplaced() {
+  if (const auto until = std::exchange(begin_.until, std::nullopt))  // large tables take their time to be made
+    if (const Status s = session_->life().goOn(*until); !s) Q_EMIT refused(toText(s.error().message));
   keptBeside_ = std::exchange(ranBeside_, lineage_);
   began_ = begin_;
 }
@@ -191,12 +191,14 @@ void Rival::setStart(Start start) {
 }
 
 void Rival::startIn(std::shared_ptr<const TensorFile> file, EpisodeInputs until, const std::string& agent,
-                    const std::string& policy) {
-  askToStartAgain(tr("What if"), [this, file = std::move(file), until = std::move(until), agent, policy] {
-    agent_ = agent;
-    policy_ = policy;
-    begin_ = {Start::File, file, until};
-  });
+                    const std::string& policy, std::function<void()> begin) {
+  askToStartAgain(tr("What if"),
+                  [this, file = std::move(file), until = std::move(until), agent, policy, begin = std::move(begin)] {
+                    begin();
+                    agent_ = agent;
+                    policy_ = policy;
+                    begin_ = {Start::File, file, until};
+                  });
 }
 
 void Rival::startWith(const QString& path) {

@@ -41,8 +41,9 @@ class Rival final : public QWidget {
   void choose(const std::string& agent, const std::string& policy);
   void setStart(Start start);
   /// Starts with this Q-function, learning and acting so, in the middle of an episode as it stood after these inputs.
+  /// `begin` is called when nothing is in the way, before it.
   void startIn(std::shared_ptr<const TensorFile> file, EpisodeInputs until, const std::string& agent,
-               const std::string& policy);
+               const std::string& policy, std::function<void()> begin);
   /// Starts with a Q-function from a file.
   void startWith(const QString& path);
   /// Parameters with other values than the first's: "Threshold 66". Empty: none.
@@ -72,7 +73,7 @@ class Rival final : public QWidget {
   struct Beginning {
     Start start = Start::Same;
     std::shared_ptr<const TensorFile> file{};
-    std::optional<EpisodeInputs> until{};  ///< used once
+    std::optional<EpisodeInputs> until{};  ///< where the life begins, once it is there
   };
   std::string policy_, agent_;
   Beginning begin_, began_;  // the beginning that is chosen; the beginning of the present life

@@ -66,6 +66,8 @@ class Looking final : public QObject {
   /// The episode of the playback up to the moment that is shown: what a life can go on with. Refused where that is not
   /// known, or the model was another one then.
   Result<EpisodeInputs> momentShown() const;
+  /// The life went on from another moment: what is written down begins anew.
+  void wentOn();
 
   // Signals, written down while somebody watches them.
   void watchSignals(const QObject* who, bool watches);

@@ -63,6 +63,12 @@ Status Looking::rollOut(double seconds) {
   return Done{};
 }
 
+void Looking::wentOn() {
+  recording_.clear();
+  feed_.end();
+  backToLive();
+}
+
 void Looking::askForEpisodeInHand() {
   inHand_ = std::make_shared<InHand>();
   life_.visit([to = inHand_](const Life& life) {

@@ -22,9 +22,10 @@ constexpr std::int64_t kMostReplayed = 10'000'000;  // [steps]
 Result<std::string> policyOf(const Life& life, const Configuration& now, const std::string& path) {
   const TensorFile file = qFileOf(life, now);
   const Task& task = life.environment().task();
+  const bool floats = tableBytesOf(file, false) > kMostCTables;  // in single precision where there is no other way
   return policyAsC(
       file, task,
-      {.floats = false, .known = knownActions(life.agent().values(), task), .origin = originOf(file, path)});
+      {.floats = floats, .known = knownActions(life.agent().values(), task), .origin = originOf(file, path)});
 }
 
 /// The bytes of a file that holds the life.
@@ -51,7 +52,7 @@ Status write(const Life& life, const Configuration& began, const Configuration& 
   try {
     if (what == SavedAs::PolicyInC) {
       const auto text = policyOf(life, now, path);
-      return text ? writeWhole("file", path, *text) : Status(text.error());
+      return text ? writeWhole("file", path, *text) : Status(Error{path + text.error().message});
     }
     return writeWhole("file", path, bytesOf(life, began, now, what));
   } catch (const std::bad_alloc&) {

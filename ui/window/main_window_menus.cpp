@@ -88,7 +88,7 @@ void MainWindow::makeActions() {
     session_.looking().lookBack(far ? -60 : -1);
   });
   connect(run_.live, &QAction::triggered, this, [this] {
-    if (session_.looking().playback() || !live_->leaveFullSize()) session_.looking().backToLive();
+    if (!live_->leaveFullSize()) session_.looking().backToLive();
   });
   connect(run_.run, &QAction::triggered, this, [this] { session_.life().setRunning(!session_.life().running()); });
   connect(run_.step, &QAction::triggered, &session_.looking(), &Looking::stepOnce);

@@ -55,11 +55,13 @@ class Walk final : public Environment {
   mutable double distance_ = 0.0;
 };
 
-SignalTable walked(const std::string& plan, std::size_t newEpisodeAt = 1000) {
+SignalTable walked(const std::string& plan, std::size_t newEpisodeAt = 1000, std::size_t gapAt = 1000) {
   Walk walk(plan);
   SignalTable table(walk, false);
   for (std::size_t i = 0; i < plan.size(); ++i) {
-    table.before(walk, {.time = 0.1 * static_cast<double>(i), .episode = i < newEpisodeAt ? 1 : 2, .action = 0});
+    table.before(
+        walk,
+        {.time = 0.1 * static_cast<double>(i < gapAt ? i : i + 3), .episode = i < newEpisodeAt ? 1 : 2, .action = 0});
     static_cast<void>(walk.step(0));
   }
   return table;
@@ -92,6 +94,7 @@ TEST(Strides, DoNotReachOverTheEndOfAnEpisode) {
   const std::string plan = "rllrrllrrl";
   EXPECT_EQ(stridesOf(walked(plan)).size(), 2u);
   EXPECT_EQ(stridesOf(walked(plan, 4)).size(), 1u);
+  EXPECT_EQ(stridesOf(walked(plan, 1000, 4)).size(), 1u) << "or over rows that are missing";
 }
 
 TEST(Strides, FeetAreContactsNamedLeftAndRight) {

@@ -44,7 +44,7 @@ inline Decoded decodedWebp(const std::string& path) {
   return decoded;
 }
 
-/// A pendulum that is pushed one way until it falls, and again.
+/// A pendulum that is left alone until it falls, and again.
 inline Film filmOfAPendulum(QSize size = {320, 180}, double seconds = 2.0) {
   const Registry registry = fullRegistry();
   auto environment = makeEnvironment(registry, pendulumConfiguration(registry, "trl", {}));
@@ -52,13 +52,14 @@ inline Film filmOfAPendulum(QSize size = {320, 180}, double seconds = 2.0) {
   Random random(1);
   FootageTaker taker;
   const double step = *(*environment)->task().stepTime;
+  const auto middle = static_cast<Action>((*environment)->task().actions.size() / 2);  // no torque
   double time = 0;
   for (bool ended = true; time < seconds; time += step) {
     if (ended) {
       (*environment)->reset(random);
       taker.look(**environment, time, false);
     }
-    const Outcome outcome = (*environment)->step(0);
+    const Outcome outcome = (*environment)->step(middle);
     ended = outcome.ending != Ending::None;
     taker.look(**environment, time + step, outcome.event == Event::Fall);
   }

@@ -146,7 +146,7 @@ TEST(RobustnessDialog, IsReadableAtEverySize) {
       a.dialog->resize(screen.size - QSize(16, 40));
       a.map->setFocus(Qt::TabFocusReason);
       QTest::keyClick(a.map, Qt::Key_Right);
-      QTest::qWait(30);
+      QTest::qWait(60);  // texts that wrap are laid out twice
       expectReadable(*a.dialog, "robustness " + what + ", " + text);
     });
   };

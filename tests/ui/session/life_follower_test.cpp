@@ -58,14 +58,16 @@ TEST(LifeFollower, ShowsTheNewestStateOfTheFileAndWritesNothing) {
   EXPECT_FALSE(w.session->life().unsaved());
   EXPECT_TRUE(w.session->life().file().path.isEmpty()) << "Save must not write over it";
 
+  const auto& points = w.session->life().curves().live().points;
+  ASSERT_TRUE(w.waitFor([&] { return points.size() == 1 && points.front().episode == 40; })) << "it was seen";
   w.session->looking().pin(std::vector<double>{0.1, 0.0, 0.0});
   const int undoable = w.session->history().undo().count();
   w.write(90);
   const std::string bytes = *readFile(w.path.toStdString());
   ASSERT_TRUE(w.shows(90));
   EXPECT_EQ(w.session->life().snapshot().steps, w.other->steps());
-  const auto& points = w.session->life().curves().live().points;
-  ASSERT_EQ(points.size(), 2u) << "a checkpoint has only its newest point: the curve is of the states that were seen";
+  ASSERT_TRUE(w.waitFor([&] { return points.size() == 2; }))
+      << "a checkpoint has only its newest point: the curve is of the states that were seen";
   EXPECT_EQ(points.front().episode, 40);
   EXPECT_EQ(points.back().episode, 90);
   EXPECT_EQ(w.session->looking().pinnedState(), (std::vector<double>{0.1, 0.0, 0.0}));

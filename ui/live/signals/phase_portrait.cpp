@@ -165,7 +165,7 @@ void PhasePortrait::drawWay(QPainter& p, const SignalTable& table, std::size_t f
     piece.clear();
   };
   for (std::size_t row = from; row < std::min(to, table.rows()); ++row) {
-    if (row > from && episode[row] != episode[row - 1]) flush();
+    if (row > from && (episode[row] != episode[row - 1] || comesAfterAGap(table, row))) flush();
     if (std::isnan(x[row]) || std::isnan(y[row])) {
       flush();
       continue;

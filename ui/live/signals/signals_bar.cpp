@@ -4,9 +4,11 @@
 #include <QFileInfo>
 #include <QHBoxLayout>
 #include <QMenu>
+#include <algorithm>
 
 #include "core/experiment/configuration.h"
 #include "core/saved/q_file.h"
+#include "core/text/text.h"
 #include "ui/controls/link_button.h"
 #include "ui/live/signals/signal_chooser.h"
 #include "ui/live/signals/signals_shown.h"
@@ -60,7 +62,7 @@ SignalsBar::SignalsBar(RunningLife& life, Looking& looking, SignalsShown& shown,
   connect(rollOut_, &QToolButton::clicked, this, &SignalsBar::rollOut);
   connect(film_, &QToolButton::clicked, this, &SignalsBar::filmAsked);
   connect(&looking_, &Looking::signalsReplaced, this, &SignalsBar::refresh);
-  connect(&reading_, &Background::failed, this, &SignalsBar::refused);
+  for (Background* work : {&reading_, &making_}) connect(work, &Background::failed, this, &SignalsBar::refused);
   all_->hide();
 }
 
@@ -96,8 +98,23 @@ QString SignalsBar::note() const {
   std::size_t shown = 0;
   for (const Strip& strip : shown_.strips()) shown += signalsIn(strip, all).places.size();
   const QString of = tr("%1 of %2").arg(shown).arg(all.size() - 2);  // without time and episode
-  if (looking_.playback()) return of;
+  if (looking_.playback()) return whatHappened().isEmpty() ? of : of + QStringLiteral("; ") + whatHappened();
   return tr("%1, the last %2 s").arg(of).arg(SignalsShown::kLive);
+}
+
+/// "25.0 s, no fall, 9.6 m": of the playback.
+QString SignalsBar::whatHappened() const {
+  const SignalTable& table = shown_.table();
+  if (table.rows() == 0 || !shown_.hasClock()) return {};
+  const std::vector<double>& fall = *table.column("fall");
+  const auto falls = std::count(fall.begin(), fall.end(), 1.0);
+  const double seconds = static_cast<double>(table.rows()) * table.stepTime();
+  QString text = tr("%1 s, ").arg(toText(fixedText(seconds, 1)));
+  text += falls == 0 ? tr("no fall") : falls == 1 ? tr("1 fall") : tr("%1 falls").arg(falls);
+  if (const std::vector<double>* way = table.column("distance"))
+    if (table.column("episode")->front() == table.column("episode")->back())
+      text += tr(", %1 m").arg(toText(fixedText(way->back() - way->front(), 1)));
+  return text;
 }
 
 void SignalsBar::rollOut() {
@@ -109,6 +126,11 @@ void SignalsBar::fillSecond(QMenu& menu) {
   QAction* now = menu.addAction(tr("What it knows &now"));
   now->setToolTip(tr("A copy of the Q-function of this moment"));
   connect(now, &QAction::triggered, this, &SignalsBar::compareWithNow);
+  if (const auto& start = life_.began().start) {
+    QAction* began = menu.addAction(tr("What it &began with"));
+    began->setToolTip(tr("The Q-function of the file that this life began with"));
+    connect(began, &QAction::triggered, this, [this, start] { compareWith(start, tr("what it began with")); });
+  }
   QAction* none = menu.addAction(tr("&None"));
   none->setEnabled(looking_.hasSecond());
   connect(none, &QAction::triggered, this, [this] { looking_.setSecond(nullptr, {}); });
@@ -125,27 +147,31 @@ void SignalsBar::askForSecond() {
 }
 
 void SignalsBar::setSecond(const QString& path) {
-  struct Read {
-    Result<std::unique_ptr<Agent>> agent = Error{"cancelled"};
-    Task task;
-  };
-  const auto read = std::make_shared<Read>();
-  read->task = life_.task();
-  reading_.start(
-      [read, name = path.toStdString(), &registry = life_.registry()](const std::atomic<bool>&) {
-        const auto file = readQFile(name);
-        if (!file)
-          read->agent = file.error();
-        else
-          read->agent = makeTeacher(registry, **file, read->task);
-      },
-      [this, read, path] {
-        if (!read->agent) return Q_EMIT refused(toText(read->agent.error().message));
-        const std::shared_ptr<Agent> agent = std::move(*read->agent);
-        looking_.setSecond({agent, &agent->values()}, QFileInfo(path).fileName());
-        if (!looking_.playback() || !looking_.playback()->start) rollOut();
-      },
-      std::chrono::milliseconds(100));
+  const auto file = std::make_shared<Result<std::shared_ptr<const TensorFile>>>(Error{"cancelled"});
+  reading_.start([file, name = path.toStdString()](const std::atomic<bool>&) { *file = readQFile(name); },
+                 [this, file, path] {
+                   if (!*file) return Q_EMIT refused(toText(file->error().message));
+                   compareWith(**file, QFileInfo(path).fileName());
+                 },
+                 std::chrono::milliseconds(100));
+}
+
+void SignalsBar::compareWith(const std::shared_ptr<const TensorFile>& file, const QString& name) {
+  const auto learnedIn = configurationOf(life_.registry(), *file);
+  if (learnedIn && learnedIn->names.environment != life_.configuration().names.environment)
+    return Q_EMIT refused(
+        tr("%1 was learned in %2; it cannot stand beside a Q-function of %3.")
+            .arg(name, toText(learnedIn->names.environment), toText(life_.configuration().names.environment)));
+  const auto agent = std::make_shared<Result<std::unique_ptr<Agent>>>(Error{"cancelled"});
+  making_.start([agent, file, task = life_.task(), &registry = life_.registry()](
+                    const std::atomic<bool>&) { *agent = makeTeacher(registry, *file, task); },
+                [this, agent, name] {
+                  if (!*agent) return Q_EMIT refused(toText(agent->error().message));
+                  const std::shared_ptr<Agent> made = std::move(**agent);
+                  looking_.setSecond({made, &made->values()}, name);
+                  if (!looking_.playback() || !looking_.playback()->start) rollOut();
+                },
+                std::chrono::milliseconds(100));
 }
 
 void SignalsBar::fillExport(QMenu& menu) {

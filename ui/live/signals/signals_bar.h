@@ -5,6 +5,7 @@
 
 #include <QWidget>
 
+#include "core/files/tensor_file.h"
 #include "ui/controls/panel.h"
 #include "ui/support/background.h"
 
@@ -26,6 +27,7 @@ class SignalsBar final : public QWidget, public Folding {
   void fold(int room) override;
   /// "11 of 34, every step"
   QString note() const;
+  QString whatHappened() const;
   /// What the greedy policy does in 25 s, from a new start.
   void rollOut();
   void askForSecond();
@@ -42,6 +44,7 @@ class SignalsBar final : public QWidget, public Folding {
   void fillAll(QMenu& menu);
   void refresh();
   void compareWithNow();
+  void compareWith(const std::shared_ptr<const TensorFile>& file, const QString& name);
   void choose();
 
   RunningLife& life_;
@@ -49,7 +52,7 @@ class SignalsBar final : public QWidget, public Folding {
   SignalsShown& shown_;
   SignalChooser* chooser_;
   LinkButton *signals_, *rollOut_, *second_, *film_, *export_, *all_;
-  Background reading_;
+  Background reading_, making_;
 };
 
 }  // namespace surefoot

@@ -90,7 +90,8 @@ void StrideTable::refresh() {
   setRowCount(static_cast<int>(strides.size()) + means);
   int row = 0;
   for (std::size_t i = 0; i < strides.size(); ++i) putStride(row++, QString::number(i + 1), strides[i]);
-  if (!strides.empty()) putMean(row++, tr("mean of %1").arg(strides.size()), strides);
+  if (!strides.empty())
+    putMean(row++, (second.empty() ? tr("mean of %1") : tr("first Q, mean of %1")).arg(strides.size()), strides);
   if (!second.empty()) putMean(row++, tr("second Q, mean of %1").arg(second.size()), second);
   clearSelection();
   if (const auto marked = shown_.markedStride()) selectRow(static_cast<int>(*marked));

@@ -276,7 +276,7 @@ void StripPainter::drawCurve(QPainter& p, const SignalTable& table, std::size_t 
   const bool dense = static_cast<double>(to - from) > 2.5 * plot_.width();
   double pixel = -1, least = 0, most = 0;
   for (std::size_t row = from; row < to; ++row) {
-    if (row > from && episode[row] != episode[row - 1]) flush(), pixel = -1;
+    if (row > from && (episode[row] != episode[row - 1] || comesAfterAGap(table, row))) flush(), pixel = -1;
     if (std::isnan(values[row])) {
       flush();
       continue;
@@ -342,8 +342,8 @@ void StripPainter::drawOnOff(QPainter& p, const StripSignals& strip, const QRect
         continue;
       }
       std::size_t end = row;
-      while (end < to && values[end] == 1.0) ++end;
-      const double until = end < table.rows() ? time[end] : time[end - 1];
+      while (end < to && values[end] == 1.0 && (end == row || !comesAfterAGap(table, end))) ++end;
+      const double until = time[end - 1] + table.stepTime();
       const QRectF bar(xOf(time[row]), y, std::max(1.5, xOf(until) - xOf(time[row])), kRowHeight - 4);
       p.setPen(Qt::NoPen);
       p.setBrush(right ? theme_.disabled : theme_.ink);
