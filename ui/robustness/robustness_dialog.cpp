@@ -108,7 +108,7 @@ QWidget* RobustnessDialog::makeFoot() {
   column->addWidget(words_);
   column->addLayout(row);
   whenScaled(this, [this, column, row] {
-    words_->setMinimumHeight(scaled(36));  // two lines: it stays where it is
+    words_->setMinimumHeight(scaled(44));  // two lines, also of a font with high signs: it stays where it is
     column->setContentsMargins(scaled({24, 4, 24, 16}));
     column->setSpacing(scaled(8));
     row->setSpacing(scaled(8));
