@@ -170,7 +170,9 @@ void PhasePortrait::drawWay(QPainter& p, const SignalTable& table, std::size_t f
       flush();
       continue;
     }
+    constexpr double kNear = 0.7;  // [px]: nearer points draw nothing that is seen
     const QPointF point = at(table, row);
+    if (!piece.isEmpty() && (point - piece.back()).manhattanLength() < kNear) continue;
     // An angle that wraps jumps through half of the picture: no line is drawn there.
     if (!piece.isEmpty() && std::abs(point.x() - piece.back().x()) > plot_.width() / 2) flush();
     piece << point;

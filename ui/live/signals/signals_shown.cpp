@@ -15,8 +15,8 @@ namespace surefoot {
 
 namespace {
 
-constexpr int kStridesEvery = 500;  // [ms]
-constexpr int kMomentsEvery = 30;   // [ms]
+constexpr int kStridesEvery = 1000;  // [ms]
+constexpr int kMomentsEvery = 50;    // [ms]: more would cost the learner speed
 
 QString settingOf(const std::string& environment) {
   const std::string name = environment.substr(0, environment.find('@'));  // of a robot from a file, without its hash

@@ -68,7 +68,7 @@ class SignalsShown final : public QObject {
 
  Q_SIGNALS:
   void changed();  ///< what is shown is other than before
-  void moment();   ///< the moment is another, or a row was added: some 30 times a second
+  void moment();   ///< the moment is another, or a row was added: some 20 times a second
   void stridesChanged();
 
  protected:

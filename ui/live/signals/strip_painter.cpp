@@ -275,6 +275,13 @@ void StripPainter::drawCurve(QPainter& p, const SignalTable& table, std::size_t 
   // More than two rows a pixel: of those, the least and the largest.
   const bool dense = static_cast<double>(to - from) > 2.5 * plot_.width();
   double pixel = -1, least = 0, most = 0;
+  if (dense) {  // smooth lines would cost the learner speed, and look no better
+    QPen thin = p.pen();
+    thin.setWidthF(1);
+    thin.setCosmetic(true);
+    p.setPen(thin);
+  }
+  p.setRenderHint(QPainter::Antialiasing, !dense);
   for (std::size_t row = from; row < to; ++row) {
     if (row > from && (episode[row] != episode[row - 1] || comesAfterAGap(table, row))) flush(), pixel = -1;
     if (std::isnan(values[row])) {
@@ -296,6 +303,7 @@ void StripPainter::drawCurve(QPainter& p, const SignalTable& table, std::size_t 
     piece << QPointF(x, y);
   }
   flush();
+  p.setRenderHint(QPainter::Antialiasing);
 }
 
 void StripPainter::drawBars(QPainter& p, const StripSignals& strip, const QRectF& where, const Range& range) const {
