@@ -41,10 +41,18 @@ class StripPainter {
   double xOf(double time) const { return plot_.left() + (time - picture_.from) / span() * plot_.width(); }
 
  private:
+  static constexpr double kNames = 150, kNumbers = 76;           ///< columns at the left and the right [px]
+  static constexpr double kTop = 14, kTimes = 28, kBetween = 6;  ///< above, the time axis below, between strips [px]
+  static constexpr double kRowHeight = 16;                       ///< of an on/off signal [px]
   struct Range {
     double low, high, step;
   };
   double span() const { return picture_.to - picture_.from; }
+  /// How much of the room a strip wants, and what it needs at least [px].
+  struct Want {
+    double share, least;
+  };
+  static Want wantOf(const StripSignals& strip);
   Range rangeOf(const StripSignals& strip, double height) const;
   void drawTimes(QPainter& p) const;
   void drawName(QPainter& p, const StripSignals& strip, const QRectF& where) const;
