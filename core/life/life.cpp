@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <algorithm>
 #include <limits>
 
 #include "core/life/inputs_text.h"
@@ -277,13 +276,6 @@ std::string Life::divergence() const {
                         largest->parameter.key, largest->value);
   return fmt::format("The action values diverged at step {}, in episode {}: {}.", steps_, log_.totals().episodes + 1,
                      cause);
-}
-
-bool Life::mayRewind() const {
-  const Parameters::Entry* rewind = parameters_.find("life.rewind");
-  if ((rewind && rewind->value > 0.0) || rewinding_.steps > 0 || log_.totals().rewinds > 0) return true;
-  return std::any_of(commands_.begin(), commands_.end(),
-                     [](const TimedCommand& c) { return c.key == "life.rewind" && c.value > 0.0; });
 }
 
 double Life::simulatedSeconds() const {

@@ -137,6 +137,13 @@ bool Life::rewind() {
   return true;
 }
 
+bool Life::mayRewind() const {
+  const Parameters::Entry* rewind = parameters_.find("life.rewind");
+  if ((rewind && rewind->value > 0.0) || rewinding_.steps > 0 || log_.totals().rewinds > 0) return true;
+  return std::any_of(commands_.begin(), commands_.end(),
+                     [](const TimedCommand& c) { return c.key == "life.rewind" && c.value > 0.0; });
+}
+
 std::vector<std::pair<std::string, double>> Life::environmentInForce() const {
   Fields fields("environment.");
   const_cast<Environment&>(*environment_).declare(fields);  // reads only

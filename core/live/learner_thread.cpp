@@ -236,6 +236,7 @@ void LearnerThread::replace(ReplaceLife& c) {
   fallenPose_ = std::move(next.fallenPose);
   fallsByHand_ = next.fallsByHand;
   last_ = std::move(c.last);
+  seen_.clear();  // they were of the life before
   environment_.reset();
   hand_.hold(std::nullopt);
   watch_ = nullptr;

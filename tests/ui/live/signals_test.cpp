@@ -98,6 +98,26 @@ TEST(Signals, TheLastSecondsOfTheWorldAreWrittenDown) {
   EXPECT_EQ(table.column("pole_angle")->back(), w.looking().shown().state[0]);
 }
 
+// What was seen of a life does not get into the table of the next, whose signals are others.
+TEST(Signals, AnotherEnvironmentBeginsAnotherTable) {
+  Signalling w;
+  w.session->life().setPace(8);
+  w.session->life().setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return w.looking().signals().rows() > 20; }, 20'000));
+  for (const char* environment : {"compass", "pendulum", "cliff"}) {
+    ASSERT_TRUE(w.session->newLives().beginEnvironment(environment));
+    w.session->life().setRunning(true);
+    ASSERT_TRUE(w.waitFor([&] {
+      const auto& state = w.session->life().task().state;
+      const SignalTable& table = w.looking().signals();
+      return w.session->life().configuration().names.environment == environment && table.rows() > 5 &&
+             table.signals()[2].key == state[0].key;
+    })) << environment;
+    const SignalTable& table = w.looking().signals();
+    for (const auto& column : table.columns()) ASSERT_EQ(column.size(), table.rows());
+  }
+}
+
 TEST(Signals, NobodyLooksNothingIsWritten) {
   Window w;
   w.session->life().setRunning(true);
