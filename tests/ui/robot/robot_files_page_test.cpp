@@ -2,6 +2,7 @@
 // Files on the Robot page: what is shown first, saved, and under which name.
 #include <QAction>
 #include <QFileDialog>
+#include <QLineEdit>
 #include <QTemporaryDir>
 
 #include "core/environment_library.h"
