@@ -59,7 +59,8 @@ build() {
   rm -f "$log"
 }
 
-BUILD_PACKAGES=(g++ cmake ninja-build libbox2d-dev libfmt-dev libcli11-dev nlohmann-json3-dev libboost-dev
-                libeigen3-dev libnlopt-dev libtomlplusplus-dev libsqlitecpp-dev libsqlite3-dev zlib1g-dev)
+BUILD_PACKAGES=(g++ cmake ninja-build pkg-config libbox2d-dev libcairo2-dev libfmt-dev libcli11-dev
+                nlohmann-json3-dev libboost-dev libeigen3-dev libnlopt-dev libtomlplusplus-dev libsqlitecpp-dev
+                libsqlite3-dev zlib1g-dev)
 WINDOW_PACKAGES=(qt6-base-dev libqt6opengl6-dev qt6-charts-dev qt6-svg-dev libwebp-dev fonts-roboto-unhinted
                  fonts-dejavu-core)

@@ -32,6 +32,14 @@ std::size_t nearestLevel(std::span<const double> levels, double value) {
   return static_cast<std::size_t>(nearest - levels.begin());
 }
 
+std::vector<double> actionValues(const Task& task, std::size_t a) {
+  if (task.actionVariables.empty()) return {task.actions[a]};
+  std::vector<double> values;
+  for (std::size_t j = 0; j < task.actionVariables.size(); ++j)
+    values.push_back(task.actionVariables[j].levels[levelOf(task, a, j)]);
+  return values;
+}
+
 Status checkState(const Task& task, std::span<const double> state) {
   if (state.size() != task.state.size())
     return Error{fmt::format("a state has {} values here, and {} are given.", task.state.size(), state.size())};

@@ -78,6 +78,8 @@ std::optional<std::size_t> measureAt(const std::vector<TaskMeasure>& measures, s
 
 /// Which level of an action variable an action has.
 std::size_t levelOf(const Task& task, std::size_t action, std::size_t variable);
+/// Action `a` in physical units, one value per action variable: {0.75} [N m], {-8.9, 0, 8.9} [V].
+std::vector<double> actionValues(const Task& task, std::size_t a);
 /// The action with these levels of the action variables.
 Action actionOf(const Task& task, std::span<const std::size_t> levels);
 /// The place of the level that is nearest to a value; of two, the first.

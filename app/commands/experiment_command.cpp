@@ -12,6 +12,7 @@
 #include "app/reports/progress_line.h"
 #include "app/requests/requests.h"
 #include "core/basics/typed_json.h"
+#include "core/laboratory/plan_store.h"
 #include "core/plans/plan_programs.h"
 
 namespace surefoot {
@@ -50,32 +51,6 @@ int tellPlan(const ExperimentRequest& request) {
   return print(text);
 }
 
-/// A new store, or the one there is, if it belongs to the plan.
-Result<Store> openStore(const Registry& registry, const ExperimentRequest& request) {
-  auto stored = planToStore(registry, request.plan);
-  if (!stored) return stored.error();
-  stored->shard = request.lab.shard, stored->shards = request.lab.shards;
-  if (!request.resume || Store::missing(request.out)) return Store::create(request.out, *stored);
-  auto store = Store::openToWrite(request.out, &watchForInterrupt());
-  if (!store) return store;
-  const auto there = store->plan();
-  if (!there) return there.error();
-  if (const Status s = checkSamePlan(*there, *stored, request.out); !s) return s.error();
-  if (const Status s = checkSameShard(*there, *stored, request.out); !s) return s.error();
-  const auto lives = store->lives();
-  if (!lives) return lives.error();
-  if (const Status s = checkLivesVersion(*lives, request.out); !s && !request.otherVersion)
-    return orOtherVersion(s.error());
-  if (request.plan.growth) return store;  // it wants as many lives as its results ask for
-  const int planned = there->conditions.front().lives;
-  if (request.plan.lives < planned)
-    return Error{fmt::format("--lives: {} holds {} lives a condition; going on, there can only be more, not {}.",
-                             request.out, planned, request.plan.lives)};
-  if (request.plan.lives > planned)
-    if (const Status s = store->setLives(request.plan.lives); !s) return s.error();
-  return store;
-}
-
 class Teller {
  public:
   explicit Teller(bool json) : json_(json) {}
@@ -106,7 +81,14 @@ class Teller {
 int experimentCommand(const Registry& registry, const ExperimentRequest& request) {
   if (request.dryRun) return tellPlan(request);
   if (const Status s = checkPrograms(registry, request.plan); !s) return fail(s.error());
-  auto store = openStore(registry, request);
+  const PlanStore place{.path = request.out,
+                        .resume = request.resume,
+                        .anyVersion = request.otherVersion,
+                        .remedy = kOtherVersion,
+                        .shard = request.lab.shard,
+                        .shards = request.lab.shards,
+                        .interrupted = &watchForInterrupt()};
+  auto store = openPlanStore(registry, request.plan, place);
   if (!store) return fail(store.error());
   tellNote(*store);
 

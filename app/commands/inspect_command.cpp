@@ -8,12 +8,12 @@
 #include <numeric>
 
 #include "app/commands/commands.h"
-#include "app/commands/stored_function.h"
 #include "core/basics/typed_json.h"
 #include "core/environment_library.h"
 #include "core/experiment/task_description.h"
 #include "core/saved/checkpoint.h"
 #include "core/saved/q_file.h"
+#include "core/saved/stored_function.h"
 #include "core/text/text.h"
 
 namespace surefoot {

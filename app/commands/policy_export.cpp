@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include "app/commands/commands.h"
-#include "app/commands/stored_function.h"
 #include "app/process/exit_code.h"
 #include "core/c_policy/c_policy.h"
 #include "core/c_policy/known_actions.h"
 #include "core/files/whole_file.h"
 #include "core/saved/q_file.h"
+#include "core/saved/stored_function.h"
 
 namespace surefoot {
 

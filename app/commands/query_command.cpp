@@ -5,10 +5,11 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "app/commands/action_text.h"
 #include "app/commands/commands.h"
-#include "app/commands/stored_function.h"
 #include "app/requests/requests.h"
 #include "core/basics/typed_json.h"
+#include "core/saved/stored_function.h"
 #include "core/text/words.h"
 #include "core/values_of_state.h"
 
@@ -22,27 +23,15 @@ struct Answer {
   double visits = 0.0;
 };
 
-Result<Answer> answer(const Registry& registry, const QueryRequest& request, StoredFunction& f,
+Result<Answer> answer(const Registry& registry, const QueryRequest& request, const StoredFunction& f,
                       const std::vector<double>& state) {
   Answer a;
   a.policy = request.policy.value_or(f.configuration.names.policy);
-  const auto assignments = parseAssignments(request.assignments);
-  if (!assignments) return assignments.error();
-  if (const Status s = checkPolicyKeys(registry, a.policy, *assignments); !s) return s.error();
-  for (const Assignment& assignment : *assignments) {
-    if (!assignment.key.starts_with("policy."))
-      return Error{fmt::format("{}: only parameters of the policy have a meaning here.", assignment.key)};
-    if (const Status s = f.configuration.parameters.set(assignment.key, std::string_view(assignment.value)); !s)
-      return s.error();
-  }
-  const auto policy = makePolicy(registry, a.policy, f.configuration.parameters);
+  const auto policy = policyOn(registry, f, a.policy, request.assignments);
   if (!policy) return policy.error();
-
-  if (const Status s = (*policy)->caution().check(usableBy(f.values(), f.task().handMade, true)); !s) return s.error();
   ValuesOfState here;
   here.evaluate(f.values(), state);
   a.pi.resize(here.q.size());
-  (*policy)->advance({});
   (*policy)->probabilities(here.view(), a.pi);
   a.q = std::move(here.q), a.risk = std::move(here.risk);
   a.visits = f.values().visits(state);

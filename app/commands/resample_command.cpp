@@ -7,13 +7,13 @@
 #include <filesystem>
 
 #include "app/commands/commands.h"
-#include "app/commands/stored_function.h"
 #include "app/process/exit_code.h"
 #include "app/process/interrupt.h"
 #include "app/requests/requests.h"
 #include "core/basics/typed_json.h"
 #include "core/files/whole_file.h"
 #include "core/saved/carry_over.h"
+#include "core/saved/stored_function.h"
 
 namespace surefoot {
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "app/commands/action_text.h"
 #include "app/commands/commands.h"
 #include "app/commands/rollout_film.h"
-#include "app/commands/stored_function.h"
 #include "app/process/exit_code.h"
 #include "app/process/interrupt.h"
 #include "app/reports/strides_report.h"
@@ -17,6 +17,7 @@
 #include "core/basics/typed_json.h"
 #include "core/environment_library.h"
 #include "core/files/whole_file.h"
+#include "core/saved/stored_function.h"
 #include "core/signals/npz.h"
 #include "core/signals/rollout.h"
 #include "core/text/number_text.h"

@@ -5,12 +5,13 @@
 #include <algorithm>
 #include <iterator>
 
+#include "app/commands/action_text.h"
 #include "app/commands/commands.h"
-#include "app/commands/stored_function.h"
 #include "app/process/exit_code.h"
 #include "app/process/interrupt.h"
 #include "app/requests/requests.h"
 #include "core/files/whole_file.h"
+#include "core/saved/stored_function.h"
 #include "core/text/text.h"
 
 namespace surefoot {

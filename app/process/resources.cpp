@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/process/resources.h"
 
+#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,9 +22,14 @@ namespace fs = std::filesystem;
 
 std::string resourceFolder(const std::string& name) {
   std::error_code error;
-  const fs::path here = fs::read_symlink("/proc/self/exe", error).parent_path();
-  for (const fs::path& folder : {here / "resources" / name, here / ".." / "share" / "surefoot" / name})
-    if (fs::is_directory(folder, error)) return folder.lexically_normal().string();
+  std::vector<fs::path> places = {fs::read_symlink("/proc/self/exe", error).parent_path()};
+  Dl_info library{};  // where this code lies, if not in the program
+  if (dladdr(reinterpret_cast<const void*>(&resourceFolder), &library) != 0 && library.dli_fname)
+    places.insert(places.begin(), fs::canonical(library.dli_fname, error).parent_path());
+  for (const fs::path& here : places)
+    for (const char* way : {"resources", "../share/surefoot", "../../share/surefoot"})
+      if (const fs::path folder = here / way / name; fs::is_directory(folder, error))
+        return folder.lexically_normal().string();
   return "";
 }
 

@@ -8,6 +8,7 @@
 #include "core/text/number_text.h"
 #include "core/text/text.h"
 #include "core/text/words.h"
+#include "core/values_of_state.h"
 
 namespace surefoot {
 
@@ -85,8 +86,26 @@ Result<ProbabilitiesRequest> makeProbabilitiesRequest(const Registry& registry, 
   return ProbabilitiesRequest{*q, o.policy, *assignments, o.json};
 }
 
+Result<std::unique_ptr<Policy>> policyOn(const Registry& registry, const StoredFunction& f, const std::string& name,
+                                         const std::vector<std::string>& texts) {
+  const auto assignments = parseAssignments(texts);
+  if (!assignments) return assignments.error();
+  if (const Status s = checkPolicyKeys(registry, name, *assignments); !s) return s.error();
+  Parameters values = f.configuration.parameters;
+  for (const Assignment& a : *assignments) {
+    if (!a.key.starts_with("policy."))
+      return Error{fmt::format("{}: only parameters of the policy have a meaning here.", a.key)};
+    if (const Status s = values.set(a.key, std::string_view(a.value)); !s) return s.error();
+  }
+  auto policy = makePolicy(registry, name, values);
+  if (!policy) return policy.error();
+  if (const Status s = (*policy)->caution().check(usableBy(f.values(), f.task().handMade, true)); !s) return s.error();
+  (*policy)->advance({});
+  return policy;
+}
+
 Error orOtherVersion(const Error& error) {
-  return {error.message + " --other-version goes on all the same.", error.kind};
+  return {error.message + " " + kOtherVersion, error.kind};
 }
 
 }  // namespace surefoot

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/requests/command_line.h"
+#include "core/saved/stored_function.h"
 
 namespace surefoot {
 
@@ -24,6 +25,7 @@ struct TrainOptions {
   std::optional<std::string> seed, minutes, episodes, until, lives, jobs, log, load;
   std::vector<std::string> at;
   bool json = false, turbo = false, otherVersion = false, loadFromOther = false;
+  bool openEnded = false;  ///< no length is needed: whoever runs the life says when it is enough
   std::optional<std::string> from;
   std::optional<std::string> save, journal, checkpoint, every, resume;  ///< `train` only
 };
@@ -44,8 +46,15 @@ Result<std::int64_t> parseCount(const std::string& option, const std::string& te
 /// An error for a key of a policy that is not chosen: it would have no effect.
 Status checkPolicyKeys(const Registry& registry, const std::string& policy, const std::vector<Assignment>& assignments);
 
+/// What can be done about lives of another version.
+inline constexpr const char* kOtherVersion = "--other-version goes on all the same.";
 /// An error about lives of another version, with what can be done about it.
 Error orOtherVersion(const Error& error);
+
+/// The policy of a stored function, or another one, with some values on top (KEY=VALUE, of the policy only), ready to
+/// be asked.
+Result<std::unique_ptr<Policy>> policyOn(const Registry& registry, const StoredFunction& function,
+                                         const std::string& policy, const std::vector<std::string>& assignments);
 
 Result<TrainRequest> makeTrainRequest(const Registry& registry, const TrainOptions& options, bool window);
 Result<ProbabilitiesRequest> makeProbabilitiesRequest(const Registry& registry, const ProbabilitiesOptions& options);

@@ -259,7 +259,7 @@ Result<TrainRequest> makeTrainRequest(const Registry& registry, const TrainOptio
   if (window && c.lives > 1)
     return Error{fmt::format("--lives: the window shows one life, not {}; `surefoot train` runs many.", c.lives)};
   if (!c.minutes && !c.episodes) request.mostSteps = chosen->steps;
-  if (!window && !c.minutes && !c.episodes && !request.mostSteps)
+  if (!window && !o.openEnded && !c.minutes && !c.episodes && !request.mostSteps)
     return Error{"--minutes or --episodes: how long a life is must be given, e.g. --minutes 9."};
   const auto life = makeLife(registry, c, 0, false);  // finds errors that no single check can see
   if (!life) return life.error();

@@ -26,14 +26,18 @@ inline std::string contentOf(const std::string& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// `arguments` as one would type them behind the program's name.
-inline Finished surefoot(const std::string& arguments) {
+/// A command of the shell.
+inline Finished finish(const std::string& command) {
   const Folder folder;
   const std::string out = folder.file("out"), err = folder.file("err");
-  const std::string command = std::string("env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM ") + SUREFOOT_PROGRAM +
-                              " " + arguments + " >" + out + " 2>" + err + " </dev/null";
-  const int status = std::system(command.c_str());
+  const int status = std::system((command + " >" + out + " 2>" + err + " </dev/null").c_str());
   return {WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), contentOf(out), contentOf(err)};
+}
+
+/// `arguments` as one would type them behind the program's name.
+inline Finished surefoot(const std::string& arguments) {
+  return finish(std::string("env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM ") + SUREFOOT_PROGRAM + " " +
+                arguments);
 }
 
 /// The JSON that a command prints, which must succeed.
