@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Plans and recipes that come with the program: in resources/ beside the program (or libsurefoot.so) in a build tree, in
+// Plans and recipes that come with the program: in resources/ beside the program or libsurefoot.so in a build tree, in
 // share/surefoot/ when it is installed.
 #pragma once
 
