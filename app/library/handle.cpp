@@ -20,7 +20,9 @@ surefoot_status refuse(surefoot_status status, std::string sentence) {
 }
 
 surefoot_status refuse(const Error& error) {
-  return refuse(static_cast<surefoot_status>(exitCode(error.kind)), error.message);
+  std::string sentence = error.message;
+  if (sentence.starts_with("--")) sentence.erase(0, 2);  // "--seed: …" is "seed: …" here
+  return refuse(static_cast<surefoot_status>(exitCode(error.kind)), std::move(sentence));
 }
 
 surefoot_status refuseException() noexcept {

@@ -18,8 +18,6 @@ Result<TrainOptions> optionsOf(const Json& json, const surefoot_world* world, co
   auto names = namesIn(json);
   if (!names) return names.error();
   options.names = std::move(*names);
-  if (world) options.names.environment = "own";
-  if (policy) options.names.policy = "own";
   auto assignments = assignmentsIn(json.value("parameters", Json()));
   if (!assignments) return assignments.error();
   options.assignments = std::move(*assignments);
@@ -28,6 +26,8 @@ Result<TrainOptions> optionsOf(const Json& json, const surefoot_world* world, co
     if (!text) return text.error();
     *place = std::move(*text);
   }
+  if (world && !options.resume) options.names.environment = "own";  // a life that goes on knows its names
+  if (policy && !options.resume) options.names.policy = "own";
   auto seed = numberOf(json, "seed");
   if (!seed) return seed.error();
   options.seed = std::move(*seed);

@@ -128,7 +128,7 @@ static int no_policy(void *user, const double *q, size_t actions, double *pi) {
   return 1;
 }
 
-static void own_parts(void) {
+static void own_parts(const char *folder) {
   struct corridor c = {0};
   surefoot_world world = {.task =
                               "{\"state\": [{\"key\": \"place\", \"low\": 0, \"high\": 4, \"whole\": true}],"
@@ -155,6 +155,19 @@ static void own_parts(void) {
   REFUSED(surefoot_life_run(life, &on, &reached), SUREFOOT_UNANSWERED, "step");
   DONE(surefoot_life_run(life, &on, &reached));
   CHECK(reached);
+
+  /* Kept in a file, it goes on in the same world. */
+  char json[600];
+  const char *file = file_in(folder, "own.surefoot");
+  surefoot_life *again;
+  DONE(surefoot_life_checkpoint(life, file));
+  snprintf(json, sizeof json, "{\"resume\": \"%s\"}", file);
+  REFUSED(surefoot_life_make(json, NULL, NULL, &again), SUREFOOT_FILE, "own");
+  DONE(surefoot_life_make(json, &world, NULL, &again));
+  run(again, 410);
+  run(life, 410);
+  CHECK(hash_of(again) == hash_of(life));
+  surefoot_life_close(again);
   surefoot_life_close(life);
 
   int asked = 0;
@@ -215,7 +228,7 @@ int main(int argc, char **argv) {
   CHECK(argc == 2);
   checkpoints(argv[1]);
   learned(argv[1]);
-  own_parts();
+  own_parts(argv[1]);
   experiments(argv[1]);
   return 0;
 }
