@@ -77,7 +77,7 @@ typedef struct surefoot_outcome {
 
 /* `description`: {"environment": NAME, "preset": NAME, "scenario": NAME, "parameters": {KEY: number or name}}. All may
  * be left out; the environment may be the file of a robot. A robot that is moved by a program starts it only with
- * "programs": true. */
+ * "programs": true, which allows this program (its command and its files) for the rest of the process. */
 SUREFOOT_CALL surefoot_status surefoot_environment_make(const char *description, surefoot_environment **environment);
 SUREFOOT_PLAIN surefoot_status surefoot_environment_close(surefoot_environment *environment);
 /* {"environment", "preset", "scenario", "parameters": {…},
