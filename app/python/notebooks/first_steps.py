@@ -65,7 +65,7 @@ file = PICTURES / "first_steps.safetensors"
 file.unlink(missing_ok=True)
 life.save(file)
 with surefoot.load(file) as learned:
-    assert np.array_equal(learned.values(states), q)
+    assert np.allclose(learned.values(states), q)
     pi = learned.probabilities([0.1, 0.0, 0.0], "softmax", policy__temperature=1)
     print("softmax at 0.1 rad:", np.round(pi, 3))
 print(f"`surefoot window --load {file}` shows it.")

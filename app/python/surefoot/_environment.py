@@ -38,12 +38,10 @@ def environment_description(name: Any, preset: str | None, scenario: str | None,
 def observation_space_of(about: Mapping[str, Any]) -> Box:
     """The states that an environment can come to, float64 [state variables].
 
-    Variables of whole numbers stay in their range. Others are unbounded: a robot that falls leaves
-    the range that matters (``Environment.ranges``), and its state is told all the same.
+    It is unbounded: a robot that falls leaves the range that matters (``Environment.ranges``), and
+    a row of places ends beside its last one; the state is told all the same.
     """
-    low = [v["low"] if v.get("whole") else -np.inf for v in about["state"]]
-    high = [v["high"] if v.get("whole") else np.inf for v in about["state"]]
-    return Box(np.array(low), np.array(high), dtype=np.float64)
+    return Box(-np.inf, np.inf, (len(about["state"]),), np.float64)
 
 
 def spec_of(name: str, keywords: Mapping[str, Any]) -> Any:
@@ -59,8 +57,8 @@ class Environment(Env):
     """A world with a task; made by :func:`surefoot.make`, or by Gymnasium.
 
     ``observation_space`` is a Box of float64 [state variables], in the units of ``about["state"]``.
-    It is unbounded but for variables of whole numbers, because a state may lie outside the range
-    that matters for learning; that one is ``ranges``.
+    It is unbounded, because a state may lie outside the range that matters for learning; that one
+    is ``ranges``.
     ``action_space`` is Discrete; ``about["actions"]`` has what each action does.
 
     ``step`` tells in its dictionary: ``fall`` and ``success`` (whether this step was one) and
@@ -131,8 +129,9 @@ class Environment(Env):
         with self._handle as pointer:
             if seed is None and not self._seeded:
                 seed = secrets.randbits(63)
-            number = None if seed is None else ctypes.c_uint64(seed)
-            check(library.surefoot_environment_reset(pointer, number, self._where[1]))
+            if seed is not None or start is None:
+                number = None if seed is None else ctypes.c_uint64(seed)
+                check(library.surefoot_environment_reset(pointer, number, self._where[1]))
             if seed is not None:
                 super().reset(seed=seed)
                 self._seeded = True

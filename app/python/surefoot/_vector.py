@@ -136,7 +136,8 @@ class VectorEnvironment(VectorEnv):
 
     def close_extras(self, **_: Any) -> None:
         """Gives everything back."""
-        self._handle.close()
+        if hasattr(self, "_handle"):
+            self._handle.close()
 
     def __enter__(self) -> "VectorEnvironment":
         return self

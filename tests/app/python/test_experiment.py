@@ -138,14 +138,15 @@ class Experiments(support.Folder):
     def test_interrupted_and_resumed(self):
         code = ("import surefoot, sys\n"
                 "try:\n"
-                "    surefoot.experiment(sys.stdin.read(), sys.argv[1], lives=400, jobs=1,\n"
+                "    surefoot.experiment(sys.stdin.read(), sys.argv[1], jobs=1,\n"
                 "                        progress=lambda now: print(now['lives'], flush=True))\n"
                 "except KeyboardInterrupt:\n"
                 "    print('interrupted')\n")
         out = self.folder / "a.sqlite"
         child = subprocess.Popen([sys.executable, "-c", code, str(out)], text=True,
                                  stdin=subprocess.PIPE, stdout=subprocess.PIPE)
-        child.stdin.write(PLAN)
+        plan = PLAN.replace("lives = 3", "lives = 12").replace("0.2", "2")
+        child.stdin.write(plan)
         child.stdin.close()
         while int(child.stdout.readline()) < 3:
             pass
@@ -155,11 +156,11 @@ class Experiments(support.Folder):
         child.stdout.close()
         self.assertIn("interrupted", rest)
         kept = len(surefoot.lives(out))
-        self.assertTrue(3 <= kept < 800, kept)
-        store = surefoot.experiment(PLAN, out, lives=400, resume=True, progress=False)
+        self.assertTrue(3 <= kept < 24, kept)
+        store = surefoot.experiment(plan, out, resume=True, progress=False)
         self.assertTrue(store["complete"])
         self.assertEqual(store["content_hash"],
-                         self.run_plan("whole.sqlite", lives=400)["content_hash"])
+                         self.run_plan("whole.sqlite", plan)["content_hash"])
 
 
 class Exports(support.Folder):
