@@ -63,7 +63,8 @@ def parameters_of(given: Optional[Mapping[str, Any]], keywords: Mapping[str, Any
 
 def without_none(**entries: Any) -> Dict[str, Any]:
     """What was given, of a description's entries."""
-    return {key: value for key, value in entries.items() if value is not None and value != {}}
+    return {key: value for key, value in entries.items()
+            if value is not None and not (isinstance(value, dict) and not value)}
 
 
 def whole_number(value: Any, what: str, low: int = 0, high: int = MOST) -> int:
@@ -92,6 +93,13 @@ def finite_number(value: Any, what: str) -> float:
     if not math.isfinite(number):
         raise UsageError(f"{what} = {number} must be finite.")
     return number
+
+
+def flag(value: Any, what: str) -> bool | None:
+    """True, or None for False."""
+    if not isinstance(value, (bool, np.bool_)):
+        raise ArgumentTypeError(f"{what} = {value!r} must be True or False.")
+    return True if value else None
 
 
 def value_text(value: Any, what: str) -> str:

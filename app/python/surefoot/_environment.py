@@ -12,7 +12,7 @@ from typing import Any, Mapping
 
 import numpy as np
 
-from ._descriptions import finite_number, json_text, numbers_array, parameters_of, value_text, \
+from ._descriptions import finite_number, flag, json_text, numbers_array, parameters_of, value_text, \
     whole_number, without_none
 from ._errors import ArgumentTypeError, UsageError
 from ._library import Handle, Outcome, address, check, library, text_of
@@ -32,7 +32,7 @@ def environment_description(name: Any, preset: str | None, scenario: str | None,
                                 "or the file of a robot.")
     return without_none(environment=os.fspath(name), preset=preset, scenario=scenario,
                         parameters=parameters_of(parameters, keywords, "environment."),
-                        programs=True if programs else None)
+                        programs=flag(programs, "programs"))
 
 
 def observation_space_of(about: Mapping[str, Any]) -> Box:
@@ -78,7 +78,8 @@ class Environment(Env):
                  **keywords: Any) -> None:
         description = environment_description(name, preset, scenario, parameters, programs,
                                               keywords)
-        if render_mode not in (None, "human", "rgb_array"):
+        if not (render_mode is None or
+                isinstance(render_mode, str) and render_mode in ("human", "rgb_array")):
             raise UsageError(f'render_mode = {render_mode!r}; allowed are None, "human" and '
                              '"rgb_array".')
         self._size = _size_of(render_size)
@@ -100,7 +101,7 @@ class Environment(Env):
         self._step_time = about["step_time"] or 1.0
         self.spec = spec_of(description["environment"], without_none(
             preset=preset, scenario=scenario, render_mode=render_mode,
-            parameters=description.get("parameters"), programs=programs or None))
+            parameters=description.get("parameters"), programs=description.get("programs")))
         self._seeded = False
 
         # What a step writes into, made once.

@@ -10,7 +10,7 @@ import sys
 import time
 from typing import Any, Callable, Mapping
 
-from ._descriptions import json_text, parameters_of, path_bytes, whole_number, without_none
+from ._descriptions import flag, json_text, parameters_of, path_bytes, whole_number, without_none
 from ._errors import ArgumentTypeError
 from ._interrupts import Interruptible
 from ._library import Handle, ProgressCall, check, library, text_of
@@ -44,12 +44,12 @@ def experiment(plan: str | os.PathLike, out: str | os.PathLike = "results.sqlite
         what = path_bytes(plan, "plan")
     path_bytes(out, "out")
     options = without_none(
-        out=os.fspath(out), resume=True if resume else None, programs=True if programs else None,
+        out=os.fspath(out), resume=flag(resume, "resume"), programs=flag(programs, "programs"),
         lives=None if lives is None else whole_number(lives, "lives", 1),
         seed=None if seed is None else whole_number(seed, "seed"),
         jobs=None if jobs is None else whole_number(jobs, "jobs", 1, 10_000),
         parameters=parameters_of(parameters, keywords))
-    tell = _Line() if progress is True else progress or None
+    tell = _Line() if progress is True else None if progress is False else progress
     if tell is not None and not callable(tell):
         raise ArgumentTypeError(f"progress = {progress!r} must be True, False or a function.")
 

@@ -28,7 +28,7 @@ class Learned:
         `layer`: "sum" is Q; "positive" and "negative" are Q+ and Q− of learners that keep them;
         "risk" is the risk of a fall, where it is learned.
         """
-        if layer not in LAYERS:
+        if not isinstance(layer, str) or layer not in LAYERS:
             raise UsageError(f"layer = {layer!r}; allowed are {', '.join(LAYERS)}.")
         return self._ask("values", states, self._actions, LAYERS[layer])
 

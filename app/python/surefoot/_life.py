@@ -13,7 +13,7 @@ from typing import Any, Callable, Mapping
 
 import numpy as np
 
-from ._descriptions import finite_number, json_text, numbers_array, parameters_of, path_bytes, \
+from ._descriptions import finite_number, flag, json_text, numbers_array, parameters_of, path_bytes, \
     value_text, whole_number, without_none
 from ._environment import Environment
 from ._episodes import EPISODE, episodes_table
@@ -87,7 +87,8 @@ class Life(Learned):
         description = dict(configuration or {})
         given = without_none(
             environment=environment, preset=preset, scenario=scenario, agent=agent,
-            features=features, policy=policy, load=load, programs=programs,
+            features=features, policy=policy, load=load,
+            programs=None if programs is None else flag(programs, "programs"),
             seed=None if seed is None else whole_number(seed, "seed"),
             life=None if life is None else whole_number(life, "life"),
             parameters=parameters_of(parameters, keywords))

@@ -104,7 +104,7 @@ def frame(source: Any, table: str = "episodes") -> Any:
     if hasattr(source, "episodes"):
         return pandas.DataFrame(source.episodes())
     tables = {"episodes": episodes, "lives": lives}
-    if table not in tables:
+    if not isinstance(table, str) or table not in tables:
         raise UsageError(f'table = {table!r}; allowed are "episodes" and "lives".')
     data = pandas.DataFrame(tables[table](source))
     names = [c["name"] for c in conditions(source)]

@@ -226,7 +226,7 @@ def _mode_of(autoreset: Any) -> AutoresetMode:
     if isinstance(autoreset, AutoresetMode):
         return autoreset
     for mode in AutoresetMode:
-        if autoreset in (mode.name.lower(), mode.value):
+        if isinstance(autoreset, str) and autoreset in (mode.name.lower(), mode.value):
             return mode
     raise UsageError(f'autoreset = {autoreset!r}; allowed are "next_step", "same_step" and '
                      '"disabled".')
