@@ -95,6 +95,12 @@ def live(env, agent, minutes, seed=1):
 # The pendulum: three state variables, five torques.
 
 # %%
+def tiles_of(env):
+    """The library's usual number of tiles over the range of each state variable."""
+    return np.array([(v["high"] - v["low"]) / v["span"] * v["resolution"]
+                     for v in env.about["state"]])
+
+
 def fallen_of(life):
     """The minute of every fall of one of Surefoot's lives."""
     rows = life.episodes()
@@ -103,7 +109,7 @@ def fallen_of(life):
 
 results = {}
 with surefoot.make("pendulum") as env:
-    agent = Sarsa(env.ranges, int(env.action_space.n), tiles=[5.4, 30, 57])
+    agent = Sarsa(env.ranges, int(env.action_space.n), tiles_of(env), memory=2**18)
     results["pendulum, yours"], speed = live(env, agent, MINUTES)
     print(f"yours: {speed:,.0f} steps/s")
 with surefoot.Life(environment="pendulum", seed=1) as life:
@@ -115,11 +121,8 @@ with surefoot.Life(environment="pendulum", seed=1) as life:
 
 # %%
 with surefoot.make("leo") as env:
-    parameters = {p["name"]: p["default"] for p in surefoot.list_all()["parameters"]}
-    task = env.about
-    tiles = np.array([parameters.get("features." + v["key"], 4.0) for v in task["state"]])
-    agent = Sarsa(env.ranges, int(env.action_space.n), tiles, step_size=0.2, discount=0.9962,
-                  trace_decay=0.8582, initial=0.01)
+    agent = Sarsa(env.ranges, int(env.action_space.n), tiles_of(env), step_size=0.2,
+                  discount=0.9962, trace_decay=0.8582, initial=0.01)
     results["LEO, yours"], speed = live(env, agent, LEO_MINUTES)
     print(f"yours: {speed:,.0f} steps/s")
 with surefoot.Life(environment="leo", seed=1) as life:
@@ -141,7 +144,7 @@ else:
     figure, both = plt.subplots(1, 2, figsize=(9, 3.4), layout="constrained")
     for name, fallen in results.items():
         world, whose = name.split(", ")
-        axes = both[world == "LEO"]
+        axes = both[int(world == "LEO")]
         axes.step(fallen, np.arange(1, len(fallen) + 1), where="post", label=whose)
         axes.set(xlabel="simulated minutes", ylabel="falls", title=world)
         axes.legend()

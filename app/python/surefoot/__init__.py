@@ -45,7 +45,7 @@ from ._environment import IDS as _IDS, Environment, make
 from ._errors import (ArgumentTypeError, BusyError, DivergedError, Error, FileError, InternalError,
                       MismatchError, MissingError, UnansweredError, UsageError)
 from ._experiment import experiment
-from ._library import check as _check, library as _library, version as __version__
+from ._library import check as _check, library as _c, version as __version__
 from ._life import Life, Totals, resume
 from ._q_function import QFunction, load
 from ._results import conditions, episodes, frame, lives, statistics
@@ -61,6 +61,11 @@ __all__ = [
 ]
 
 
+for _name in __all__:  # so that they are called surefoot.Life, and not by the file they stand in
+    if _name != "export" and _name != "list_all":
+        globals()[_name].__module__ = __name__
+
+
 def list_all() -> dict[str, _Any]:
     """Everything that can be chosen by name, with every parameter, as `surefoot list --json`.
 
@@ -68,7 +73,7 @@ def list_all() -> dict[str, _Any]:
     "parameters": [{"name", "title", "unit", "range", "default", "applies", "help", "formula"}, …]}
     """
     text = _ctypes.c_char_p()
-    _check(_library.surefoot_list(_ctypes.byref(text)))
+    _check(_c.surefoot_list(_ctypes.byref(text)))
     return _json.loads(text.value)
 
 

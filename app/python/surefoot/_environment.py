@@ -12,8 +12,8 @@ from typing import Any, Mapping
 
 import numpy as np
 
-from ._descriptions import finite_number, flag, json_text, numbers_array, parameters_of, value_text, \
-    whole_number, without_none
+from ._descriptions import finite_number, flag, json_text, numbers_array, parameters_of, \
+    value_text, whole_number, without_none
 from ._errors import ArgumentTypeError, UsageError
 from ._library import Handle, Outcome, address, check, library, text_of
 from ._spaces import Box, Discrete, Env, gymnasium

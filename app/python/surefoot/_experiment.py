@@ -82,13 +82,17 @@ def experiment(plan: str | os.PathLike, out: str | os.PathLike = "results.sqlite
 
 
 class _Line:
-    """Progress as a line that is written over."""
+    """Progress as a line that is written over; where no terminal is, only every tenth of it."""
 
     def __init__(self) -> None:
-        self._begun, self._written = time.monotonic(), False
+        self._begun, self._written, self._next = time.monotonic(), False, 0.1
 
     def __call__(self, now: dict[str, Any]) -> None:
         seconds, share = time.monotonic() - self._begun, now["share"]
+        if not sys.stderr.isatty():
+            if share < self._next:
+                return
+            self._next = share + 0.1
         left = "" if share <= 0.01 else f", about {seconds * (1 / share - 1):,.0f} s left"
         print(f"\r{100 * share:.0f} %: {now['lives']:,} of {now['of']:,} lives, "
               f"{now['falls']:,} falls{left}   ", end="", file=sys.stderr, flush=True)

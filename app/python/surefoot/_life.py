@@ -13,8 +13,8 @@ from typing import Any, Callable, Mapping
 
 import numpy as np
 
-from ._descriptions import finite_number, flag, json_text, numbers_array, parameters_of, path_bytes, \
-    value_text, whole_number, without_none
+from ._descriptions import finite_number, flag, json_text, numbers_array, parameters_of, \
+    path_bytes, value_text, whole_number, without_none
 from ._environment import Environment
 from ._episodes import EPISODE, episodes_table
 from ._errors import ArgumentTypeError, UsageError
