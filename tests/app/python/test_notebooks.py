@@ -22,7 +22,8 @@ class Notebooks(support.Folder):
         return done.stdout
 
     def test_all_are_here(self):
-        tested = re.findall(r'run_notebook\("(\w+\.py)"', Path(__file__).read_text(encoding="utf-8"))
+        tested = re.findall(r'run_notebook\("(\w+\.py)"',
+                            Path(__file__).read_text(encoding="utf-8"))
         self.assertEqual(sorted(tested), sorted(p.name for p in NOTEBOOKS.glob("*.py")))
 
     def test_first_steps(self):

@@ -16,8 +16,8 @@ def actions_of(number, steps, n=N, seed=1):
 
 class Vector(support.Folder):
     def test_next_step(self):
-        for name, steps in (("pendulum", 600), ("compass", 200), ("random-walk", 200), ("chain", 200),
-                            (support.ROBOTS / "hopper.toml", 200)):
+        for name, steps in (("pendulum", 600), ("compass", 200), ("random-walk", 200),
+                            ("chain", 200), (support.ROBOTS / "hopper.toml", 200)):
             with self.subTest(name=str(name)), surefoot.make_vec(name, N) as envs:
                 self.compare(name, envs, steps)
 
