@@ -44,6 +44,16 @@ class SameBits(support.Folder):
         robot = support.ROBOTS / "hopper.toml"
         self.same(["--environment", robot], minutes=0.5, environment=robot)
 
+    def test_a_robot_that_a_program_moves(self):
+        robot = support.ROBOTS / "child" / "car.toml"
+        with self.refused(surefoot.UnansweredError, "Nobody has allowed it"):
+            with surefoot.Life(environment=robot) as life:
+                life.run(steps=10)
+        told = support.train("--environment", robot, "--allow-programs", "--episodes", 2)["lives"]
+        with surefoot.Life(environment=robot, programs=True) as life:
+            life.run(episodes=2)
+            self.assertEqual(life.hash, told[0]["hash"])
+
     def test_in_pieces_as_in_one(self):
         with surefoot.Life(seed=3) as whole, surefoot.Life(seed=3) as pieces:
             whole.run(minutes=1)
