@@ -12,6 +12,7 @@ OrderedJson about(const StateVariable& v) {
                       {"low", v.low}, {"high", v.high},   {"period", nullptr},  {"whole", v.whole}};
   if (v.period) json["period"] = *v.period;
   json["resolution"] = v.resolution;
+  json["span"] = v.span;
   return json;
 }
 

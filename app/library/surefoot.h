@@ -81,7 +81,8 @@ typedef struct surefoot_outcome {
 SUREFOOT_CALL surefoot_status surefoot_environment_make(const char *description, surefoot_environment **environment);
 SUREFOOT_PLAIN surefoot_status surefoot_environment_close(surefoot_environment *environment);
 /* {"environment", "preset", "scenario", "parameters": {…},
- *  "state": [{"key", "title", "symbol", "unit", "low", "high", "period", "whole", "resolution"}, …],
+ *  "state": [{"key", "title", "symbol", "unit", "low", "high", "period", "whole", "resolution" (tiles per span, usual),
+ *             "span"}, …],
  *  "actions": [[physical values of action 0, one a variable], …], "action_names": […],
  *  "action_variables": [{"key", "title", "unit", "levels"}, …],
  *  "reward_terms": […], "measures": [{"key", "title", "unit"}, …], "signals": [{"key", "title", "symbol", "unit",
