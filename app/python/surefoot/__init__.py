@@ -41,10 +41,11 @@ import json as _json
 from typing import Any as _Any
 
 from . import export
-from ._environment import IDS as _IDS, Environment, make
+from ._environment import Environment, make
 from ._errors import (ArgumentTypeError, BusyError, DivergedError, Error, FileError, InternalError,
                       MismatchError, MissingError, UnansweredError, UsageError)
 from ._experiment import experiment
+from ._kinds import IDS as _IDS
 from ._library import check as _check, library as _c, version as __version__
 from ._life import Life, Totals, resume
 from ._q_function import QFunction, load

@@ -12,46 +12,12 @@ from typing import Any, Mapping
 
 import numpy as np
 
-from ._descriptions import finite_number, flag, json_text, numbers_array, parameters_of, \
-    value_text, whole_number, without_none
+from ._descriptions import finite_number, json_text, numbers_array, value_text, whole_number, \
+    without_none
 from ._errors import ArgumentTypeError, UsageError
+from ._kinds import environment_description, observation_space_of, spec_of
 from ._library import Handle, Outcome, address, check, library, text_of
-from ._spaces import Box, Discrete, Env, gymnasium
-
-#: Gymnasium's names of the environments that come with the library.
-IDS = {"cliff": "Cliff", "grid-world": "GridWorld", "chain": "Chain", "random-walk": "RandomWalk",
-       "mountain-car": "MountainCar", "pendulum": "Pendulum", "compass": "Compass", "leo": "Leo"}
-
-
-def environment_description(name: Any, preset: str | None, scenario: str | None,
-                            parameters: Mapping[str, Any] | None, programs: bool,
-                            keywords: Mapping[str, Any]) -> dict[str, Any]:
-    """The description of an environment that the library reads."""
-    if not isinstance(name, (str, os.PathLike)):
-        raise ArgumentTypeError(f"the environment = {name!r} must be a name such as \"pendulum\", "
-                                "or the file of a robot.")
-    return without_none(environment=os.fspath(name), preset=preset, scenario=scenario,
-                        parameters=parameters_of(parameters, keywords, "environment."),
-                        programs=flag(programs, "programs"))
-
-
-def observation_space_of(about: Mapping[str, Any]) -> Box:
-    """The states that an environment can come to, float64 [state variables].
-
-    It is unbounded: a robot that falls leaves the range that matters (``Environment.ranges``), and
-    a row of places ends beside its last one; the state is told all the same.
-    """
-    return Box(-np.inf, np.inf, (len(about["state"]),), np.float64)
-
-
-def spec_of(name: str, keywords: Mapping[str, Any]) -> Any:
-    """Gymnasium's description of an environment that was not made by Gymnasium."""
-    if gymnasium is None:
-        return None
-    spec = gymnasium.spec(f"surefoot/{IDS.get(name, 'Robot')}-v0")
-    spec.kwargs = {**({"name": name} if name in IDS else {"robot": name}), **keywords}
-    return spec
-
+from ._spaces import Discrete, Env
 
 class Environment(Env):
     """A world with a task; made by :func:`surefoot.make`, or by Gymnasium.

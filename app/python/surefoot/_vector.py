@@ -12,8 +12,8 @@ from typing import Any, Mapping, Sequence
 import numpy as np
 
 from ._descriptions import json_text, whole_number
-from ._environment import environment_description, observation_space_of
 from ._errors import ArgumentTypeError, UsageError
+from ._kinds import environment_description, observation_space_of
 from ._library import Batch, Handle, address, check, library
 from ._spaces import AutoresetMode, Discrete, VectorEnv, batch_space
 
