@@ -8,13 +8,16 @@
 #include <string_view>
 
 #include "app/commands/commands.h"
+#include "app/completion/completion.h"
 #include "app/process/exit_code.h"
 #include "app/process/interrupt.h"
 #include "app/process/resources.h"
+#include "app/versions.h"
 #include "core/environment_library.h"
 #include "core/environment_programs.h"
 #include "core/register/register.h"
 #include "core/text/printable.h"
+#include "core/version.h"
 #include "physics/register.h"
 
 namespace surefoot {
@@ -69,6 +72,8 @@ int run(int argc, char** argv) {
   registry.programs->setModules(resourceFolder("robots/child"));
   registry.programs->stopWaitingWith(&watchForInterrupt());
   registry.programs->setRemark(tell);
+  if (argc >= 2 && std::string_view(argv[1]) == "complete")  // asked by a shell: resources/completions
+    return print(completionsText(complete(registry, {argv + 2, argv + argc})));
   if (const Status s = checkNoneIsEmpty(argc, argv); !s) return fail(s.error());
   static char option[] = "--help";
   if (argc == 3 && std::string_view(argv[1]) == "help") std::swap(argv[1], argv[2]);  // "help check"
@@ -106,6 +111,10 @@ int run(int argc, char** argv) {
     int operator()(const StatisticsRequest& r) const { return statisticsCommand(registry, r); }
     int operator()(const LessonsRequest& r) const { return lessonsCommand(registry, r); }
     int operator()(const PrintRequest& r) const { return print(r.text); }
+    int operator()(const VersionRequest& r) const {
+      return print(r.json ? versionsAsJson() : fmt::format("surefoot {}\n", kVersion));
+    }
+    int operator()(const ManualRequest& r) const { return manualCommand(registry, r); }
   };
   return std::visit(Dispatch{registry, argc, argv}, *request);
 }

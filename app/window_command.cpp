@@ -3,14 +3,17 @@
 #include <unistd.h>
 
 #include <QApplication>
+#include <QIcon>
 #include <QTimer>
 #include <filesystem>
 
 #include "app/commands/commands.h"
+#include "app/open_window.h"
 #include "app/process/exit_code.h"
 #include "app/process/interrupt.h"
 #include "app/process/resources.h"
 #include "app/reports/report.h"
+#include "app/versions.h"
 #include "core/basics/guarded_call.h"
 #include "core/environment_programs.h"
 #include "core/files/whole_file.h"
@@ -164,6 +167,8 @@ int windowCommand(const Registry& registry, const WindowRequest& request, int ar
   QApplication::setOrganizationName("Surefoot");
   QApplication::setApplicationVersion(kVersion);
   QApplication::setDesktopFileName("surefoot");
+  QApplication::setWindowIcon(QIcon(QString::fromStdString(resourceFolder("desktop") + "/surefoot.svg")));
+  if (request.reuseWindow && handToOpenWindow(QString::fromStdString(request.file.value_or("")))) return kDone;
   const Preferences preferences = readPreferences();
   if (request.kiosk) return kioskCommand(registry, request, application);
   applyAppearance(application, preferences.appearance);
@@ -174,13 +179,25 @@ int windowCommand(const Registry& registry, const WindowRequest& request, int ar
     setup.plans.push_back({plan.title, plan.path, plan.recipe, plan.recipe ? groupOf(plan) : "", plan.name, plan.shows,
                            plan.answers, plan.minutes});
   setup.lessons = QString::fromStdString(resourceFolder("lessons"));
+  setup.about.folder = QString::fromStdString(resourceFolder("about"));
+  for (const PartVersion& part : partVersions())
+    setup.about.versions.emplace_back(QString::fromStdString(part.name), QString::fromStdString(part.version));
   setup.asksOnQuit = !request.json && !request.log;  // with these, quitting writes the results
   MainWindow window(session, std::move(setup));
   window.show();
+  if (request.page) window.setPage(*request.page);
   if (const Status s = enterLessons(request, window); !s) return fail(s.error());
   application.tell = [&session](const QString& sentence) { Q_EMIT session.newLives().refused(sentence); };
   session.life().setTurbo(request.turbo);
-  session.life().setRunning(preferences.beginRunning && !request.follow);
+  session.life().setRunning(preferences.beginRunning && !request.follow && !request.file);
+  const auto runs = [&session, runs = preferences.beginRunning] { session.life().setRunning(runs); };
+  if (request.file) window.openFile(QString::fromStdString(*request.file), runs);
+  const OpenWindow open([&window](const QString& path) {
+    window.setWindowState(window.windowState() & ~Qt::WindowMinimized);
+    window.raise();
+    window.activateWindow();
+    if (!path.isEmpty()) window.openFile(path);
+  });
   if (request.follow) window.follow(QString::fromStdString(*request.follow));
 
   const std::atomic<bool>& interrupted = watchForInterrupt();

@@ -29,6 +29,7 @@ int checkCommand(const Registry& registry, const CheckRequest& request);
 int newRobotCommand(const Registry& registry, const NewRobotRequest& request);
 int replayCommand(const Registry& registry, const ReplayRequest& request);
 int differenceCommand(const Registry& registry, const DifferenceRequest& request);
+int manualCommand(const Registry& registry, const ManualRequest& request);
 
 /// Prints "surefoot: …" to standard error and returns the exit code of the error.
 int fail(const Error& error);

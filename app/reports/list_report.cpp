@@ -5,49 +5,18 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/manual/known.h"
 #include "core/basics/typed_json.h"
 #include "core/environment_library.h"
 #include "core/formulas.h"
 #include "core/glossary.h"
-#include "core/life/rewinding.h"
 #include "core/recipes/figure.h"
-#include "core/text/number_text.h"
-#include "core/text/words.h"
 
 namespace surefoot {
 
 using OrderedJson = nlohmann::ordered_json;
 
 namespace {
-
-/// Every parameter that any environment with any agent declares, each key once.
-Parameters allParameters(const Registry& registry) {
-  Parameters all;
-  for (const PolicyEntry& entry : registry.policies) all.add(*entry.make(), "policy.");
-  Rewinding rewinding;
-  all.add(rewinding, "life.");
-  for (const EnvironmentEntry& environmentEntry : registry.environments) {
-    const auto environment = environmentEntry.make();
-    all.add(*environment, "environment.");
-    for (const AgentEntry& agent : registry.agents)
-      for (const FeatureEntry& features : registry.features)
-        static_cast<void>(
-            static_cast<bool>(agent.declare(environment->task(), features.name, all)));  // a misfit adds nothing
-  }
-  return all;
-}
-
-const char* whenName(When when) {
-  switch (when) {
-    case When::Now:
-      return "now";
-    case When::NextEpisode:
-      return "next episode";
-    case When::NewTable:
-      break;
-  }
-  return "new table";
-}
 
 OrderedJson describe(const Parameters::Entry& entry) {
   const Parameter& p = entry.parameter;
@@ -102,12 +71,10 @@ std::string table(const Parameters& parameters) {
   std::string text = "parameters (--set KEY=VALUE)\n";
   for (const auto& entry : parameters.all()) {
     const Parameter& p = entry.parameter;
-    const std::string range =
-        p.kind == Kind::Choice ? joinWords(p.choices, "or") : boundText(p.low) + " … " + boundText(p.high);
     std::string name = p.symbol.empty() ? p.key : fmt::format("{} ({})", p.key, p.symbol);
     text += fmt::format("  {:<32} default {}{}, {}, applies {}\n      {} Default: {}.\n      {}\n", name,
-                        formatValue(p, p.fallback), p.unit.empty() ? "" : " " + p.unit, range, whenName(p.when), p.help,
-                        p.origin, formulaOf(p));
+                        formatValue(p, p.fallback), p.unit.empty() ? "" : " " + p.unit, rangeText(p), whenName(p.when),
+                        p.help, p.origin, formulaOf(p));
   }
   return text;
 }
@@ -124,27 +91,14 @@ OrderedJson describeFigures() {
   return list;
 }
 
-/// The robots that come with the program as files.
-std::vector<EnvironmentEntry> robotsOf(const Registry& registry) {
-  std::vector<EnvironmentEntry> robots;
-  for (const std::string& name : registry.files ? registry.files->shelved() : std::vector<std::string>()) {
-    const auto file = registry.files->open(registry.files->shelvedPath(name));
-    if (!file) continue;
-    EnvironmentEntry entry = (*file)->entry;
-    entry.name = name;
-    robots.push_back(std::move(entry));
-  }
-  return robots;
-}
-
 std::string robotTable(const Registry& registry) {
-  const auto robots = robotsOf(registry);
+  const auto robots = shelvedRobots(registry);
   return robots.empty() ? "" : table("robots from files (surefoot check NAME tells more of one)", robots);
 }
 
 OrderedJson describeRobots(const Registry& registry) {
   OrderedJson list = OrderedJson::array();
-  for (const EnvironmentEntry& robot : robotsOf(registry))
+  for (const EnvironmentEntry& robot : shelvedRobots(registry))
     list.push_back({{"name", robot.name}, {"title", robot.title}, {"help", robot.help}});
   return list;
 }
@@ -153,7 +107,7 @@ OrderedJson describeRobots(const Registry& registry) {
 
 std::string listAsJson(const Registry& r) {
   OrderedJson list = OrderedJson::array();
-  const Parameters parameters = allParameters(r);
+  const Parameters parameters = everyParameter(r);
   for (const auto& entry : parameters.all()) list.push_back(describe(entry));
   const OrderedJson json = {{"environments", describe(r.environments)},
                             {"robots", describeRobots(r)},
@@ -170,7 +124,7 @@ std::string listAsJson(const Registry& r) {
 std::string listAsTable(const Registry& r) {
   return table("environments", r.environments) + robotTable(r) + table("features", r.features) +
          table("agents", r.agents) + table("policies", r.policies) + table("presets", r.presets) +
-         table("scenarios", r.scenarios) + figureTable() + table(allParameters(r));
+         table("scenarios", r.scenarios) + figureTable() + table(everyParameter(r));
 }
 
 }  // namespace surefoot

@@ -6,15 +6,17 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 
-#include "app/requests/follow_line.h"
+#include "app/process/exit_code.h"
+#include "app/requests/declared_commands.h"
+#include "app/requests/examples.h"
 #include "app/requests/laboratory_line.h"
 #include "app/requests/lessons_line.h"
+#include "app/requests/line_errors.h"
+#include "app/requests/open_line.h"
 #include "app/requests/requests.h"
 #include "app/requests/robots_line.h"
 #include "app/requests/signals_line.h"
 #include "core/environment_programs.h"
-#include "core/text/text.h"
-#include "core/text/words.h"
 #include "core/version.h"
 
 namespace surefoot {
@@ -70,55 +72,6 @@ void addFileOptions(CLI::App& app, TrainOptions& o) {
   app.add_flag("--other-version", o.otherVersion, "with --resume: even if a version lived it whose lives are others");
 }
 
-/// The first word that no option or command knows, with the nearest that one does.
-Error unexpected(const CLI::App& app, const CLI::App& train, const std::string& word) {
-  const bool option = word.starts_with('-');
-  const bool top = app.get_parent() == nullptr;
-  const std::string name = word.substr(0, word.find('='));
-  const auto optionsOf = [](const CLI::App& command) {
-    std::vector<std::string> names;
-    for (const CLI::Option* o : command.get_options()) names.push_back(o->get_name());
-    return names;
-  };
-  std::vector<std::string> known;
-  if (option) known = optionsOf(app);
-  if (!option && top)
-    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
-      known.push_back(command->get_name());
-  if (option && top) {
-    const auto behind = optionsOf(train);
-    if (std::find(behind.begin(), behind.end(), name) != behind.end())
-      return Error{fmt::format("{}: it stands behind a command, as in `surefoot train {} …` or `surefoot window {} …`.",
-                               name, name, name)};
-  }
-  const std::string near = nearestWord(name, known);
-  const char* what = option ? "there is no such option" : top ? "there is no such command" : "nothing is expected here";
-  return Error{fmt::format("\"{}\": {}{}; see `surefoot{} --help`.", shortened(name), what,
-                           near.empty() ? "" : ", did you mean " + near, top ? "" : " " + app.get_name())};
-}
-
-/// CLI11's error, in one sentence.
-Error plain(const CLI::ParseError& error) {
-  std::string text = error.what();
-  const std::string option = text.substr(0, text.find(':'));
-  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) {
-    const bool twice = text.find("At Most") != std::string::npos || text.find("Exactly") != std::string::npos;
-    return Error{option + (twice ? ": it is given more than once; give it once." : ": a value is needed behind it.")};
-  }
-  std::replace(text.begin(), text.end(), '\n', ' ');
-  return Error{text.ends_with('.') ? text : text + "."};
-}
-
-/// `--log --json` is a forgotten file name, not a file called "--json".
-Status checkSwallowed(const CLI::App& command) {
-  for (const CLI::Option* option : command.get_options())
-    for (const std::string& value : option->results())
-      if (value.starts_with("--"))
-        return Error{
-            fmt::format("{}: a value is needed behind it, not the option {}.", option->get_name(), shortened(value))};
-  return Done{};
-}
-
 /// The program's commands and options, bound to the texts that they were given.
 struct CommandLine {
   CLI::App app{"Surefoot: reinforcement learning that avoids falling. Without a command it opens the window.",
@@ -135,7 +88,8 @@ struct CommandLine {
   CLI::App* bench = app.add_subcommand("bench", "how fast this machine learns");
   CLI::App* probabilities = app.add_subcommand("probabilities", "the probability of every action, given its value");
   LessonsLine lessons{app, *window};
-  FollowLine follow{*window};
+  CLI::App* manual = app.add_subcommand("manual", "write the manual pages")->group("");
+  OpenLine open{*window};
   RobotsLine robots{app};
   SignalsLine signals{app};
   LaboratoryLine laboratory{app};
@@ -149,6 +103,8 @@ struct CommandLine {
   ReplayRequest replayOptions;
   DifferenceRequest differenceOptions;
   BenchRequest benchOptions;
+  ManualRequest manualOptions;
+  bool versionAsJson = false;
 
   /// Those that let an environment move.
   std::vector<CLI::App*> livingCommands() const {
@@ -157,7 +113,7 @@ struct CommandLine {
     return all;
   }
 
-  CommandLine() {
+  explicit CommandLine(const Registry& registry) {
     app.require_subcommand(0, 1);
     addTrainOptions(*train, trainOptions);
     addTrainOptions(*window, windowOptions);
@@ -184,7 +140,17 @@ struct CommandLine {
       command->set_help_flag("-h,--help", "print this help");
       command->set_version_flag("--version", std::string("surefoot ") + kVersion, "print the version");
       command->allow_extras();
+      if (const std::string examples = examplesText(command->get_name()); !examples.empty())
+        command->footer(examples + command->get_footer());
     }
+    for (CLI::App* command : livingCommands())
+      command->add_flag_callback(
+          "--allow-programs", [&registry] { registry.programs->allowAll(); },
+          "robots may start the programs that their files name");
+    app.add_flag("--json", versionAsJson, "with --version: as JSON, with the versions of all libraries");
+    app.footer(exitCodesText());
+    manual->add_option("FOLDER", manualOptions.folder, "the folder to write them to");
+    manual->add_option("DATE", manualOptions.date, "the date that they bear");
   }
 
   void addFileCommands() {
@@ -223,6 +189,16 @@ struct CommandLine {
     difference->add_flag("--json", differenceOptions.json, "as JSON");
   }
 
+  /// Whether --json stands anywhere, whatever else there is.
+  bool asksForJson() const {
+    const auto has = [](const CLI::App& command) {
+      const CLI::Option* json = command.get_option_no_throw("--json");
+      return json && json->count() > 0;
+    };
+    const auto commands = app.get_subcommands();
+    return has(app) || std::any_of(commands.begin(), commands.end(), [&](const CLI::App* c) { return has(*c); });
+  }
+
   /// An error for words that no option takes, or for an option that took a word not meant for it.
   Status checkLeftovers() const {
     const auto chosen = app.get_subcommands();
@@ -243,22 +219,30 @@ Result<Request> any(Result<R> request) {
 
 }  // namespace
 
+std::vector<DeclaredCommand> declaredCommands(const Registry& registry) {
+  return declaredIn(CommandLine(registry).app);
+}
+
 Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv) {
-  CommandLine line;
-  for (CLI::App* command : line.livingCommands())
-    command->add_flag_callback(
-        "--allow-programs", [&] { registry.programs->allowAll(); },
-        "robots may start the programs that their files name");
+  CommandLine line(registry);
+  std::vector<std::string> words(argv + 1, argv + argc);
+  const bool command =
+      words.empty() || !line.app.get_subcommands([&](const CLI::App* c) { return c->get_name() == words[0]; }).empty();
+  if (!command && OpenLine::isFile(words[0])) words.insert(words.begin(), "window");
+  std::reverse(words.begin(), words.end());  // as CLI11 wants them
   try {
-    line.app.parse(argc, argv);
+    line.app.parse(words);
   } catch (const CLI::CallForHelp&) {
     return Request(PrintRequest{line.app.help()});
   } catch (const CLI::CallForVersion&) {
-    return Request(PrintRequest{std::string("surefoot ") + kVersion + "\n"});
+    return Request(VersionRequest{line.asksForJson()});
   } catch (const CLI::ParseError& error) {
     return plain(error);
   }
   if (const Status s = line.checkLeftovers(); !s) return s.error();
+  if (line.versionAsJson)
+    return Error{"--json: in front of a command it goes with --version; behind one it is the command's."};
+  if (line.manual->parsed()) return Request(line.manualOptions);
 
   if (auto request = line.laboratory.request(registry)) return std::move(*request);
   if (auto request = line.robots.request()) return std::move(*request);
@@ -274,11 +258,11 @@ Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv
   if (line.replay->parsed()) return Request(line.replayOptions);
   if (line.difference->parsed()) return Request(line.differenceOptions);
   if (line.lessons.lessons->parsed()) return Request(line.lessons.request);
-  if (const Status s = line.follow.check(); !s) return s.error();
+  if (const Status s = line.open.check(); !s) return s.error();
   auto request = makeTrainRequest(registry, line.windowOptions, true);
   if (!request) return request.error();
   WindowRequest shown{std::move(*request)};
-  shown.follow = line.follow.follow;
+  line.open.complete(shown);
   if (const Status s = line.lessons.complete(shown); !s) return s.error();
   return Request(std::move(shown));
 }

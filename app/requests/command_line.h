@@ -47,6 +47,9 @@ struct TrainRequest {
   std::optional<std::int64_t> mostSteps;      ///< limit of a life that is lived anew, if it has no other
 };
 struct WindowRequest : TrainRequest {
+  std::optional<std::string> file{};             ///< opens this file, an absolute path
+  bool reuseWindow = false;                      ///< in the window that is there already, if there is one
+  std::optional<int> page{};                     ///< begins on this page, from 0
   std::optional<std::string> follow{};           ///< looks at this file while another process writes it
   std::optional<std::string> lesson{}, kiosk{};  ///< begins with a lesson, or shows nothing else
   std::string student{}, classFolder{};          ///< answers are appended to a file of the student in a shared folder
@@ -177,16 +180,26 @@ struct NewRobotRequest {
   std::string name, like = "segway";
 };
 
-/// --help or --version: the text to print.
+/// --help: the text to print.
 struct PrintRequest {
   std::string text;
+};
+
+/// --version, of the program alone or as JSON with all libraries.
+struct VersionRequest {
+  bool json = false;
+};
+
+/// `surefoot manual`: writes the manual pages; for packages, so `--help` does not name it.
+struct ManualRequest {
+  std::string folder, date;
 };
 
 using Request =
     std::variant<ListRequest, ProbabilitiesRequest, TrainRequest, WindowRequest, QueryRequest, SliceRequest,
                  RolloutRequest, RobustnessRequest, InspectRequest, ResampleRequest, ReplayRequest, DifferenceRequest,
                  BenchRequest, ExperimentRequest, ReproduceRequest, ExportRequest, MergeRequest, StatisticsRequest,
-                 LessonsRequest, CheckRequest, NewRobotRequest, PrintRequest>;
+                 LessonsRequest, CheckRequest, NewRobotRequest, PrintRequest, VersionRequest, ManualRequest>;
 
 Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv);
 

@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <functional>
+#include <string>
 
 #include "core/files/whole_file.h"
 #include "ui/film/film.h"
@@ -15,5 +16,8 @@ namespace surefoot {
 /// with the number of pictures so far. The same film gives the same bytes.
 Status writeFilm(const std::string& name, const Film& film, const FilmKind& kind, WholeFile file,
                  const std::atomic<bool>& interrupted, const std::function<void(std::int64_t frames)>& done = {});
+
+/// Of the library that encodes WebP.
+std::string webpVersion();
 
 }  // namespace surefoot

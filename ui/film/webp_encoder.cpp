@@ -7,6 +7,7 @@
 
 #include "core/signals/footage.h"
 #include "ui/film/film_encoder.h"
+#include "ui/film/film_writer.h"
 
 namespace surefoot {
 
@@ -76,6 +77,11 @@ Result<std::unique_ptr<FilmEncoder>> makeWebpEncoder(const FilmJob& job) {
   auto encoder = std::make_unique<WebpEncoder>(job);
   if (!encoder->made()) return Error{job.name + ": libwebp makes no film of this size.", ErrorKind::File};
   return std::unique_ptr<FilmEncoder>(std::move(encoder));
+}
+
+std::string webpVersion() {
+  const int packed = WebPGetEncoderVersion();  // a byte each
+  return fmt::format("{}.{}.{}", packed >> 16, packed >> 8 & 0xFF, packed & 0xFF);
 }
 
 }  // namespace surefoot

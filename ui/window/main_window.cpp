@@ -35,6 +35,7 @@ MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent)
     : QMainWindow(parent),
       session_(session),
       appearance_(readPreferences().appearance),
+      about_(setup.about),
       asksOnQuit_(setup.asksOnQuit) {
   applyTextSize(readPreferences().textSize);
   setWindowTitle(tr("Surefoot"));

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "core/basics/result.h"
+#include "ui/about/about_dialog.h"
 #include "ui/experiment/experiment.h"
 #include "ui/live/run_bar.h"
 
@@ -47,6 +48,7 @@ struct WindowSetup {
   std::vector<PlanSource> plans;  ///< to choose from on the Experiment page
   QString lessons{};              ///< the folder of the lessons
   QString folder{};               ///< for results and autosaves; empty: the user's data folder
+  AboutFacts about{};             ///< for Help › About
   bool asksOnQuit = true;         ///< whether quitting asks to save; false if quitting writes the results
 };
 
@@ -61,8 +63,9 @@ class MainWindow final : public QMainWindow {
   RobotPage& robotPage() { return *robot_; }
   MessageBar& messages() { return *messages_; }
   void setPage(int page);
-  /// Opens any kind of file: a session, a Q-function, a journal, a plan, results.
-  void openFile(const QString& path);
+  /// Opens any kind of file: a session, a Q-function, a journal, a robot, a lesson, a plan, results. `lives` is called
+  /// when a life of the file is there.
+  void openFile(const QString& path, const std::function<void()>& lives = {});
   /// Looks at a store or a checkpoint that another process writes, read only, on the page where it belongs.
   void follow(const QString& path);
   void stopFollowing();
@@ -177,6 +180,7 @@ class MainWindow final : public QMainWindow {
   QPointer<FilmDialog> film_;
   SessionName* name_ = nullptr;
   QString troubleShown_;
+  AboutFacts about_;
   std::int64_t unansweredTries_ = 0;  ///< that were told
   bool asksOnQuit_ = true, closing_ = false, couldNotKeep_ = false;
   std::optional<Error> whyNotKept_;

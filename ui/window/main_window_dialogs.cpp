@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The few small dialogs of the window.
-#include <QApplication>
 #include <QGridLayout>
 #include <QInputDialog>
 #include <QLabel>
-#include <QVBoxLayout>
 
 #include "core/text/number_text.h"
+#include "ui/about/about_dialog.h"
 #include "ui/controls/fitted_dialog.h"
 #include "ui/controls/message_bar.h"
 #include "ui/live/form/pre_learning_dialog.h"
@@ -97,20 +96,8 @@ void MainWindow::showWords(const std::string& name) {
 }
 
 void MainWindow::showAbout() {
-  auto* dialog = new QDialog(this);
+  auto* dialog = new AboutDialog(about_, this);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  dialog->setWindowTitle(tr("About Surefoot"));
-  auto* body = new QWidget;
-  auto* column = new QVBoxLayout(body);
-  whenScaled(dialog, [column] { column->setContentsMargins(scaled({24, 20, 24, 20})); });
-  auto* text = new QLabel(
-      tr("<p style='font-size:large'>Surefoot %1</p><p>Reinforcement learning that avoids falling.</p>"
-         "<p>The methods are those of M. van Diepen's thesis<br><i>Avoiding failure states during Reinforcement "
-         "Learning</i>, Delft.</p><p>Free software under the GNU General Public License, version 3 or later.</p>")
-          .arg(QApplication::applicationVersion()));
-  text->setTextFormat(Qt::RichText);  // safe: no part of it comes from outside
-  column->addWidget(text);
-  fillDialog(*dialog, body);
   dialog->show();
 }
 

@@ -52,7 +52,7 @@ void MainWindow::openWithDialog() {
              [this](const QString& path) { openFile(path); });
 }
 
-void MainWindow::openFile(const QString& path) {
+void MainWindow::openFile(const QString& path, const std::function<void()>& lives) {
   if (isRobot(path)) {
     openRobot(path);
     return remember(path);
@@ -67,10 +67,11 @@ void MainWindow::openFile(const QString& path) {
     experiment_->open(path);
     return remember(path);
   }
-  session_.files().open(path.toStdString(), [this, path](const Status& status) {
+  session_.files().open(path.toStdString(), [this, path, lives](const Status& status) {
     if (!status) return messages_->say(toText(status.error().message));
     setPage(0);
     remember(path);
+    if (lives) lives();
   });
 }
 

@@ -1,0 +1,93 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# What is installed, and the Debian packages: `cmake --build build/release --target package`. A component is a package.
+# Here is `program`; a folder that installs others (library, development, python) appends them to the global property
+# SUREFOOT_COMPONENTS and sets their CPACK_DEBIAN_<COMPONENT>_… in the cache or in package_components.cmake.
+include(GNUInstallDirs)
+set(SUREFOOT_HOMEPAGE "https://surefoot.invalid" CACHE STRING "Where the project is published; screenshots/ below it")
+set(SUREFOOT_APP_ID "org.surefoot.surefoot" CACHE STRING "The program's name in software centres")
+set(SUREFOOT_MAINTAINER "The Surefoot maintainers <maintainers@surefoot.invalid>" CACHE STRING "Who makes packages")
+
+# The date of the release, from the newest heading of the CHANGELOG; before it is released, that of the last commit.
+file(STRINGS ${PROJECT_SOURCE_DIR}/CHANGELOG.md headings REGEX "^## ")
+list(GET headings 0 newest)
+set(SUREFOOT_DATE 2026-01-01)
+if(newest MATCHES "(20[0-9][0-9]-[01][0-9]-[0-3][0-9])")
+  set(SUREFOOT_DATE ${CMAKE_MATCH_1})
+else()
+  execute_process(COMMAND git log -1 --format=%cs WORKING_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE committed
+                  OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  if(committed MATCHES "^20[0-9-]+$")
+    set(SUREFOOT_DATE ${committed})
+  endif()
+endif()
+
+# Made by the program and beside it; program and manual have the version from here.
+set(here ${CMAKE_CURRENT_LIST_DIR})
+set(resources ${PROJECT_SOURCE_DIR}/resources)
+set(made ${PROJECT_BINARY_DIR}/package)
+configure_file(${resources}/desktop/surefoot.metainfo.xml.in ${made}/${SUREFOOT_APP_ID}.metainfo.xml @ONLY)
+configure_file(${here}/copyright.in ${made}/copyright @ONLY)
+add_custom_command(OUTPUT ${made}/changelog.gz VERBATIM
+  COMMAND sh ${here}/debian_changelog.sh ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${made}/changelog.gz ${PROJECT_VERSION}
+          ${SUREFOOT_DATE} ${SUREFOOT_MAINTAINER}
+  DEPENDS ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${here}/debian_changelog.sh)
+add_custom_command(OUTPUT ${made}/manual VERBATIM
+  COMMAND sh ${here}/manual.sh $<TARGET_FILE:surefoot> ${made}/manual ${SUREFOOT_DATE}
+  DEPENDS surefoot ${here}/manual.sh)
+set(for_packages ${made}/changelog.gz ${made}/manual)
+if(SUREFOOT_UI)
+  add_custom_command(OUTPUT ${made}/icons VERBATIM
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${made}/icons
+    COMMAND surefoot_icons ${resources}/desktop/surefoot.svg ${made}/icons
+    DEPENDS surefoot_icons ${resources}/desktop/surefoot.svg)
+  list(APPEND for_packages ${made}/icons)
+endif()
+add_custom_target(surefoot_package_files ALL DEPENDS ${for_packages})
+
+set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
+set(share ${CMAKE_INSTALL_DATADIR})
+install(TARGETS surefoot COMPONENT program)
+install(DIRECTORY ${resources}/lessons ${resources}/plans ${resources}/recipes ${resources}/robots ${resources}/about
+        DESTINATION ${share}/surefoot)
+install(PROGRAMS ${resources}/slurm/experiment.sh DESTINATION ${share}/surefoot/slurm)
+install(DIRECTORY ${made}/manual/ DESTINATION ${CMAKE_INSTALL_MANDIR})
+install(FILES ${resources}/completions/surefoot.bash DESTINATION ${share}/bash-completion/completions RENAME surefoot)
+install(FILES ${resources}/completions/_surefoot DESTINATION ${share}/zsh/vendor-completions)
+install(FILES ${resources}/completions/surefoot.fish DESTINATION ${share}/fish/vendor_completions.d)
+install(FILES ${made}/copyright ${made}/changelog.gz ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+if(SUREFOOT_UI)
+  install(FILES ${resources}/desktop/surefoot.svg DESTINATION ${share}/surefoot/desktop)
+  install(FILES ${resources}/desktop/surefoot.svg DESTINATION ${share}/icons/hicolor/scalable/apps)
+  foreach(size 16 22 24 32 48 64 128 256 512)
+    install(FILES ${made}/icons/${size}.png DESTINATION ${share}/icons/hicolor/${size}x${size}/apps RENAME surefoot.png)
+  endforeach()
+  install(FILES ${resources}/desktop/surefoot.desktop DESTINATION ${share}/applications)
+  install(FILES ${resources}/desktop/surefoot-mime.xml DESTINATION ${share}/mime/packages RENAME surefoot.xml)
+  install(FILES ${made}/${SUREFOOT_APP_ID}.metainfo.xml DESTINATION ${share}/metainfo)
+endif()
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_PACKAGE_CONTACT "${SUREFOOT_MAINTAINER}")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "reinforcement learning that avoids falling")
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+    OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_COMPONENTS_ALL program)
+get_property(others GLOBAL PROPERTY SUREFOOT_COMPONENTS)
+list(APPEND CPACK_COMPONENTS_ALL ${others})
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_ENABLE_COMPONENT_DEPENDS ON)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME surefoot)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "fonts-roboto-unhinted, bubblewrap")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "ffmpeg, python3, qt6-wayland")
+set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
+"A robot that learns by trial and error falls, and breaks. Surefoot is a
+workbench in which an inverted pendulum, a walking robot or a robot from
+a text file learns before one's eyes, while one turns the knobs that decide
+how often it falls. It has lessons for a class, a laboratory of many lives
+with intervals and tests, and does the same without a window, bit for bit.")
+include(CPack)
