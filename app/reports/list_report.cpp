@@ -7,7 +7,6 @@
 
 #include "app/manual/known.h"
 #include "core/basics/typed_json.h"
-#include "core/environment_library.h"
 #include "core/formulas.h"
 #include "core/glossary.h"
 #include "core/recipes/figure.h"
