@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What is installed, and the Debian packages: `cmake --build build/release --target package`. A component is a package.
-# Here is `program`; a folder that installs others (library, development, python) appends them to the global property
-# SUREFOOT_COMPONENTS and sets their CPACK_DEBIAN_<COMPONENT>_… in the cache or in package_components.cmake.
+# What is installed, and the Debian packages: `cmake --build build/release --target package`. A component is a package;
+# here is `program`. Others (library, development, python) have a file beside this one.
 include(GNUInstallDirs)
 set(SUREFOOT_HOMEPAGE "https://surefoot.invalid" CACHE STRING "Where the project is published; screenshots/ below it")
 set(SUREFOOT_APP_ID "org.surefoot.surefoot" CACHE STRING "The program's name in software centres")
@@ -74,8 +73,6 @@ set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
     OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_COMPONENTS_ALL program)
-get_property(others GLOBAL PROPERTY SUREFOOT_COMPONENTS)
-list(APPEND CPACK_COMPONENTS_ALL ${others})
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
@@ -90,4 +87,9 @@ workbench in which an inverted pendulum, a walking robot or a robot from
 a text file learns before one's eyes, while one turns the knobs that decide
 how often it falls. It has lessons for a class, a laboratory of many lives
 with intervals and tests, and does the same without a window, bit for bit.")
+
+# Each installs its components, appends them to CPACK_COMPONENTS_ALL and sets their CPACK_DEBIAN_<COMPONENT>_….
+foreach(other library python)
+  include(${here}/${other}.cmake OPTIONAL)
+endforeach()
 include(CPack)

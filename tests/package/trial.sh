@@ -10,6 +10,9 @@ package=$(ls "$build"/surefoot_*.deb 2>/dev/null | head -1)
 [ "$(id -u)" = 0 ] && command -v mmdebstrap >/dev/null || { echo "skipped: it takes root and mmdebstrap"; exit 77; }
 
 fail() { echo "FAILED: $*"; exit 1; }
+if command -v lintian >/dev/null; then
+  said=$(lintian --fail-on error,warning "$package" 2>&1) || fail "lintian: $said"
+fi
 if [ -z "$chroot" ]; then
   chroot=$(mktemp -d)
   trap 'umount "$chroot/proc" "$chroot/dev/shm" 2>/dev/null; rm -rf --one-file-system "$chroot"' EXIT
