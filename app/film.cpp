@@ -5,7 +5,6 @@
 #include "app/reports/film.h"
 #include "core/text/text.h"
 #include "ui/film/film_writer.h"
-#include "ui/film/world_film.h"
 #include "ui/live/signals/strip_film.h"
 
 namespace surefoot {
@@ -65,14 +64,9 @@ Result<FilmMaker> FilmMaker::claim(const FilmOptions& options, std::int64_t fram
 Status FilmMaker::make(std::shared_ptr<const Environment> environment, Footage footage, const SignalTable& table,
                        const std::atomic<bool>& interrupted, const std::function<void(std::int64_t frames)>& done) {
   const HeadlessQt qt;
-  const double step = environment->task().stepTime.value_or(kUnclockedStep);
-  const bool strips = !claimed_->strips.empty();
-  Film film = worldFilm(std::move(environment), std::move(footage),
-                        strips ? aboveStrips(claimed_->size) : claimed_->size, claimed_->theme);
-  if (strips) {
-    const std::shared_ptr<const SignalTable> shown(std::shared_ptr<void>(), &table);  // it is not ours to end
-    film = withStrips(std::move(film), claimed_->size, shown, claimed_->strips, step, claimed_->theme);
-  }
+  const std::shared_ptr<const SignalTable> shown(std::shared_ptr<void>(), &table);  // it is not ours to end
+  const Film film =
+      filmOf(std::move(environment), std::move(footage), {shown, claimed_->strips}, claimed_->size, claimed_->theme);
   return writeFilm("--film", film, claimed_->kind, std::move(claimed_->file), interrupted, done);
 }
 

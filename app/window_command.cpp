@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <QApplication>
+#include <QFileInfo>
 #include <QIcon>
 #include <QTimer>
 #include <filesystem>
@@ -199,6 +200,8 @@ int windowCommand(const Registry& registry, const WindowRequest& request, int ar
     if (!path.isEmpty()) window.openFile(path);
   });
   if (request.follow) window.follow(QString::fromStdString(*request.follow));
+  if (const auto& start = request.configuration.start)
+    window.tellLoaded(QFileInfo(QString::fromStdString(start->name)).fileName());
 
   const std::atomic<bool>& interrupted = watchForInterrupt();
   QTimer watch;

@@ -36,8 +36,8 @@ Result<std::unique_ptr<RolloutFilm>> RolloutFilm::prepare(const RolloutRequest& 
   const double longest = static_cast<double>(kMostFilmFrames) / kFilmRate;
   if (!known) settings.steps = std::min<std::int64_t>(settings.steps, std::llround(longest / step) + 1);
   std::unique_ptr<RolloutFilm> film(new RolloutFilm(std::move(*maker), environment));
-  settings.look = [&taker = film->taker_, &environment, unit = clock ? 1.0 : step](double time, bool fell) {
-    taker.look(environment, time * unit, fell);
+  settings.see = [&taker = film->taker_, unit = clock ? 1.0 : step](const RolloutMoment& m) {
+    taker.look(m.environment, m.time * unit, m.fell, m.row);
   };
   return film;
 }

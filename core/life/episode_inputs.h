@@ -44,9 +44,9 @@ struct EpisodeInputs {
   }
 };
 
-/// Takes an environment through an episode again; `visit` is called in every state on the way, with the action that
-/// comes next (kNoAction in the last). `random` is left as the reset left it; `ending` is how the last step ended.
-/// False: it ended before the inputs did.
+/// Takes an environment through an episode again; `visit` is called in every state on the way, with what the step
+/// before it brought and the action that comes next (kNoAction in the last). `random` is left as the reset left it;
+/// `ending` is how the last step ended. False: it ended before the inputs did.
 template <class Visit>
 bool repeat(const EpisodeInputs& inputs, Environment& environment, Random& random, Ending& ending, const Visit& visit) {
   random = Random(inputs.random);
@@ -54,15 +54,17 @@ bool repeat(const EpisodeInputs& inputs, Environment& environment, Random& rando
   ending = environment.unanswered().empty() ? Ending::None : Ending::Unanswered;
   if (ending == Ending::Unanswered) return false;
   if (!inputs.start.empty()) environment.place(inputs.start);
+  Outcome outcome;
   std::size_t push = 0;
   for (std::size_t step = 0;; ++step) {
     for (; push < inputs.pushSteps.size() && inputs.pushSteps[push] == step; ++push)
       environment.push(inputs.pushImpulses[push]);
     const bool over = step == inputs.actions.size();
-    visit(over ? kNoAction : inputs.actionAt(step));
+    if (!over && ending != Ending::None) return false;
+    visit(outcome, over ? kNoAction : inputs.actionAt(step));
     if (over) return true;
-    if (ending != Ending::None) return false;
-    ending = environment.step(inputs.actionAt(step)).ending;
+    outcome = environment.step(inputs.actionAt(step));
+    ending = outcome.ending;
   }
 }
 

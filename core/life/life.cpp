@@ -226,7 +226,7 @@ Status Life::goOn(const EpisodeInputs& until) {
   takeParameters();
   Random random(0);
   Ending ending = Ending::None;
-  if (!repeat(until, *environment_, random, ending, [](Action) {}) || ending != Ending::None) {
+  if (!repeat(until, *environment_, random, ending, [](const Outcome&, Action) {}) || ending != Ending::None) {
     beginEpisode();
     return Error{"go_on: under the model of now the episode ends before that moment; a new one begins."};
   }

@@ -118,7 +118,7 @@ bool Life::goBack() {
 bool Life::repeatEpisode() {
   const Environment::CutOffs cutOffs = environment_->cutOffs();
   Ending ending = Ending::None;
-  const bool whole = repeat(inputs_, *environment_, worldRandom_, ending, [](Action) {});
+  const bool whole = repeat(inputs_, *environment_, worldRandom_, ending, [](const Outcome&, Action) {});
   if (ending == Ending::Unanswered) unanswered_ = environment_->unanswered();
   environment_->setCutOffs(cutOffs);  // an episode that was cut off has been so once more
   away_ = !unanswered_.empty();

@@ -115,7 +115,7 @@ void LearnerThread::step() {
   }
   constexpr std::size_t kMostSeen = 2000;  // between two snapshots
   const bool sees = stepsWanted_ && !turbo_ && life_->inEpisode() && seen_.size() < kMostSeen;
-  if (sees) seen_.push_back(momentNow());
+  if (sees) seen_.push_back(stepToCome());
   life_->step(&stop_);
   if (sees) seen_.back().outcome = life_->outcome();
   if (!noteAnswer()) return;
@@ -236,7 +236,7 @@ void LearnerThread::replace(ReplaceLife& c) {
   fallenPose_ = std::move(next.fallenPose);
   fallsByHand_ = next.fallsByHand;
   last_ = std::move(c.last);
-  seen_.clear();  // they were of the life before
+  seen_.clear(), seenPublished_ = 0;  // they were of the life before
   environment_.reset();
   hand_.hold(std::nullopt);
   watch_ = nullptr;

@@ -130,7 +130,7 @@ class LearnerThread {
   bool canStep() const { return running_ && trouble_.empty() && !isOver(); }
   void want(std::atomic<bool>& flag);
   void answer();
-  StepSeen momentNow() const;
+  StepSeen stepToCome() const;
   void fill(Snapshot& snapshot);
   void fill(ValueSnapshot& snapshot) const;
   void fillTests(ValueSnapshot& snapshot) const;
@@ -145,7 +145,8 @@ class LearnerThread {
   Hand hand_;
   std::function<Watching(const Life&)> watch_;
   StepTaken last_;
-  std::vector<StepSeen> seen_;
+  std::vector<StepSeen> seen_;     // since the last snapshot that was fetched
+  std::size_t seenPublished_ = 0;  // of these, those in a snapshot already
   std::size_t changesSeen_ = 0;
   int looksLeft_ = 0;
   std::shared_ptr<const std::vector<std::pair<std::string, double>>> environment_;  // parameters at the last fall

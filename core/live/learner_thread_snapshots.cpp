@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of LearnerThread that fills the copies that others look at.
-#include <utility>
-
 #include "core/live/learner_thread.h"
-#include "core/values_of_state.h"
 
 namespace surefoot {
 
@@ -20,19 +17,21 @@ void LearnerThread::answer() {
   }
 }
 
-StepSeen LearnerThread::momentNow() const {
-  const Environment& environment = life_->environment();
-  const ActionValueFunction& values = life_->agent().values();
-  StepSeen moment{
-      .steps = life_->steps(), .episode = life_->log().totals().episodes + 1, .action = life_->nextAction()};
-  moment.state.assign(environment.state().begin(), environment.state().end());
-  moment.signals.resize(environment.signals().size());
-  environment.readSignals(moment.signals);
-  moment.measures.assign(environment.measures().begin(), environment.measures().end());
-  ValuesOfState here;
-  here.evaluate(values, moment.state);
-  moment.q = std::move(here.q), moment.risk = std::move(here.risk), moment.losses = std::move(here.losses);
-  return moment;
+void MomentSeen::look(const Environment& environment, const ActionValueFunction& values) {
+  state.assign(environment.state().begin(), environment.state().end());
+  signals.resize(environment.signals().size());
+  environment.readSignals(signals);
+  measures.assign(environment.measures().begin(), environment.measures().end());
+  evaluate(values, state);
+}
+
+StepSeen LearnerThread::stepToCome() const {
+  StepSeen step;
+  step.look(life_->environment(), life_->agent().values());
+  step.action = life_->nextAction();
+  step.steps = life_->steps();
+  step.episode = life_->log().totals().episodes + 1;
+  return step;
 }
 
 void LearnerThread::fill(Snapshot& s) {
@@ -42,24 +41,15 @@ void LearnerThread::fill(Snapshot& s) {
   s.simulatedSeconds = life_->simulatedSeconds();
   s.totals = life_->log().totals();
   s.averageReward = life_->log().averageReward();
-  s.state.assign(environment.state().begin(), environment.state().end());
-  s.pose = environment.pose();
-  s.signals.resize(environment.signals().size());
-  environment.readSignals(s.signals);
-  s.measures.assign(environment.measures().begin(), environment.measures().end());
-  s.seen = std::exchange(seen_, {});
-  s.fallenPose = fallenPose_;
   const ActionValueFunction& values = life_->agent().values();
-  s.q.resize(environment.task().actions.size());
-  values.evaluate(s.state, Layer::Sum, s.q);
-  const bool split = values.split();
-  for (auto* part : {&s.qPositive, &s.qNegative}) part->resize(split ? s.q.size() : 0);
-  s.risk.resize(values.hasRisk() ? s.q.size() : 0);
-  if (values.hasRisk()) values.evaluate(s.state, Layer::Risk, s.risk);
-  if (split) {
-    values.evaluate(s.state, Layer::Positive, s.qPositive);
-    values.evaluate(s.state, Layer::Negative, s.qNegative);
-  }
+  s.look(environment, values);
+  s.pose = environment.pose();
+  if (snapshots_.taken()) seen_.erase(seen_.begin(), seen_.begin() + static_cast<std::ptrdiff_t>(seenPublished_));
+  s.seen = seen_;  // with those of a snapshot that nobody has fetched
+  seenPublished_ = seen_.size();
+  s.fallenPose = fallenPose_;
+  s.qPositive.resize(values.split() ? s.q.size() : 0);
+  if (values.split()) values.evaluate(s.state, Layer::Positive, s.qPositive);
   s.learned = life_->agent().lastSteps();
   s.stateBefore = turbo_ ? std::vector<double>() : last_.state;
   s.actionBefore = last_.action;

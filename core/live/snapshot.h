@@ -11,35 +11,38 @@
 #include "core/life/learning_curve.h"
 #include "core/life/life.h"
 #include "core/life/rule_of_thumb.h"
+#include "core/values_of_state.h"
 
 namespace surefoot {
 
+/// A moment of a world, and what a learner says of it.
+struct MomentSeen : ValuesOfState {
+  std::vector<double> state{}, signals{}, measures{};  ///< Environment::readSignals and measures
+  Action action = kNoAction;                           ///< of the next step; kNoAction: between two episodes
+
+  void look(const Environment& environment, const ActionValueFunction& values);
+};
+
 /// A step that was seen: the moment before its action, and what the action brought.
-struct StepSeen {
+struct StepSeen : MomentSeen {
   std::int64_t steps = 0, episode = 1;  ///< steps of the life before it
-  std::vector<double> state{}, signals{}, measures{}, q{}, risk{}, losses{};
-  Action action = kNoAction;
   Outcome outcome{};
 };
 
 /// The moment: small, sent for every frame.
-struct Snapshot {
+struct Snapshot : MomentSeen {
   std::uint64_t life = 0;  ///< counts the lives that were put into the window
   std::int64_t steps = 0;
   double simulatedSeconds = 0;  ///< NaN: no clock
   LifeTotals totals;
   double averageReward = 0;
-  std::vector<double> state, pose;
-  std::vector<double> fallenPose;            ///< pose of the last fall, unless turbo was on
-  std::vector<double> q;                     ///< q̂(s, ·) in that state
-  std::vector<double> risk;                  ///< ρ(state, ·), where it is learned; else empty
-  std::vector<double> qPositive, qNegative;  ///< its two parts, where the agent keeps them apart; else empty
-  std::vector<double> signals, measures;     ///< Environment::readSignals and measures, in that state
-  std::vector<StepSeen> seen;                ///< the steps since the snapshot before, while they are wanted
-  std::vector<NamedStep> learned;            ///< what the estimates learned in the last step
-  std::vector<double> stateBefore;           ///< the state in which that step was made; empty in turbo
-  Action actionBefore = kNoAction;           ///< the action of that step
-  Action action = kNoAction;                 ///< the action of the next step; kNoAction between two episodes
+  std::vector<double> pose;
+  std::vector<double> fallenPose;   ///< pose of the last fall, unless turbo was on
+  std::vector<double> qPositive;    ///< Q⁺(s, ·), where the agent keeps it apart; else empty
+  std::vector<StepSeen> seen;       ///< if wanted, the steps since the snapshot before; some may come twice
+  std::vector<NamedStep> learned;   ///< what the estimates learned in the last step
+  std::vector<double> stateBefore;  ///< the state in which that step was made; empty in turbo
+  Action actionBefore = kNoAction;  ///< the action of that step
   bool running = false, turbo = false;
   double pace = 1.0;                 ///< the pace in force now
   bool finished = false;             ///< the limit that was asked for is reached

@@ -16,6 +16,8 @@ class TripleBuffer {
   T& back() { return copies_[back_]; }
   /// Writer: makes the copy in back() the newest value.
   void publish() { back_ = middle_.exchange(back_ | kFresh, std::memory_order_acq_rel) & kIndex; }
+  /// Writer: whether the value that was published last was fetched.
+  bool taken() const { return !(middle_.load(std::memory_order_relaxed) & kFresh); }
 
   /// Reader: fetches the newest value if it was not taken yet.
   bool take() {

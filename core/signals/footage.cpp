@@ -8,8 +8,7 @@
 namespace surefoot {
 
 namespace {
-constexpr double kFallShown = 0.2;  // [s]
-constexpr double kSlack = 1e-6;     // [pictures]; sums of steps hit multiples of 1/30 s not quite
+constexpr double kSlack = 1e-6;  // [pictures]; sums of steps hit multiples of 1/30 s not quite
 }  // namespace
 
 std::int64_t filmFrames(double seconds) {
@@ -26,12 +25,14 @@ Footage cut(const Footage& footage, double from, double to, double speed) {
     const auto at = static_cast<std::size_t>(std::clamp(std::floor(time * footage.rate + kSlack), 0.0, last));
     film.poses.push_back(footage.poses[at]);
     film.falls.push_back(footage.falls[at]);
+    film.rows.push_back(footage.rows[at]);
   }
   return film;
 }
 
-void FootageTaker::look(const Environment& environment, double time, bool fell) {
+void FootageTaker::look(const Environment& environment, double time, bool fell, std::int64_t row) {
   take(time);
+  row_ = row;
   pose_ = environment.pose();
   if (!fell) return;
   fallen_ = pose_;
@@ -51,6 +52,7 @@ void FootageTaker::take(double until) {
     const bool falls = next < fallenUntil_ * kFilmRate - kSlack;
     footage_.poses.push_back(falls ? fallen_ : pose_);
     footage_.falls.push_back(falls);
+    footage_.rows.push_back(row_);
   }
 }
 

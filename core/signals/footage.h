@@ -20,6 +20,7 @@ inline constexpr double kUnclockedStep = 0.05;
 struct Footage {
   std::vector<std::vector<double>> poses;
   std::vector<std::uint8_t> falls;  ///< 1: it fell a moment ago; one a pose
+  std::vector<std::int64_t> rows;   ///< of the signals of that moment in their table, −1: there are none; one a pose
   double rate = kFilmRate;          ///< poses a second
 
   double seconds() const { return static_cast<double>(poses.size()) / rate; }
@@ -31,12 +32,16 @@ std::int64_t filmFrames(double seconds);
 /// A part of a footage for a film, from one time to another [s], `speed` times as fast as it was.
 Footage cut(const Footage& footage, double from, double to, double speed = 1.0);
 
-/// Takes a pose at every multiple of 1/30 s. After a fall the fallen body is seen for 0.2 s, as in the window, while
-/// the next episode has begun already. Looking changes nothing.
+/// How long a fallen body is seen, in the window as in a film, while the next episode has begun already [s].
+inline constexpr double kFallShown = 0.2;
+
+/// Takes a pose at every multiple of 1/30 s. After a fall the fallen body is seen for kFallShown, as in the window,
+/// while the next episode has begun already. Looking changes nothing.
 class FootageTaker {
  public:
-  /// The world at a moment [s], not before the one before; `fell`: by a fall that ended the step before.
-  void look(const Environment& environment, double time, bool fell);
+  /// The world at a moment [s], not before the one before; `fell`: by a fall that ended the step before; `row`: as in
+  /// Footage.
+  void look(const Environment& environment, double time, bool fell, std::int64_t row = -1);
   /// Everything up to the end [s], and of a fall at the end what is to be seen of it.
   Footage finish(double end);
 
@@ -46,6 +51,7 @@ class FootageTaker {
   Footage footage_;
   std::vector<double> pose_, fallen_;
   double fallenUntil_ = -1.0;  // [s]
+  std::int64_t row_ = -1;
 };
 
 }  // namespace surefoot

@@ -43,7 +43,6 @@ Rollout rollOut(Environment& environment, const ActionValueFunction& values, con
       const std::vector<double>& start = as ? as->start : settings.start;
       if (rollout.episodes == 0 && !start.empty()) environment.place(start);
       ++rollout.episodes;
-      if (settings.look) settings.look(static_cast<double>(rollout.steps) * stepTime, false);
     }
     const double time = static_cast<double>(rollout.steps) * stepTime;
     here.evaluate(values, environment.state());
@@ -60,7 +59,7 @@ Rollout rollOut(Environment& environment, const ActionValueFunction& values, con
                                        .probability = pi[static_cast<std::size_t>(action)],
                                        .explores = explores});
     rollout.table.learn(settings.discount);
-    if (settings.see) settings.see(environment, here, action);
+    if (settings.see) settings.see({environment, here, time, rollout.steps, action});
     const Outcome outcome = environment.step(action);
     rollout.table.after(outcome);
     if (outcome.ending == Ending::Unanswered) {
@@ -68,13 +67,17 @@ Rollout rollOut(Environment& environment, const ActionValueFunction& values, con
       break;
     }
     ++rollout.steps;
-    if (settings.look) settings.look(static_cast<double>(rollout.steps) * stepTime, outcome.event == Event::Fall);
     rollout.reward += outcome.reward;
     rollout.falls += outcome.event == Event::Fall;
     rollout.successes += outcome.event == Event::Success;
     running = outcome.ending == Ending::None;
     if (outcome.ending == Ending::Terminal) rollout.table.learn(settings.discount);
     if (!running) {
+      if (settings.see) {
+        here.evaluate(values, environment.state());
+        settings.see({environment, here, static_cast<double>(rollout.steps) * stepTime, rollout.steps - 1, kNoAction,
+                      outcome.event == Event::Fall});
+      }
       addMeasures(environment, rollout.episodes == 1, rollout.measures);
       if (rollout.stopped = environment.failure(); !rollout.stopped.empty()) break;
     }
@@ -90,39 +93,32 @@ SignalTable relive(Environment& environment, const EpisodeInputs& inputs, const 
                    const Policy& policy, double discount, const SeeMoment& see) {
   const SignalTable none(environment, values && values->hasRisk());
   SignalTable table = none;
-  const double stepTime = environment.task().stepTime.value_or(1.0);
   ValuesOfState here;
   std::vector<double> pi(environment.task().actions.size());
-  Random random(inputs.random);
-  environment.reset(random);
-  if (!environment.unanswered().empty()) return table;
-  if (!inputs.start.empty()) environment.place(inputs.start);
   const bool knowsExplored = inputs.explored.size() == inputs.actions.size();
-  Outcome outcome;
-  for (std::size_t step = 0; step <= inputs.actions.size(); ++step) {
-    const bool over = step == inputs.actions.size();
-    if (!over && step > 0 && outcome.ending != Ending::None) return none;
-    pushAt(step, inputs, environment);
-    const Action action = over ? kNoAction : inputs.actionAt(step);
+  Random random(inputs.random);
+  Ending ending = Ending::None;
+  std::size_t step = 0;
+  const bool whole = repeat(inputs, environment, random, ending, [&](const Outcome& before, Action next) {
+    if (step > 0) table.after(before);
+    if (before.ending == Ending::Terminal) table.learn(discount);
     if (values) {
       here.evaluate(*values, environment.state());
       policy.probabilities(here.view(), pi);
     }
-    table.before(environment, {.time = static_cast<double>(step) * stepTime,
-                               .q = here.q,
-                               .risk = here.risk,
-                               .action = action,
-                               .probability = action < 0 ? 0.0 : pi[static_cast<std::size_t>(action)],
-                               .explores = !over && knowsExplored && inputs.explored[step] != 0});
-    if (!over) table.learn(discount);
-    if (see) see(environment, here, action);
-    if (over) break;
-    outcome = environment.step(action);
-    if (outcome.ending == Ending::Unanswered) return none;
-    table.after(outcome);
-    if (outcome.ending == Ending::Terminal) table.learn(discount);
-  }
-  return table;
+    const double time = static_cast<double>(step) * table.stepTime();
+    table.before(environment,
+                 {.time = time,
+                  .q = here.q,
+                  .risk = here.risk,
+                  .action = next,
+                  .probability = next < 0 ? 0.0 : pi[static_cast<std::size_t>(next)],
+                  .explores = step < inputs.actions.size() && knowsExplored && inputs.explored[step] != 0});
+    if (step < inputs.actions.size()) table.learn(discount);
+    if (see) see({environment, here, time, static_cast<std::int64_t>(step), next, before.event == Event::Fall});
+    ++step;
+  });
+  return whole && ending != Ending::Unanswered ? table : none;
 }
 
 }  // namespace surefoot

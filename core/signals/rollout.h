@@ -23,8 +23,16 @@ struct TimedPush {
   double impulse = 0.0;  ///< [N s]
 };
 
-/// Called in every moment that becomes a row, with what the Q-function says there and the action that comes next.
-using SeeMoment = std::function<void(const Environment&, const ValuesOfState&, Action)>;
+/// What can be seen of a moment that is lived: one before an action, or the state in which an episode ended.
+struct RolloutMoment {
+  const Environment& environment;
+  const ValuesOfState& here;  ///< what the Q-function says of it
+  double time = 0.0;          ///< [s], or steps without a clock
+  std::int64_t row = 0;       ///< its row in the table; of an end after which nothing is written down, the one before
+  Action next = kNoAction;    ///< the action that comes next; kNoAction: the episode is over
+  bool fell = false;          ///< it ended with a fall
+};
+using SeeMoment = std::function<void(const RolloutMoment&)>;
 
 struct RolloutSettings {
   std::uint64_t seed = 1;       ///< of starts, and of a policy that draws
@@ -35,9 +43,7 @@ struct RolloutSettings {
   std::vector<TimedPush> pushes{};  ///< in the order of their times
   /// The first episode begins as this one did: its random numbers, its start, its pushes. nullptr: as said above.
   const EpisodeInputs* as = nullptr;
-  SeeMoment see{};
-  /// Sees the world after every reset and every step, with the time [s, or steps without a clock]; `fell`: by the step.
-  std::function<void(double time, bool fell)> look{};
+  SeeMoment see{};  ///< looking changes nothing
 };
 
 struct Rollout {

@@ -37,8 +37,10 @@ void MessageBar::say(const QString& sentence) {
 
 void MessageBar::tell(const QString& sentence) {
   constexpr int kStays = 8000, kSameMoment = 500;  // [ms]
-  const bool goesOn = leaving_.isActive() && !remark_->isHidden() && remark_->age() < kSameMoment;
+  const bool goesOn = !remark_->isHidden() && remark_->age() < kSameMoment;
+  const bool said = goesOn && !leaving_.isActive();
   say(goesOn && sentence != remark_->sentence() ? remark_->sentence() + ' ' + sentence : sentence);
+  if (said) return;  // it would go away before it is read
   remark_->setGood(true);
   leaving_.start(kStays);
 }

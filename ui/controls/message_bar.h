@@ -28,7 +28,8 @@ class MessageBar final : public QWidget {
   explicit MessageBar(QWidget* parent);
   /// Shows a sentence with only Dismiss.
   void say(const QString& sentence);
-  /// The same for good news, which goes away by itself. Several sentences of the same moment share one line.
+  /// The same for good news, which goes away by itself. What is told in the same moment as another sentence shares its
+  /// line.
   void tell(const QString& sentence);
   /// A button that answers a question, and its action.
   struct Answer {

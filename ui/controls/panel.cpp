@@ -3,6 +3,7 @@
 
 #include <QAbstractButton>
 #include <QPainter>
+#include <QScrollArea>
 #include <cmath>
 
 #include "ui/style/icons.h"
@@ -114,7 +115,24 @@ void PanelHeader::setFloating(bool floating) {
 void PanelHeader::addWidget(QWidget* widget) {
   extra_ = widget;
   widget->setParent(this);
+  orderTabs();
   resizeEvent(nullptr);
+}
+
+/// From left to right: the widget's controls, then the buttons.
+void PanelHeader::orderTabs() {
+  QWidgetList order;
+  for (QWidget* next = extra_; next == extra_ || extra_->isAncestorOf(next); next = next->nextInFocusChain()) {
+    if (order.contains(next)) break;
+    if (next->window() == window()) order << next;
+  }
+  for (QAbstractButton* button : {button_, close_})
+    if (button) order << button;
+  QWidget* before = this;
+  for (QWidget* next : order) {
+    setTabOrder(before, next);
+    before = next;
+  }
 }
 
 bool PanelHeader::event(QEvent* event) {
@@ -165,6 +183,11 @@ Panel::Panel(const QString& title, const QString& name, QWidget* content, bool c
   content->setAccessibleName(title);
   connect(header_, &PanelHeader::closeAsked, this, &QWidget::close);
   connect(this, &QDockWidget::topLevelChanged, header_, &PanelHeader::setFloating);
+}
+
+QWidget* Panel::view() const {
+  auto* area = qobject_cast<QScrollArea*>(widget());
+  return area && area->widget() ? area->widget() : widget();
 }
 
 }  // namespace surefoot

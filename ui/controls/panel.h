@@ -52,6 +52,7 @@ class PanelHeader final : public Painted<> {
  private:
   static int usualHeight();
   double titleEnd() const;
+  void orderTabs();
 
   QString title_, note_;
   QAbstractButton *button_ = nullptr, *close_ = nullptr;
@@ -65,6 +66,8 @@ class Panel final : public QDockWidget {
  public:
   Panel(const QString& title, const QString& name, QWidget* content, bool canFill, QWidget* parent);
   PanelHeader& header() { return *header_; }
+  /// Its content, to be exported; of a view that scrolls, all of it.
+  QWidget* view() const;
 
  private:
   PanelHeader* header_;

@@ -7,6 +7,8 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QPainter>
+#include <QScrollBar>
+#include <algorithm>
 
 #include "core/text/text.h"
 #include "ui/running/looking.h"
@@ -30,21 +32,31 @@ QString handOf(const Fall& fall) {
   return fall.inputs.start.empty() ? QObject::tr("pushed") : QObject::tr("placed");
 }
 
+}  // namespace
+
 class FallsModel final : public QAbstractTableModel {
  public:
-  FallsModel(RunningLife& life, Looking& looking, QWidget* parent)
+  FallsModel(RunningLife& life, Looking& looking, QObject* parent)
       : QAbstractTableModel(parent),
         life_(life),
-        looking_(looking) {
-    connect(&looking_, &Looking::fallsArrived, this, [this, parent] {
-      if (parent->isVisible() || looking_.falls().empty()) refresh();
-    });
-  }
+        looking_(looking) {}
   void refresh() {
     beginResetModel();
+    numbers_.clear();
+    for (auto fall = looking_.falls().rbegin(); fall != looking_.falls().rend(); ++fall)
+      numbers_.push_back(fall->number);
     endResetModel();
   }
-  int rowCount(const QModelIndex&) const override { return static_cast<int>(looking_.falls().size()); }
+  /// The number of the fall in a row as the list shows them; 0: there is none.
+  std::int64_t numberIn(int row) const {
+    return row >= 0 && row < rowCount({}) ? numbers_[static_cast<std::size_t>(row)] : 0;
+  }
+  /// −1: it is not (any more) in the list.
+  int rowOf(std::int64_t number) const {
+    const auto at = std::find(numbers_.begin(), numbers_.end(), number);
+    return at == numbers_.end() ? -1 : static_cast<int>(at - numbers_.begin());
+  }
+  int rowCount(const QModelIndex&) const override { return static_cast<int>(numbers_.size()); }
   int columnCount(const QModelIndex&) const override { return 5; }
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override {
     static const char* const kHeads[] = {QT_TR_NOOP("Fall"), QT_TR_NOOP("Episode"), QT_TR_NOOP("Time min"),
@@ -56,8 +68,9 @@ class FallsModel final : public QAbstractTableModel {
   QVariant data(const QModelIndex& index, int role) const override {
     if (role == Qt::TextAlignmentRole) return QVariant::fromValue(alignmentOf(index.column()));
     if (role == Qt::ToolTipRole) return QObject::tr("Click to see the last seconds of this fall again");
-    if (role != Qt::DisplayRole) return {};
-    const Fall& fall = looking_.falls()[looking_.falls().size() - 1 - static_cast<std::size_t>(index.row())];
+    const auto fromEnd = static_cast<std::size_t>(index.row()) + 1;
+    if (role != Qt::DisplayRole || fromEnd > looking_.falls().size()) return {};
+    const Fall& fall = looking_.falls()[looking_.falls().size() - fromEnd];
     const double perStep = life_.task().stepTime.value_or(0.0) / 60.0;
     switch (index.column()) {
       case 0:
@@ -79,15 +92,18 @@ class FallsModel final : public QAbstractTableModel {
  private:
   RunningLife& life_;
   Looking& looking_;
+  std::vector<std::int64_t> numbers_;
 };
-
-}  // namespace
 
 FallsList::FallsList(RunningLife& life, Looking& looking, QWidget* parent)
     : QTableView(parent),
       life_(life),
-      looking_(looking) {
-  setModel(new FallsModel(life, looking, this));
+      looking_(looking),
+      model_(new FallsModel(life, looking, this)) {
+  setModel(model_);
+  connect(&looking_, &Looking::fallsArrived, this, [this] {
+    if (isVisible() || looking_.falls().empty()) refresh();
+  });
   verticalHeader()->hide();
   whenScaled(this, [this] {
     verticalHeader()->setDefaultSectionSize(scaled(24));
@@ -106,8 +122,20 @@ FallsList::FallsList(RunningLife& life, Looking& looking, QWidget* parent)
 }
 
 void FallsList::showEvent(QShowEvent* event) {
-  static_cast<FallsModel*>(model())->refresh();
+  refresh();
   QTableView::showEvent(event);
+}
+
+/// New falls come in above the others: the one that is chosen stays chosen, and whoever has scrolled down sees the same
+/// rows as before.
+void FallsList::refresh() {
+  const std::int64_t chosen = model_->numberIn(currentIndex().row());
+  const std::int64_t top = verticalScrollBar()->value() > 0 ? model_->numberIn(rowAt(0)) : 0;
+  model_->refresh();
+  setAutoScroll(false);  // to choose would scroll
+  if (const int row = model_->rowOf(chosen); row >= 0) setCurrentIndex(model_->index(row, 0));
+  setAutoScroll(true);
+  if (const int row = model_->rowOf(top); row >= 0) scrollTo(model_->index(row, 0), PositionAtTop);
 }
 
 std::string FallsList::asCsv() const {

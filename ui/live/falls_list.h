@@ -10,6 +10,7 @@
 
 namespace surefoot {
 
+class FallsModel;
 class Looking;
 class RunningLife;
 
@@ -29,8 +30,11 @@ class FallsList final : public QTableView, public CsvSource {
 
  private:
   void replay(const QModelIndex& index);
+  void refresh();
+
   RunningLife& life_;
   Looking& looking_;
+  FallsModel* model_;
 };
 
 }  // namespace surefoot

@@ -2,7 +2,6 @@
 #include "ui/live/live_page.h"
 
 #include <QAction>
-#include <QSplitter>
 #include <QTabBar>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -25,6 +24,7 @@
 #include "ui/live/step_view.h"
 #include "ui/live/world/scrubber.h"
 #include "ui/live/world/world_view.h"
+#include "ui/live/worlds.h"
 #include "ui/session/session.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
@@ -213,9 +213,7 @@ QWidget* LivePage::makeCentre() {
   world_ = new WorldView(session_.life(), session_.looking(), centre);
   new ViewMenu(*world_);
   column->addWidget(worldHeader_);
-  worlds_ = new QSplitter(Qt::Horizontal);
-  worlds_->setHandleWidth(1);
-  worlds_->setChildrenCollapsible(false);
+  worlds_ = new Worlds;
   worlds_->addWidget(world_);
   column->addWidget(worlds_, 1);
   connect(worldHeader_, &PanelHeader::fullSizeAsked, this, [this] { toggleFull(centralWidget()); });
@@ -248,6 +246,7 @@ void LivePage::setComparing(bool comparing) {
   second.world().setBeside(rival_ ? world_ : nullptr, tr("Second"));
   for (LearningChart* chart : findChildren<LearningChart*>())
     chart->setSecond(rival_ ? &rival_->session().life() : nullptr);
+  showSignalsOfSecond();
 }
 
 void LivePage::makeRival() {

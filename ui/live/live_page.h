@@ -8,8 +8,6 @@
 #include <utility>
 #include <vector>
 
-class QSplitter;
-
 namespace surefoot {
 
 class ChartSpan;
@@ -18,7 +16,9 @@ class Rival;
 class ParameterForm;
 class Session;
 class SignalsBar;
+class SignalsShown;
 class WorldView;
+class Worlds;
 
 class LivePage final : public QMainWindow {
   Q_OBJECT
@@ -39,6 +39,8 @@ class LivePage final : public QMainWindow {
   void whatIf(const std::string& agent, const std::string& policy);
   /// What the greedy policy does from a new start, in the Signals layout.
   void rollOut();
+  /// The file of another Q-function, to stand beside the first in roll-outs and replays.
+  void setSecond(const QString& path);
   /// False: no panel had the whole page.
   bool leaveFullSize();
   /// The widths and heights of the first start.
@@ -72,6 +74,8 @@ class LivePage final : public QMainWindow {
   void makeWords();
   void makeSignals();
   void useSignals();
+  void shareSpaceOfSignals();
+  void showSignalsOfSecond();
   QString actionsNote() const;
   QString fallsNote(const ChartSpan& span) const;
   void toggleFull(QWidget* panel);
@@ -85,10 +89,11 @@ class LivePage final : public QMainWindow {
   WorldView* world_ = nullptr;
   class PanelHeader* worldHeader_ = nullptr;
   ParameterForm* form_ = nullptr;
-  QSplitter* worlds_ = nullptr;
+  Worlds* worlds_ = nullptr;
   Rival *rival_ = nullptr, *resting_ = nullptr;  // resting_: a hidden second learner; it keeps its life
   std::vector<Panel*> panels_;
   Panel *steps_ = nullptr, *rule_ = nullptr, *list_ = nullptr;  // hidden at first
+  SignalsShown* signalsShown_ = nullptr;
   SignalsBar* signalsBar_ = nullptr;
   Panel *signals_ = nullptr, *portrait_ = nullptr, *strides_ = nullptr;  // as well
   std::vector<Panel*> needless_;                  // panels that are hidden because the task has no falls

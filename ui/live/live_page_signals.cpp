@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of the Live page that shows how the robot moves: strip charts, phase portrait, strides.
+#include <QLayout>
 #include <QMenu>
-#include <QScrollArea>
 #include <algorithm>
 
 #include "core/signals/strides.h"
@@ -9,7 +9,9 @@
 #include "ui/controls/panel.h"
 #include "ui/controls/view_menu.h"
 #include "ui/live/live_page.h"
+#include "ui/live/rival.h"
 #include "ui/live/signals/phase_portrait.h"
+#include "ui/live/signals/scrolled_strips.h"
 #include "ui/live/signals/signals_bar.h"
 #include "ui/live/signals/signals_shown.h"
 #include "ui/live/signals/stride_table.h"
@@ -20,16 +22,10 @@
 namespace surefoot {
 
 void LivePage::makeSignals() {
-  auto* shown = new SignalsShown(session_.life(), session_.looking(), this);
-  auto* charts = new StripCharts(*shown);
-  auto* scrolled = new QScrollArea;
-  scrolled->setWidgetResizable(true);
-  scrolled->setFrameShape(QFrame::NoFrame);
-  scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scrolled->setFocusPolicy(Qt::NoFocus);
-  scrolled->setWidget(charts);
+  auto* shown = signalsShown_ = new SignalsShown(session_.life(), session_.looking(), this);
+  auto* scrolled = new ScrolledStrips(*shown);
   signals_ = addPanel(tr("Signals"), "signals", scrolled, Qt::RightDockWidgetArea);
-  auto* menu = new ViewMenu(*charts);
+  auto* menu = new ViewMenu(scrolled->charts());
   auto* bar = signalsBar_ = new SignalsBar(session_.life(), session_.looking(), *shown);
   signals_->header().addWidget(bar);
   connect(bar, &SignalsBar::refused, this, &LivePage::refused);
@@ -66,6 +62,10 @@ void LivePage::rollOut() {
   signalsBar_->rollOut();
 }
 
+void LivePage::setSecond(const QString& path) {
+  signalsBar_->setSecond(path, false);
+}
+
 /// The world at the left with the phase portrait below it, signals and strides beside.
 void LivePage::useSignals() {
   for (Panel* p : panels_) p->hide();
@@ -76,10 +76,32 @@ void LivePage::useSignals() {
   strides_->setVisible(walks);
   addDockWidget(Qt::RightDockWidgetArea, signals_);
   addDockWidget(Qt::RightDockWidgetArea, strides_);
-  addDockWidget(Qt::BottomDockWidgetArea, portrait_);
-  resizeDocks({signals_}, {width() * 68 / 100}, Qt::Horizontal);
+  shareSpaceOfSignals();
+}
+
+/// Two worlds get more of it than one. Where the phase portrait has no room below the world, it shares the place of
+/// another panel: the page would scroll, and the time axis with it.
+void LivePage::shareSpaceOfSignals() {
+  const int room = parentWidget() ? parentWidget()->height() : height();
+  centralWidget()->layout()->activate();
+  if (centralWidget()->minimumSizeHint().height() + portrait_->minimumSizeHint().height() <= room) {
+    addDockWidget(Qt::BottomDockWidgetArea, portrait_);
+  } else {
+    Panel* other = strides_->isVisible() ? strides_ : signals_;
+    tabifyDockWidget(other, portrait_);
+    other->raise();
+  }
+  resizeDocks({signals_}, {width() * (rival_ ? 58 : 68) / 100}, Qt::Horizontal);
   resizeDocks({signals_, strides_}, {height() * 77 / 100, height() * 23 / 100}, Qt::Vertical);
-  resizeDocks({portrait_}, {height() * 50 / 100}, Qt::Vertical);
+  resizeDocks({portrait_}, {height() * (rival_ ? 28 : 50) / 100}, Qt::Vertical);
+}
+
+void LivePage::showSignalsOfSecond() {
+  LifeBeside beside;
+  if (rival_)
+    beside = {&rival_->session().life(), &rival_->session().looking(), [rival = rival_] { return rival->later(); }};
+  signalsShown_->setBeside(std::move(beside));
+  if (signals_->isVisible() && portrait_->isVisible()) shareSpaceOfSignals();
 }
 
 }  // namespace surefoot

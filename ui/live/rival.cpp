@@ -3,6 +3,7 @@
 
 #include <QDialog>
 #include <QVBoxLayout>
+#include <limits>
 
 #include "core/saved/q_file.h"
 #include "core/text/text.h"
@@ -14,6 +15,8 @@
 namespace surefoot {
 
 namespace {
+
+constexpr std::int64_t kUnknown = std::numeric_limits<std::int64_t>::min();
 
 /// A policy other than the first's.
 std::string otherPolicy(const std::string& policy) {
@@ -50,6 +53,7 @@ Rival::Rival(RunningLife& first, QWidget* parent)
   connect(&first_, &RunningLife::replaced, this, &Rival::firstReplaced);
   connect(&session_->newLives(), &NewLives::refused, this, [this](const QString& why) {  // the life goes on as it was
     begin_ = began_;
+    noted_ = false;
     Q_EMIT changed();
     Q_EMIT refused(why);
   });
@@ -59,6 +63,7 @@ Rival::Rival(RunningLife& first, QWidget* parent)
   connect(&session_->history(), &History::lifeKept, this, [this] {
     if (auto kept = session_->history().lastKept()) beside_[keptBeside_] = std::move(kept);
   });
+  noteBeginning(0);
   follow();
 }
 
@@ -120,7 +125,11 @@ void Rival::firstReplaced() {
   }
   const std::uint64_t before = std::exchange(lineage_, first_.lineage());
   const auto beside = beside_.find(lineage_);
-  if (before == lineage_ || beside == beside_.end() || !beside->second->aside) return startAgain();
+  if (before == lineage_ || beside == beside_.end() || !beside->second->aside) {
+    noteBeginning(0);
+    noted_ = true;  // both begin now, although the second's tables may take a moment
+    return startAgain();
+  }
   std::shared_ptr<KeptLife> kept = beside->second;
   beside_.erase(beside);
   session_->history().exchange(kept);
@@ -132,10 +141,24 @@ void Rival::firstReplaced() {
 }
 
 void Rival::secondReplaced() {
-  if (const auto until = std::exchange(begin_.until, std::nullopt))  // large tables take their time to be made
+  if (const auto until = std::exchange(begin_.until, std::nullopt)) {  // large tables take their time to be made
     if (const Status s = session_->life().goOn(*until); !s) Q_EMIT refused(toText(s.error().message));
+  } else if (!noted_) {
+    noteBeginning(session_->life().progress().steps);
+  }
+  noted_ = false;
   keptBeside_ = std::exchange(ranBeside_, lineage_);
   began_ = begin_;
+}
+
+void Rival::noteBeginning(std::int64_t own) {
+  later_ = std::make_shared<std::atomic<std::int64_t>>(kUnknown);
+  first_.visit([to = later_, own](const Life& life) { *to = life.steps() - own; });
+}
+
+std::optional<double> Rival::later() const {
+  if (!later_ || *later_ == kUnknown) return std::nullopt;
+  return static_cast<double>(*later_) * first_.task().stepTime.value_or(1.0);
 }
 
 void Rival::follow() {
@@ -195,6 +218,7 @@ void Rival::startIn(std::shared_ptr<const TensorFile> file, EpisodeInputs until,
   askToStartAgain(tr("What if"),
                   [this, file = std::move(file), until = std::move(until), agent, policy, begin = std::move(begin)] {
                     begin();
+                    noteBeginning(0);  // the first's moment, not that in which the second's tables are made
                     agent_ = agent;
                     policy_ = policy;
                     begin_ = {Start::File, file, until};

@@ -6,6 +6,7 @@
 
 #include <QPointer>
 #include <QWidget>
+#include <atomic>
 #include <functional>
 #include <map>
 
@@ -46,6 +47,9 @@ class Rival final : public QWidget {
                const std::string& policy, std::function<void()> begin);
   /// Starts with a Q-function from a file.
   void startWith(const QString& path);
+  /// To be added to the second's time so that both clocks agree [s, or steps]: how long the first had lived when the
+  /// second began. None: it is not known yet.
+  std::optional<double> later() const;
   /// Parameters with other values than the first's: "Threshold 66". Empty: none.
   QString ownParameters() const;
   void showParameters();
@@ -67,6 +71,7 @@ class Rival final : public QWidget {
   void askToStartAgain(const QString& why, std::function<void()> choose);
   void follow();
   void followParameters();
+  void noteBeginning(std::int64_t own);
   void askForNewTable(const QString& key, double value);
 
   RunningLife& first_;
@@ -84,6 +89,9 @@ class Rival final : public QWidget {
   std::uint64_t lineage_;                 // lineage of the first's life
   std::uint64_t ranBeside_, keptBeside_;  // the first's lineage beside the second's life now; … before
   bool resting_ = false, startsLate_ = false;
+  bool noted_ = false;  ///< when the life to come begins beside the first
+  /// Steps of the first when the second began, less the second's own; filled on the first's thread.
+  std::shared_ptr<std::atomic<std::int64_t>> later_;
   WorldView* world_ = nullptr;
   QPointer<CompareStrip> strip_;
   QPointer<QDialog> parameters_;

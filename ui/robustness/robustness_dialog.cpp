@@ -62,7 +62,12 @@ RobustnessDialog::RobustnessDialog(RunningLife& life, LifeFiles& files, QWidget*
     refreshWords();
   });
   connect(form_, &RobustnessForm::edited, this, &RobustnessDialog::refreshCommand);
+  connect(form_, &RobustnessForm::secondChosen, this, &RobustnessDialog::secondChosen);
   refresh();
+}
+
+void RobustnessDialog::setSecond(const QString& path) {
+  form_->setSecond(path);
 }
 
 QWidget* RobustnessDialog::makeBody() {

@@ -22,6 +22,11 @@ class RobustnessDialog final : public QDialog {
   RobustnessDialog(RunningLife& life, LifeFiles& files, QWidget* parent);
   /// The environment whose lives it can try.
   const std::string& environment() const { return environment_; }
+  /// The file of a Q-function that is to be tried beside.
+  void setSecond(const QString& path);
+
+ Q_SIGNALS:
+  void secondChosen(const QString& path);  ///< by a person
 
  private:
   QWidget* makeBody();

@@ -122,7 +122,10 @@ void RobustnessForm::addSecond() {
   grid_->addLayout(row, 3, 1, 1, kStretching);
   connect(choose, &QPushButton::clicked, this, [this] {
     askForFile(this, tr("A second Q-function"), tr("Q-functions (*.safetensors *.surefoot);;All files (*)"),
-               [this](const QString& path) { setSecond(path); });
+               [this](const QString& path) {
+                 setSecond(path);
+                 Q_EMIT secondChosen(path);
+               });
   });
   connect(remove_, &QPushButton::clicked, this, [this] { setSecond({}); });
   setSecond({});

@@ -29,6 +29,7 @@ class RobustnessForm final : public QWidget {
 
  Q_SIGNALS:
   void edited();
+  void secondChosen(const QString& path);  ///< by a person
 
  private:
   /// Of a label; the field stands behind it.

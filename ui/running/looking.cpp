@@ -8,8 +8,8 @@
 namespace surefoot {
 
 namespace {
-constexpr int kFlash = 200;                         // [ms]
-constexpr std::size_t kMostValuesKept = 16u << 20;  // [bytes] of values kept with falls
+constexpr int kFlash = static_cast<int>(1000 * kFallShown);  // [ms]
+constexpr std::size_t kMostValuesKept = 16u << 20;           // [bytes] of values kept with falls
 }  // namespace
 
 Looking::Looking(RunningLife& life) : life_(life) {
@@ -86,7 +86,7 @@ void Looking::show(double seconds) {
     shown_.pose = now.pose;
     shown_.q = now.q;
     shown_.qPositive = now.qPositive;
-    shown_.qNegative = now.qNegative;
+    shown_.qNegative = now.losses;
     shown_.risk = now.risk;
     shown_.action = now.action;
   }

@@ -57,8 +57,9 @@ class Looking final : public QObject {
   void stepOnce();
   /// The playback that is shown, if any; the learner goes on meanwhile.
   const Playback* playback() const { return playback_ ? &*playback_ : nullptr; }
-  /// The last minutes that the window has shown, for a film.
-  Footage recorded() const { return recording_.footage(); }
+  /// The last minutes that the window has shown, for a film; their signals are recordedSignals().
+  Footage recorded() const { return recording_.footage(feed_.first()); }
+  const SignalTable& recordedSignals() const { return feed_.table(); }
   void seek(double position);
   /// Plays it (from the beginning if it is at its end), or stops it.
   void play(bool on);
@@ -79,9 +80,13 @@ class Looking final : public QObject {
   void seekRow(std::size_t row);
   /// What the greedy policy does from a new start, as a playback; a sentence where this cannot be.
   Status rollOut(double seconds);
-  /// Another Q-function beside the first, in every playback that can be lived from its start; null: none.
-  void setSecond(std::shared_ptr<const ActionValueFunction> values, const QString& name);
+  /// Signals are the learner's own, or were: not a roll-out's, a fall's, or those of a second world in turbo.
+  bool showsLearner() const { return !feedOfViewer_ && !(playback_ && playback_->start); }
+  /// Another Q-function beside the first, in every playback that can be lived from its start; null: none. `path`: its
+  /// file, if it has one.
+  void setSecond(std::shared_ptr<const ActionValueFunction> values, const QString& name, const QString& path = {});
   const QString& secondName() const { return secondName_; }
+  const QString& secondPath() const { return secondPath_; }
   bool hasSecond() const { return second_ != nullptr; }
   /// Its signals in this playback; no rows: there are none.
   const SignalTable& secondSignals() const { return secondSignals_; }
@@ -137,7 +142,7 @@ class Looking final : public QObject {
   std::set<const QObject*> watching_;
   bool feedOfViewer_ = false;
   std::shared_ptr<const ActionValueFunction> second_;
-  QString secondName_;
+  QString secondName_, secondPath_;
   SignalTable secondSignals_;
   /// The episode that the life was in when the recording was opened, filled on the learner's thread.
   struct InHand {

@@ -121,9 +121,10 @@ Result<EpisodeInputs> Looking::momentShown() const {
   return until;
 }
 
-void Looking::setSecond(std::shared_ptr<const ActionValueFunction> values, const QString& name) {
+void Looking::setSecond(std::shared_ptr<const ActionValueFunction> values, const QString& name, const QString& path) {
   second_ = std::move(values);
   secondName_ = name;
+  secondPath_ = path;
   secondSignals_ =
       playback_ && second_ ? besideOf(*playback_, life_.registry(), life_.configuration(), *second_) : SignalTable();
   Q_EMIT signalsReplaced();
@@ -131,7 +132,7 @@ void Looking::setSecond(std::shared_ptr<const ActionValueFunction> values, const
 
 void Looking::begin(Playback playback) {
   playback_ = std::move(playback);
-  setSecond(second_, secondName_);
+  setSecond(second_, QString(secondName_), QString(secondPath_));
 }
 
 }  // namespace surefoot

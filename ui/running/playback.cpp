@@ -13,18 +13,18 @@ namespace surefoot {
 
 namespace {
 
-constexpr double kSeconds = 3.0;    // played before a fall
-constexpr double kLongest = 60.0;   // kept before a fall [s]
-constexpr double kSlow = 0.5;       // share of real time
-constexpr double kFallShown = 0.2;  // of the fallen body, in a film [s]
+constexpr double kSeconds = 3.0;   // played before a fall
+constexpr double kLongest = 60.0;  // kept before a fall [s]
+constexpr double kSlow = 0.5;      // share of real time
 
-/// The poses of frames alone.
+/// The poses of frames alone; their rows count from `firstRow` on.
 template <class Frames>
-Footage posesOf(const Frames& frames, double rate) {
-  Footage footage{.poses = {}, .falls = {}, .rate = rate};
+Footage posesOf(const Frames& frames, double rate, std::int64_t firstRow) {
+  Footage footage{.poses = {}, .falls = {}, .rows = {}, .rate = rate};
   for (const Shown& frame : frames) {
     footage.poses.push_back(frame.pose);
     footage.falls.push_back(frame.flash);
+    footage.rows.push_back(frame.row < firstRow ? -1 : frame.row - firstRow);
   }
   return footage;
 }
@@ -48,22 +48,29 @@ std::unique_ptr<Environment> worldOf(const Fall& fall, const Registry& registry,
   return world;
 }
 
-/// Adds frames to a playback.
+/// Adds a frame to a playback for every row of its signals. While the next episode has begun already, the fallen body
+/// is seen for a moment, as in the window.
 SeeMoment filming(Playback& playback) {
-  return [&playback](const Environment& world, const ValuesOfState& here, Action next) {
+  return [&playback, fallen = std::vector<double>(), until = std::int64_t{0}](const RolloutMoment& m) mutable {
+    const Environment& world = m.environment;
+    const auto row = static_cast<std::int64_t>(playback.frames.size());
+    if (m.fell)
+      fallen = world.pose(), until = row + std::max<std::int64_t>(1, std::llround(kFallShown / stepTimeOf(world)));
+    if (m.row < row) return;
     Shown frame;
     frame.state.assign(world.state().begin(), world.state().end());
-    frame.pose = world.pose();
-    frame.action = next;
-    frame.q = here.q;
-    frame.risk = here.risk;
+    frame.flash = row < until;
+    frame.pose = frame.flash ? fallen : world.pose();
+    frame.action = m.next;
+    frame.q = m.here.q;
+    frame.risk = m.here.risk;
     frame.q.resize(world.task().actions.size());
     if (playback.values && playback.values->split()) {
       frame.qPositive.resize(frame.q.size()), frame.qNegative.resize(frame.q.size());
       playback.values->evaluate(frame.state, Layer::Positive, frame.qPositive);
       playback.values->evaluate(frame.state, Layer::Negative, frame.qNegative);
     }
-    frame.row = static_cast<std::int64_t>(playback.frames.size());
+    frame.row = row;
     playback.frames.push_back(std::move(frame));
   };
 }
@@ -89,7 +96,6 @@ Playback playbackOf(const Fall& fall, const Registry& registry, const Configurat
       relive(*world, fall.inputs, playback.values.get(), **policy, discountOf(configuration), filming(playback));
   if (playback.signals.rows() == 0 || playback.frames.empty()) return {};
   playback.start = std::make_shared<const Fall>(fall);
-  playback.frames.back().flash = true;
   const auto& explored = fall.inputs.explored;
   if (explored.size() == fall.inputs.actions.size())
     for (std::size_t step = 0; step < explored.size(); ++step) playback.frames[step].explores = explored[step] != 0;
@@ -151,11 +157,14 @@ SignalTable besideOf(const Playback& playback, const Registry& registry, const C
 }
 
 Footage footageOf(const Playback& playback) {
-  Footage footage = posesOf(playback.frames, playback.realRate);
-  if (footage.falls.empty() || !footage.falls.back()) return footage;
-  const auto more = static_cast<std::size_t>(kFallShown * playback.realRate);
-  footage.poses.insert(footage.poses.end(), more, std::vector<double>(footage.poses.back()));
-  footage.falls.insert(footage.falls.end(), more, 1);
+  Footage footage = posesOf(playback.frames, playback.realRate, playback.firstRow);
+  const auto last = std::find(footage.falls.rbegin(), footage.falls.rend(), 0) - footage.falls.rbegin();
+  if (last == 0) return footage;
+  for (auto more = static_cast<std::int64_t>(kFallShown * playback.realRate) + 1 - last; more > 0; --more) {
+    footage.poses.push_back(std::vector<double>(footage.poses.back()));
+    footage.falls.push_back(1);
+    footage.rows.push_back(footage.rows.back());
+  }
   return footage;
 }
 
@@ -175,8 +184,8 @@ Playback Recording::playback() const {
   return p;
 }
 
-Footage Recording::footage() const {
-  return posesOf(frames_, Playback().realRate);
+Footage Recording::footage(std::int64_t firstRow) const {
+  return posesOf(frames_, Playback().realRate, firstRow);
 }
 
 }  // namespace surefoot

@@ -72,8 +72,8 @@ class Recording {
   void clear() { frames_.clear(); }
   std::size_t size() const { return frames_.size(); }
   Playback playback() const;
-  /// What a film shows of them.
-  Footage footage() const;
+  /// What a film shows of them; their rows count from `firstRow` on.
+  Footage footage(std::int64_t firstRow) const;
 
  private:
   std::deque<Shown> frames_;

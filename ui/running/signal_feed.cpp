@@ -25,17 +25,8 @@ void SignalFeed::end() {
   table_ = {};
 }
 
-void SignalFeed::before(const Environment& environment, const ValuesOfState& here, Action action,
-                        std::span<const double> pi) {
-  const auto a = static_cast<std::size_t>(action);
-  table_.before(environment, {.time = static_cast<double>(lived_++) * stepTime_,
-                              .episode = episode_,
-                              .q = here.q,
-                              .risk = here.risk,
-                              .action = action,
-                              .probability = pi[a],
-                              .explores = here.q[a] < *std::max_element(here.q.begin(), here.q.end())});
-  table_.learn(discount_);
+void SignalFeed::before(const MomentSeen& now, std::span<const double> pi) {
+  add(now, lived_++, episode_, pi);
   trim();
 }
 
@@ -50,41 +41,34 @@ void SignalFeed::see(const Snapshot& now, const Policy& policy) {
   if (now.steps == steps_) return;
   if (tentative_) table_.dropLast();
   for (const StepSeen& step : now.seen) {
-    add(step, policy);
-    table_.after(step.outcome);
-    if (step.outcome.ending == Ending::Terminal) table_.learn(discount_);
+    if (step.steps < steps_) continue;  // it is written down already
+    add(step, step.steps, step.episode, piOf(step, policy));
+    after(step.outcome);
   }
   steps_ = now.steps;
   tentative_ = true;
-  add({.steps = now.steps,
-       .episode = now.totals.episodes + (now.action == kNoAction ? 0 : 1),
-       .state = now.state,
-       .signals = now.signals,
-       .measures = now.measures,
-       .q = now.q,
-       .risk = now.risk,
-       .losses = now.qNegative,
-       .action = now.action,
-       .outcome = {}},
-      policy);
+  add(now, now.steps, now.totals.episodes + (now.action == kNoAction ? 0 : 1), piOf(now, policy));
   trim();
 }
 
-void SignalFeed::add(const StepSeen& step, const Policy& policy) {
-  const bool acts = step.action >= 0;
-  here_.q = step.q, here_.risk = step.risk, here_.losses = step.losses;
-  if (acts) policy.probabilities(here_.view(), pi_);
-  const auto a = static_cast<std::size_t>(std::max(0, step.action));
-  table_.before({.time = static_cast<double>(step.steps) * stepTime_,
-                 .episode = step.episode,
-                 .state = step.state,
-                 .own = step.signals,
-                 .measures = step.measures,
-                 .q = step.q,
-                 .risk = step.risk,
-                 .action = step.action,
-                 .probability = pi_[a],
-                 .explores = acts && step.q[a] < *std::max_element(step.q.begin(), step.q.end())});
+std::span<const double> SignalFeed::piOf(const MomentSeen& moment, const Policy& policy) {
+  if (moment.action >= 0) policy.probabilities(moment.view(), pi_);
+  return pi_;
+}
+
+void SignalFeed::add(const MomentSeen& m, std::int64_t steps, std::int64_t episode, std::span<const double> pi) {
+  const bool acts = m.action >= 0;
+  const auto a = static_cast<std::size_t>(std::max(0, m.action));
+  table_.before({.time = static_cast<double>(steps) * stepTime_,
+                 .episode = episode,
+                 .state = m.state,
+                 .own = m.signals,
+                 .measures = m.measures,
+                 .q = m.q,
+                 .risk = m.risk,
+                 .action = m.action,
+                 .probability = pi[a],
+                 .explores = acts && m.q[a] < *std::max_element(m.q.begin(), m.q.end())});
   if (acts) table_.learn(discount_);
 }
 

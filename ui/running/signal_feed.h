@@ -9,7 +9,6 @@
 #include "core/live/snapshot.h"
 #include "core/policy.h"
 #include "core/signals/signal_table.h"
-#include "core/values_of_state.h"
 
 namespace surefoot {
 
@@ -25,7 +24,7 @@ class SignalFeed {
   bool hasRisk() const { return hasRisk_; }
 
   /// The moment before an action, in a world of the window's own, and what it brought.
-  void before(const Environment& environment, const ValuesOfState& here, Action action, std::span<const double> pi);
+  void before(const MomentSeen& now, std::span<const double> pi);
   void after(const Outcome& outcome);
   /// What the learner did since the snapshot before, and its present moment.
   void see(const Snapshot& now, const Policy& policy);
@@ -36,7 +35,8 @@ class SignalFeed {
   std::int64_t last() const { return first_ + static_cast<std::int64_t>(table_.rows()) - 1; }
 
  private:
-  void add(const StepSeen& step, const Policy& policy);
+  void add(const MomentSeen& moment, std::int64_t steps, std::int64_t episode, std::span<const double> pi);
+  std::span<const double> piOf(const MomentSeen& moment, const Policy& policy);
   void trim();
 
   SignalTable table_;
@@ -46,7 +46,6 @@ class SignalFeed {
   std::int64_t steps_ = -1, episode_ = 1;  ///< of the learner's world at the last row; of a world of one's own
   std::int64_t lived_ = 0;                 ///< steps of a world of one's own
   bool tentative_ = false;                 ///< the last row is a moment whose step is to come
-  ValuesOfState here_;
   std::vector<double> pi_;
 };
 

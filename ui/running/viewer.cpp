@@ -14,15 +14,16 @@ Viewer::Viewer(std::unique_ptr<Environment> environment, std::unique_ptr<Policy>
     : environment_(std::move(environment)),
       policy_(std::move(policy)),
       random_(seed) {
+  now_.action = 0;
   pi_.resize(environment_->task().actions.size());
   if (environment_->answersAtOnce()) environment_->reset(random_);
 }
 
 void Viewer::choose(const ActionValueFunction& values) {
-  here_.evaluate(values, environment_->state());
-  policy_->probabilities(here_.view(), pi_);
-  action_ = sample(pi_, random_);
-  if (feed_) feed_->before(*environment_, here_, action_, pi_);
+  now_.look(*environment_, values);
+  policy_->probabilities(now_.view(), pi_);
+  now_.action = sample(pi_, random_);
+  if (feed_) feed_->before(now_, pi_);
 }
 
 void Viewer::advance(double seconds, const ActionValueFunction& values) {
@@ -39,7 +40,7 @@ void Viewer::advance(double seconds, const ActionValueFunction& values) {
       ended_ = false;
     }
     if (hand_.holds()) environment_->push(hand_.impulse(*environment_, step));
-    const Outcome outcome = environment_->step(action_);
+    const Outcome outcome = environment_->step(now_.action);
     if (feed_) feed_->after(outcome);
     falls_ += outcome.event == Event::Fall;
     ended_ = outcome.ending != Ending::None;

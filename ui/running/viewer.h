@@ -10,7 +10,6 @@
 #include "core/environment.h"
 #include "core/life/hand.h"
 #include "core/policy.h"
-#include "core/values_of_state.h"
 #include "ui/running/signal_feed.h"
 
 namespace surefoot {
@@ -27,7 +26,7 @@ class Viewer {
   Policy& policy() { return *policy_; }
   void setPolicy(std::unique_ptr<Policy> policy) { policy_ = std::move(policy); }
   std::vector<double> pose() const { return environment_->pose(); }
-  Action action() const { return action_; }
+  Action action() const { return now_.action; }
   /// Holds the body at `target`; without a target, lets go.
   void hold(std::optional<double> target) { hand_.hold(target); }
   /// Writes the signals of its steps down there; nullptr: nowhere.
@@ -41,9 +40,8 @@ class Viewer {
   std::unique_ptr<Environment> environment_;
   std::unique_ptr<Policy> policy_;
   Random random_;
-  ValuesOfState here_;
+  MomentSeen now_;
   std::vector<double> pi_;
-  Action action_ = 0;
   Hand hand_;
   double time_ = 0.0;  // not yet lived [s]
   double rest_ = 0.0;  // standing still for this long [s]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/film_dialog.h"
 
+#include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
@@ -15,7 +16,6 @@
 #include "ui/controls/combo.h"
 #include "ui/controls/fitted_dialog.h"
 #include "ui/film/film_writer.h"
-#include "ui/film/world_film.h"
 #include "ui/running/looking.h"
 #include "ui/running/running_life.h"
 #include "ui/style/scale.h"
@@ -23,6 +23,7 @@
 #include "ui/style/theme.h"
 #include "ui/support/ask_for_file.h"
 #include "ui/support/counted.h"
+#include "ui/support/plain_text.h"
 
 namespace surefoot {
 
@@ -66,9 +67,12 @@ FilmDialog::FilmDialog(const RunningLife& life, const Looking& looking, QWidget*
       life_(life) {
   setWindowTitle(tr("Film"));
   const Playback* replay = looking.playback();
-  if (replay) sources_.push_back({replay->title, footageOf(*replay), replay->begin / replay->realRate});
+  const auto add = [this](const QString& title, Footage footage, const SignalTable& signals, double begin = 0.0) {
+    sources_.push_back({title, std::move(footage), std::make_shared<const SignalTable>(signals), begin});
+  };
+  if (replay) add(replay->title, footageOf(*replay), replay->signals, replay->begin / replay->realRate);
   // One whose start is not known is of the last minutes already.
-  if (!replay || replay->start) sources_.push_back({tr("the last minutes"), looking.recorded(), 0.0});
+  if (!replay || replay->start) add(tr("the last minutes"), looking.recorded(), looking.recordedSignals());
   std::erase_if(sources_, [](const Source& source) { return source.footage.seconds() < kLeastSeconds; });
   auto* body = new QWidget;
   auto* grid = new QGridLayout(body);
@@ -124,6 +128,10 @@ void FilmDialog::makeLook(QGridLayout* grid) {
   colours_->addItem(tr("dark"));
   colours_->setCurrentIndex(themeOf(*this).dark ? 1 : 0);
   addRow(grid, tr("Colours"), rowOf({colours_}));
+
+  signals_ = new QCheckBox(tr("signals below the picture"));
+  signals_->setAccessibleName(tr("Signals below the picture"));
+  addRow(grid, tr("Below"), rowOf({signals_}));
 }
 
 void FilmDialog::makeWords(QGridLayout* grid) {
@@ -173,10 +181,25 @@ Footage FilmDialog::chosen() const {
   return cut(source.footage, from_->value(), to_->value(), kShares[speed_->currentIndex()]);
 }
 
+bool FilmDialog::hasSignals() const {
+  const int at = source_->currentIndex();
+  return at >= 0 && sources_[static_cast<std::size_t>(at)].signals->rows() > 0;
+}
+
+StripsBelow FilmDialog::below() const {
+  if (!signals_->isChecked() || !hasSignals()) return {};
+  const auto& table = sources_[static_cast<std::size_t>(source_->currentIndex())].signals;
+  return {table, chosenStrips(life_.configuration().names.environment, table->signals())};
+}
+
 void FilmDialog::refresh() {
   const bool busy = making_.busy(), some = !sources_.empty() && to_->value() > from_->value();
   for (QWidget* field : std::initializer_list<QWidget*>{source_, from_, to_, speed_, width_, height_, colours_})
     field->setEnabled(!busy);
+  const bool written = hasSignals();
+  signals_->setEnabled(!busy && written);
+  signals_->setToolTip(tipText(written ? tr("The strips of the Signals layout, with a cursor that goes along")
+                                       : tr("None were written down: they are while the Signals layout is shown")));
   make_->setEnabled(some && !busy);
   cancel_->setText(busy ? tr("Stop") : tr("Cancel"));
   progress_->setVisible(busy);
@@ -217,8 +240,8 @@ void FilmDialog::make(const QString& path) {
   if (!file) return refuse(file.error());
   auto environment = makeEnvironment(life_.registry(), life_.configuration());
   if (!environment) return refuse(environment.error());
-  paint(worldFilm(std::move(*environment), std::move(footage), size(),
-                  colours_->currentIndex() == 1 ? darkTheme() : lightTheme()),
+  paint(filmOf(std::move(*environment), std::move(footage), below(), size(),
+               colours_->currentIndex() == 1 ? darkTheme() : lightTheme()),
         *kind, std::move(*file), path);
 }
 

@@ -12,8 +12,10 @@
 #include "core/signals/footage.h"
 #include "ui/film/film.h"
 #include "ui/film/film_kind.h"
+#include "ui/live/signals/strip_film.h"
 #include "ui/support/background.h"
 
+class QCheckBox;
 class QDoubleSpinBox;
 class QGridLayout;
 class QLabel;
@@ -47,7 +49,8 @@ class FilmDialog final : public QDialog {
   struct Source {
     QString title;
     Footage footage;
-    double begin = 0.0;  // where it is filmed from, if nobody says otherwise [s]
+    std::shared_ptr<const SignalTable> signals;  // in which the footage has its rows
+    double begin = 0.0;                          // where it is filmed from, if nobody says otherwise [s]
   };
   void makePart(QGridLayout* grid);
   void makeLook(QGridLayout* grid);
@@ -59,6 +62,9 @@ class FilmDialog final : public QDialog {
   void paint(const Film& film, const FilmKind& kind, WholeFile file, const QString& path);
   void finished(const Status& status, std::int64_t frames, const QString& path);
   Footage chosen() const;
+  bool hasSignals() const;
+  /// None: nothing is chosen, or nothing was written down.
+  StripsBelow below() const;
   QSize size() const;
 
   const RunningLife& life_;
@@ -66,6 +72,7 @@ class FilmDialog final : public QDialog {
   Combo *source_ = nullptr, *speed_ = nullptr, *colours_ = nullptr;
   QDoubleSpinBox *from_ = nullptr, *to_ = nullptr;
   QSpinBox *width_ = nullptr, *height_ = nullptr;
+  QCheckBox* signals_ = nullptr;
   QLabel* words_ = nullptr;
   QProgressBar* progress_ = nullptr;
   QPushButton *make_ = nullptr, *cancel_ = nullptr;

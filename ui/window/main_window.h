@@ -66,6 +66,8 @@ class MainWindow final : public QMainWindow {
   /// Opens any kind of file: a session, a Q-function, a journal, a robot, a lesson, a plan, results. `lives` is called
   /// when a life of the file is there.
   void openFile(const QString& path, const std::function<void()>& lives = {});
+  /// Says that a life was loaded, whether it learns, and how one looks at it without teaching it anything.
+  void tellLoaded(const QString& name);
   /// Looks at a store or a checkpoint that another process writes, read only, on the page where it belongs.
   void follow(const QString& path);
   void stopFollowing();

@@ -49,8 +49,11 @@ void MainWindow::showPreLearning() {
 void MainWindow::showRobustness() {
   if (robustness_ && robustness_->environment() != session_.life().configuration().names.environment)
     robustness_->close();  // it asks of another robot
-  if (!robustness_ || !robustness_->isVisible())
+  if (!robustness_ || !robustness_->isVisible()) {
     robustness_ = new RobustnessDialog(session_.life(), session_.files(), this);
+    robustness_->setSecond(session_.looking().secondPath());  // chosen once, it is the second everywhere
+    connect(robustness_, &RobustnessDialog::secondChosen, live_, &LivePage::setSecond);
+  }
   robustness_->show();
   robustness_->raise();
   robustness_->activateWindow();

@@ -72,7 +72,16 @@ void MainWindow::openFile(const QString& path, const std::function<void()>& live
     setPage(0);
     remember(path);
     if (lives) lives();
+    tellLoaded(QFileInfo(path).fileName());
   });
+}
+
+void MainWindow::tellLoaded(const QString& name) {
+  const QString does = session_.life().running() ? tr("%1 is loaded and goes on learning.").arg(name)
+                                                 : tr("%1 is loaded, not running: Run goes on learning.").arg(name);
+  messages_->tell(session_.looking().hasViewer()
+                      ? tr("%1 Run › Roll out 25 s shows what it does now, without learning.").arg(does)
+                      : does);
 }
 
 void MainWindow::remember(const QString& path) {

@@ -131,7 +131,7 @@ void MainWindow::makeFileMenu() {
   QMenu* exporting = file->addMenu(tr("&Export"));
   for (Panel* panel : live_->panels())
     item(exporting, panel->windowTitle() + QStringLiteral(" …"), tr("As PNG, SVG, PDF or CSV"), {},
-         [this, panel] { exportWithDialog(panel->widget(), panel->windowTitle()); });
+         [this, panel] { exportWithDialog(panel->view(), panel->windowTitle()); });
   item(exporting, tr("World …"), tr("As PNG, SVG or PDF"), {},
        [this] { exportWithDialog(&live_->world(), tr("World")); });
   item(exporting, tr("The whole window …"), tr("As PNG, SVG or PDF"), {},

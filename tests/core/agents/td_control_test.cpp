@@ -1,65 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/agents/td_control.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
-#include <numeric>
-
-#include "core/features/tile_coder.h"
+#include "tests/core/agents/row_of_states.h"
 
 namespace surefoot {
 
 namespace {
-
-/// Always the action that the test names; or, if `second` is set, the second of two with that probability.
-class Scripted final : public Policy {
- public:
-  Action action = 0;
-  double second = 0.0;
-  void declareRule(Fields&) override {}
-  void among(std::span<const double> q, std::span<double> pi) const override {
-    for (std::size_t a = 0; a < q.size(); ++a) pi[a] = static_cast<int>(a) == action ? 1.0 : 0.0;
-    if (second > 0.0) pi[0] = 1.0 - second, pi[1] = second;
-  }
-};
-
-/// α, γ, λ and the kind of trace; the cut-off is 0.
-struct Settings {
-  double stepSize, discount, traceDecay;
-  TraceKind trace = TraceKind::Replacing;
-  OtherActions otherActions = OtherActions::Keep;
-};
-
-/// States 0, 1, 2, … each with a tile of its own; two actions; weights from 0.
-template <class Target = SarsaTarget>
-struct Corridor {
-  explicit Corridor(const Settings& s, int tilings = 1) {
-    Task task;
-    task.state = {{.key = "s", .title = "s", .low = 0, .high = 9, .span = 1, .resolution = 1}};
-    task.actions = {0, 1};
-    TileCoder::Settings tiles(task);
-    tiles.tilings = tilings;
-    LinearActionValue<TileCoder> values(*TileCoder::create(task, tiles), 2, {0.0, 0.0}, 1);
-    agent = std::make_unique<TdControl<Target, TileCoder>>(
-        Estimate<TileCoder>(std::move(values), EstimateSettings{s.stepSize, s.traceDecay}),
-        ControlSettings{s.discount, TraceSettings{0.0, s.trace, s.otherActions}});
-    agent->setPolicy(policy);
-  }
-  double q(double state, Action a) const {
-    std::vector<double> values(2);
-    agent->values().evaluate(std::vector<double>{state}, Layer::Sum, values);
-    return values[static_cast<std::size_t>(a)];
-  }
-  void start(double s) { agent->start(std::vector<double>{s}, random); }
-  void step(double reward, double s) { agent->step({.reward = reward}, std::vector<double>{s}, random); }
-  void truncate(double reward, double s) { agent->truncate({.reward = reward}, std::vector<double>{s}, random); }
-  void end(double reward) { agent->end({.reward = reward}); }
-
-  Scripted policy;
-  Random random{1};
-  std::unique_ptr<Agent> agent;
-};
 
 constexpr double kExact = 1e-12;  // a handful of roundings
 
@@ -68,7 +14,7 @@ constexpr double kExact = 1e-12;  // a handful of roundings
 // By hand, α = .5, γ = .9, λ = .8, γλ = .72. Step 0 → 1 with R = 1: δ = 1, w(0) = .5.
 // End with R = 2: δ = 2 − 0, z(1) = 1, z(0) = .72: w(1) = 1, w(0) = .5 + .5·2·.72 = 1.22.
 TEST(Sarsa, FollowsAHandComputedEpisode) {
-  Corridor<> c({0.5, 0.9, 0.8});
+  RowOfStates<> c({0.5, 0.9, 0.8});
   c.start(0);
   c.step(1, 1);
   EXPECT_NEAR(c.q(0, 0), 0.5, kExact);
@@ -82,7 +28,7 @@ TEST(Sarsa, FollowsAHandComputedEpisode) {
 // = .741, z(0) = 1 again, w(0) = 1.5295. Cut off at 2 with R = 0: δ = 0 + .9·0 − 1 = −1, z(1) = 1, z(0) = .72:
 // w(1) = .5, w(0) = 1.1695.
 TEST(Sarsa, ReplacesTheTraceOfAPairVisitedAgain) {
-  Corridor<> c({0.5, 0.9, 0.8});
+  RowOfStates<> c({0.5, 0.9, 0.8});
   c.start(0), c.step(1, 1), c.end(2);
   c.start(0);
   c.step(0, 0);
@@ -96,7 +42,7 @@ TEST(Sarsa, ReplacesTheTraceOfAPairVisitedAgain) {
 
 // The same with accumulating traces: z(0) = 1.72 in the step 0 → 1, so w(0) = 1.159 + .5·.741·1.72 = 1.79626.
 TEST(Sarsa, AccumulatesTheTraceIfAsked) {
-  Corridor<> c({0.5, 0.9, 0.8, TraceKind::Accumulating});
+  RowOfStates<> c({0.5, 0.9, 0.8, TraceKind::Accumulating});
   c.start(0), c.step(1, 1), c.end(2);
   c.start(0), c.step(0, 0), c.step(1, 1);
   EXPECT_NEAR(c.q(0, 0), 1.79626, kExact);
@@ -104,7 +50,7 @@ TEST(Sarsa, AccumulatesTheTraceIfAsked) {
 
 // A terminal state is worth 0 although its features have a value; a state at a time limit is worth its value.
 TEST(Sarsa, TellsTerminalFromTruncated) {
-  Corridor<> c({1.0, 0.9, 0.0});
+  RowOfStates<> c({1.0, 0.9, 0.0});
   c.start(1), c.end(10);  // w(1) = 10
   c.start(0), c.truncate(0, 1);
   EXPECT_NEAR(c.q(0, 0), 9.0, kExact);
@@ -114,7 +60,7 @@ TEST(Sarsa, TellsTerminalFromTruncated) {
 
 TEST(Sarsa, OtherActionsKeepOrLoseTheirTraces) {
   for (const OtherActions other : {OtherActions::Keep, OtherActions::Clear}) {
-    Corridor<> c({1.0, 1.0, 1.0, TraceKind::Replacing, other});
+    RowOfStates<> c({1.0, 1.0, 1.0, TraceKind::Replacing, other});
     c.policy.action = 0;
     c.start(0);
     c.policy.action = 1;
@@ -128,14 +74,14 @@ TEST(Sarsa, OtherActionsKeepOrLoseTheirTraces) {
 // eq. 2.10: α = 1 closes the whole error, whatever the number of tilings.
 TEST(Sarsa, AStepSizeOfOneClosesTheWholeError) {
   for (const int tilings : {1, 4, 16}) {
-    Corridor<> c({1.0, 0.9, 0.0}, tilings);
+    RowOfStates<> c({1.0, 0.9, 0.0}, tilings);
     c.start(3), c.end(7.5);
     EXPECT_NEAR(c.q(3, 0), 7.5, kExact);
   }
 }
 
 TEST(Sarsa, NoticesDivergence) {
-  Corridor<> c({2.0, 1.0, 1.0, TraceKind::Accumulating});
+  RowOfStates<> c({2.0, 1.0, 1.0, TraceKind::Accumulating});
   EXPECT_FALSE(c.agent->diverged());
   for (int i = 0; i < 2000 && !c.agent->diverged(); ++i)
     c.start(0), c.step(1e6, 0), c.step(1e6, 1), c.step(1e6, 0), c.end(1e6);
@@ -146,7 +92,7 @@ TEST(Sarsa, NoticesDivergence) {
 // Sarsa: δ = 1 + .5·4; Q-learning: δ = 1 + .5·10; Expected Sarsa under a policy of ¼ and ¾: δ = 1 + .5·(1 + 7.5).
 template <class Target>
 double valueAfterOneStep(double probabilityOfTheSecond) {
-  Corridor<Target> c({1.0, 0.5, 0.0});
+  RowOfStates<Target> c({1.0, 0.5, 0.0});
   c.policy.action = 0;
   c.start(1), c.end(4);
   c.policy.action = 1;
@@ -168,7 +114,7 @@ TEST(Targets, DifferAsTheirEquationsSay) {
 // 0 → 1 → end with 5. (1, 0) is worth 2 before, (1, 1) nothing.
 TEST(QLearning, CutsTheTraceBeforeAnExploratoryAction) {
   for (const Action second : {0, 1}) {
-    Corridor<WatkinsTarget> c({1.0, 1.0, 1.0});
+    RowOfStates<WatkinsTarget> c({1.0, 1.0, 1.0});
     c.start(1), c.end(2);
     c.start(0);                // action 0
     c.policy.action = second;  // greedy in state 1: 0
@@ -189,7 +135,7 @@ TEST(QLearning, ATieIsGreedy) {
 // λ = 0 with any rule of traces is the one-step rule Q ← Q + α δ.
 TEST(Sarsa, WithoutTracesIsTheOneStepRule) {
   for (const TraceKind kind : {TraceKind::Replacing, TraceKind::Accumulating}) {
-    Corridor<> c({0.3, 0.9, 0.0, kind});
+    RowOfStates<> c({0.3, 0.9, 0.0, kind});
     std::vector<double> plain(10, 0.0);
     Random random(3);
     for (int episode = 0; episode < 50; ++episode) {
@@ -213,7 +159,7 @@ TEST(Sarsa, WithoutTracesIsTheOneStepRule) {
 // An episode that is given up teaches nothing any more: what comes after it must not reach back over its trace.
 TEST(Sarsa, AnAbandonedEpisodeLeavesNoTrace) {
   for (const TraceKind kind : {TraceKind::Replacing, TraceKind::Accumulating}) {
-    Corridor<> c({0.5, 0.9, 0.8, kind});
+    RowOfStates<> c({0.5, 0.9, 0.8, kind});
     c.start(0);
     c.step(1, 1);
     EXPECT_NEAR(c.q(0, 0), 0.5, kExact);
@@ -231,7 +177,7 @@ TEST(Sarsa, AnAbandonedEpisodeLeavesNoTrace) {
 // By hand, α = .5, γ = .9, λ = 0, κ = .2: a first δ of 1 counts 0.8, one of −1 counts 1.2.
 TEST(Sarsa, WeighsBadNewsMoreByItsAsymmetry) {
   for (const double reward : {1.0, -1.0}) {
-    Corridor<> c({0.5, 0.9, 0.0});
+    RowOfStates<> c({0.5, 0.9, 0.0});
     Fields f("agent.");
     c.agent->declare(f);
     for (const auto& field : f.all())
@@ -239,82 +185,6 @@ TEST(Sarsa, WeighsBadNewsMoreByItsAsymmetry) {
     c.start(0);
     c.end(reward);
     EXPECT_NEAR(c.q(0, 0), reward > 0 ? 0.4 : -0.6, kExact);
-  }
-}
-
-namespace {
-
-/// The online λ-return algorithm, the forward view that true online TD(λ) equals (van Seijen et al. 2016, section 3;
-/// Sutton & Barto 2018, section 12.3): at every moment h all weights are computed anew from the beginning.
-struct ForwardView {
-  double stepSize, discount, traceDecay;
-  std::vector<std::vector<double>> x{};       ///< features of every state
-  std::vector<double> rewards{};              ///< rewards[t] comes after state t
-  std::vector<std::vector<double>> online{};  ///< w_h, the result at moment h
-
-  static double dot(const std::vector<double>& a, const std::vector<double>& b) {
-    return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
-  }
-  /// w_h from w_0; at the end of an episode state h has no features.
-  std::vector<double> weightsAt(std::size_t h) const {
-    std::vector<double> w = online[0];
-    for (std::size_t t = 0; t < h; ++t) {
-      double target = 0.0, sum = 0.0, power = 1.0;  // G_t^{λ|h} = (1 − λ) Σ λ^(n−1) G^(n) + λ^(h−t−1) G^(h−t)
-      for (std::size_t n = 1; t + n <= h; ++n) {
-        sum += std::pow(discount, static_cast<double>(n - 1)) * rewards[t + n - 1];
-        const double bootstrap = dot(online[t + n - 1], x[t + n]);
-        const double G = sum + std::pow(discount, static_cast<double>(n)) * bootstrap;
-        target += (t + n == h ? power : (1.0 - traceDecay) * power) * G;
-        power *= traceDecay;
-      }
-      const double error = target - dot(w, x[t]);
-      for (std::size_t i = 0; i < w.size(); ++i) w[i] += stepSize / dot(x[t], x[t]) * error * x[t][i];
-    }
-    return w;
-  }
-};
-
-}  // namespace
-
-TEST(TrueOnlineSarsa, EqualsItsForwardViewAfterEveryStep) {
-  constexpr int kTilings = 4;
-  Corridor<TrueOnlineTarget> c({0.4, 0.9, 0.8}, kTilings);
-  Task task;
-  task.state = {{.key = "s", .title = "s", .low = 0, .high = 9, .span = 1, .resolution = 1}};
-  TileCoder::Settings tiles(task);
-  tiles.tilings = kTilings;
-  const TileCoder coder = *TileCoder::create(task, tiles);
-  const auto features = [&](double state) {
-    TileCoder::Active active;
-    coder.find(std::vector<double>{state}, active);
-    std::vector<double> x(coder.size(), 0.0);
-    for (const Index i : active.indices()) x[i] = 1.0;
-    return x;
-  };
-  Random random(5);
-  std::vector<double> weights(coder.size(), 0.0);
-  for (int episode = 0; episode < 3; ++episode) {
-    ForwardView view{0.4, 0.9, 0.8};
-    double s = random.uniform(0, 3);  // states that share tiles
-    c.start(s);
-    view.x.push_back(features(s));
-    view.online.push_back(weights);
-    constexpr int kSteps = 15;
-    for (int step = 1; step <= kSteps; ++step) {
-      s = random.uniform(0, 3);
-      const double reward = random.uniform(-1, 1);
-      view.rewards.push_back(reward);
-      view.x.push_back(step < kSteps ? features(s) : std::vector<double>(coder.size(), 0.0));
-      if (step < kSteps)
-        c.step(reward, s);
-      else
-        c.end(reward);
-      view.online.push_back(view.weightsAt(static_cast<std::size_t>(step)));
-      weights = view.online.back();
-      for (double state = 0.1; state < 3.0; state += 0.37)
-        EXPECT_NEAR(c.q(state, 0), ForwardView::dot(weights, features(state)), 1e-10)
-            << "episode " << episode << ", step " << step;
-    }
   }
 }
 

@@ -1,136 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/life/rewinding.h"
 
-#include "core/agents/agent_around.h"
-#include "core/environments/small_world.h"
-#include "core/plans/plan.h"
-#include "core/saved/checkpoint.h"
-#include "core/saved/journal.h"
-#include "tests/core/experiment/test_setup.h"
+#include "tests/core/life/ice.h"
 
 namespace surefoot {
 
 namespace {
-
-/// A cart on ice between two edges: an action adds ±0.5 to its speed, which the state does not tell. Beyond x = ±4 it
-/// falls; beyond 2 it is a success if it is slow. By hand: from x = 0 three steps to the right are x = 0.5, 1.5, 3.
-class Ice : public SmallWorld<1> {
- public:
-  Ice() {
-    task_.state = {{.key = "x", .title = "x", .symbol = "x", .low = -4, .high = 4, .span = 1, .spanText = "1"}};
-    task_.state[0].resolution = 2;
-    task_.actions = {-0.5, 0.5};
-    task_.actionTitle = "push";
-    task_.rewardTerms = {"fall", "goal"};
-    task_.measures = {{.key = "way", .title = "way"}};
-    limit_.most = 60;
-  }
-  void reset(Random& random) override {
-    state_[0] = random.uniform(-1, 1);
-    speed_ = 0.0, way_ = {0.0};
-    limit_.steps = 0;
-  }
-  Outcome step(Action action) override {
-    speed_ += task_.actions[static_cast<std::size_t>(action)];
-    state_[0] += speed_;
-    way_[0] += std::abs(speed_);
-    Outcome outcome;
-    if (std::abs(state_[0]) > 4) {
-      outcome.reward = outcome.terms[0] = -10.0;
-      outcome.ending = Ending::Terminal;
-      outcome.event = Event::Fall;
-    } else if (std::abs(state_[0]) > 2 && std::abs(speed_) <= 0.5) {
-      outcome.reward = outcome.terms[1] = 10.0;
-      outcome.ending = Ending::Terminal;
-      outcome.event = Event::Success;
-    }
-    limit_.count(outcome);
-    return outcome;
-  }
-  bool push(double impulse) override {
-    speed_ += impulse;
-    return true;
-  }
-  std::span<const double> measures() const override { return way_; }
-  std::vector<double> pose() const override { return {state_[0], speed_, way_[0], static_cast<double>(limit_.steps)}; }
-  void draw(std::span<const double>, Scene&) const override {}
-  std::vector<ReadOut> readOuts(std::span<const double>) const override { return {}; }
-
- protected:
-  double speed_ = 0.0;
-  std::array<double, 1> way_{};
-};
-
-/// Its first episode is like no other: later ones end with their first step.
-class Thaw final : public Ice {
- public:
-  void reset(Random& random) override {
-    Ice::reset(random);
-    if (++resets_ > 1) state_[0] = 5.0;
-  }
-
- private:
-  int resets_ = 0;
-};
-
-/// It takes its time.
-class SlowIce final : public Ice {
- public:
-  bool answersAtOnce() const override { return false; }
-};
-
-/// What an agent was told, and in which state its episodes began.
-struct Told {
-  int starts = 0, ends = 0, cuts = 0;
-  std::vector<double> begins;
-};
-
-class Listening final : public AgentAround {
- public:
-  Listening(std::unique_ptr<Agent> agent, Told& told) : AgentAround(std::move(agent)), told_(told) {}
-  Action start(std::span<const double> state, Random& random) override {
-    ++told_.starts;
-    told_.begins.push_back(state[0]);
-    return AgentAround::start(state, random);
-  }
-  void end(const Outcome& outcome) override {
-    ++told_.ends;
-    AgentAround::end(outcome);
-  }
-  Action truncate(const Outcome& outcome, std::span<const double> state, Random& random) override {
-    ++told_.cuts;
-    return AgentAround::truncate(outcome, state, random);
-  }
-
- private:
-  Told& told_;
-};
-
-Registry withIce(Told& told) {
-  Registry r = fullRegistry();
-  r.environments.push_back({{"ice", "Ice", "A cart on ice."}, [] { return std::make_unique<Ice>(); }});
-  r.environments.push_back({{"thaw", "Thaw", "Never the same."}, [] { return std::make_unique<Thaw>(); }});
-  r.environments.push_back(
-      {{"slow-ice", "Slow ice", "It takes its time."}, [] { return std::make_unique<SlowIce>(); }});
-  AgentEntry listening = **findEntry(r.agents, "agent", "sarsa");
-  listening.name = "listening";
-  listening.make = [make = listening.make, &told](const AgentParts& parts) -> Result<std::unique_ptr<Agent>> {
-    auto inner = make(parts);
-    if (!inner) return inner.error();
-    return std::unique_ptr<Agent>(std::make_unique<Listening>(std::move(*inner), told));
-  };
-  r.agents.push_back(listening);
-  return r;
-}
-
-Configuration rewinding(const Registry& r, const std::string& environment, const std::string& steps,
-                        const std::string& most, const std::string& agent = "sarsa") {
-  auto c = configure(r, {.environment = environment, .agent = agent},
-                     {{"life.rewind", steps}, {"life.rewinds", most}, {"policy.epsilon", "0.3"}});
-  EXPECT_TRUE(c) << c.error().message;
-  c->episodes = 200;
-  return *c;
-}
 
 /// Where an episode began, by another environment of the same kind.
 std::vector<double> poseAtTheBeginning(const Registry& r, const Configuration& c, const Life& life) {
@@ -171,10 +46,6 @@ std::int64_t rowsOf(const Life& life, const std::function<std::int64_t(const Epi
   return sum;
 }
 
-void livePart(Life& life, std::int64_t steps = std::numeric_limits<std::int64_t>::max()) {
-  while (life.steps() < steps && !life.finished()) life.step();
-}
-
 std::uint64_t hashAfter(const Registry& r, const Configuration& c) {
   const auto life = lifeOf(r, c);
   livePart(*life);
@@ -203,7 +74,7 @@ TEST(EpisodeInputs, GoBackToWhereAnActionWasChosen) {
   Ice ice;
   Random random(1);
   Ending ending = Ending::None;
-  EXPECT_TRUE(repeat(one, ice, random, ending, [](Action) {}));
+  EXPECT_TRUE(repeat(one, ice, random, ending, [](const Outcome&, Action) {}));
   EXPECT_EQ(ice.state()[0], 0.5);
 }
 
@@ -268,53 +139,6 @@ TEST(Rewinding, OffChangesNoBit) {
   EXPECT_EQ(looked->hash(), rewound);
 }
 
-// Saved right after a rewind and elsewhere, switched on and changed in the middle of an episode, with pushes.
-TEST(Rewinding, ASavedLifeGoesOnTheSame) {
-  Told told;
-  const Registry r = withIce(told);
-  for (const char* environment : {"ice", "pendulum"}) {
-    Configuration c = rewinding(r, environment, "0", "2");
-    c.commands = {
-        {40, "life.rewind", "5"}, {200, "push", "0.01"}, {300, "life.rewinds", "4"}, {900, "life.rewind", "9"}};
-    const auto whole = lifeOf(r, c);
-    livePart(*whole);
-    ASSERT_GT(whole->log().totals().rewinds, 50);
-    const auto first = lifeOf(r, c);
-    first->keepInputs();
-    int saved = 0;
-    for (int rewinds = 0; !first->finished() && saved < 40; first->step()) {
-      const bool isNew = first->inEpisode() && first->log().current().rewinds > rewinds;
-      rewinds = first->inEpisode() ? first->log().current().rewinds : 0;
-      if (!isNew && first->steps() % 97 != 0) continue;
-      ++saved;
-      auto file = TensorFile::parse(checkpointOf(*first, c, false).write(), "c.safetensors");
-      ASSERT_TRUE(file);
-      auto resumed = resume(r, std::make_shared<const TensorFile>(std::move(*file)), {});
-      ASSERT_TRUE(resumed) << resumed.error().message;
-      EXPECT_EQ(resumed->life->environment().pose(), first->environment().pose());
-      livePart(*resumed->life);
-      EXPECT_EQ(resumed->life->hash(), whole->hash()) << environment << " from step " << first->steps();
-      EXPECT_EQ(resumed->life->log().totals().rewinds, whole->log().totals().rewinds);
-    }
-    EXPECT_EQ(saved, 40);
-  }
-}
-
-TEST(Rewinding, AJournalIsLivedAgain) {
-  const Registry r = fullRegistry();
-  Configuration c = rewinding(r, "pendulum", "20", "2");
-  c.episodes = 60;
-  c.commands = {{500, "push", "0.05"}, {2000, "life.rewind", "5"}};
-  const auto lives = runLives(r, c, {});
-  ASSERT_TRUE(lives);
-  EXPECT_GT(lives->front().totals.rewinds, 0);
-  const auto journal = parseJournal(r, journalOf(c, lives->front()), "j");
-  ASSERT_TRUE(journal) << journal.error().message;
-  const auto again = replay(r, *journal, {});
-  ASSERT_TRUE(again);
-  EXPECT_EQ(again->hash, lives->front().hash);
-}
-
 TEST(Rewinding, AWorldThatNeverDoesTheSameStopsTheLife) {
   Told told;
   const Registry r = withIce(told);
@@ -344,21 +168,6 @@ TEST(Rewinding, WhatIsNotAllowedIsASentence) {
   EXPECT_EQ(life->parameters().get("life.rewind"), 0.0);
   slow.commands = {{5, "life.rewind", "2"}};
   EXPECT_FALSE(makeLife(r, slow, 0, false));
-}
-
-TEST(Rewinding, APreLearningHasItAlone) {
-  const Registry r = fullRegistry();
-  const auto plan = parsePlan(r,
-                              "[pre-learning]\nscenario = \"2\"\nminutes = 1\nset.life.rewind = 20\n"
-                              "[[condition]]\nminutes = 1\nscenario = \"actual\"\n",
-                              "p.toml", {});
-  ASSERT_TRUE(plan) << plan.error().message;
-  const Condition& c = plan->conditions.front();
-  EXPECT_EQ(c.configuration.parameters.get("life.rewind"), 0.0);
-  ASSERT_TRUE(c.preLearning);
-  EXPECT_EQ(c.preLearning->configuration.parameters.get("life.rewind"), 20.0);
-  EXPECT_NE(c.preLearning->text.find("life.rewind=20"), std::string::npos) << c.preLearning->text;
-  EXPECT_EQ(c.preLearning->text.find("life.rewinds"), std::string::npos);
 }
 
 }  // namespace surefoot

@@ -34,6 +34,27 @@ TEST(LearnerThread, StartsPausedAndStepsOnDemand) {
   EXPECT_TRUE(waitFor(learner, [](const Snapshot& s) { return s.steps == 2; }));
 }
 
+// A snapshot that nobody fetched before the next is not missed.
+TEST(LearnerThread, TellsEveryStepToWhoeverWantsThem) {
+  const Registry r = fullRegistry();
+  LearnerThread learner(lifeOf(r, pendulumConfiguration(r)));
+  learner.wantSteps(true);
+  learner.send(SetRunning{true});
+  std::vector<std::int64_t> steps;
+  for (int i = 0; i < 60; ++i) {
+    learner.wantSnapshot();
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    if (i % 3 != 2 || !learner.takeSnapshot()) continue;
+    for (const StepSeen& step : learner.snapshot().seen)
+      if (steps.empty() || step.steps > steps.back()) steps.push_back(step.steps);
+  }
+  const auto life = learner.stop();
+  std::int64_t missed = 0;
+  for (std::size_t k = 1; k < steps.size(); ++k) missed += steps[k] - steps[k - 1] - 1;
+  EXPECT_GT(steps.size(), 10u);
+  EXPECT_LE(missed, life->log().totals().episodes) << "but the first moment of an episode";
+}
+
 TEST(LearnerThread, KeepsPaceWithTheClock) {
   const Registry r = fullRegistry();
   LearnerThread learner(lifeOf(r, pendulumConfiguration(r)));

@@ -79,13 +79,15 @@ TEST(Footage, EndsWithAFallThatIsSeen) {
 }
 
 TEST(Footage, IsCutAndSlowed) {
-  Footage footage{.poses = {}, .falls = std::vector<std::uint8_t>(600, 0), .rate = 200};
-  for (int i = 0; i < 600; ++i) footage.poses.push_back({double(i)});
+  Footage footage{.poses = {}, .falls = std::vector<std::uint8_t>(600, 0), .rows = {}, .rate = 200};
+  for (int i = 0; i < 600; ++i) footage.poses.push_back({double(i)}), footage.rows.push_back(i + 5);
   const Footage part = cut(footage, 1.0, 2.0);
   ASSERT_EQ(part.poses.size(), 30u);
   EXPECT_EQ(part.rate, kFilmRate);
   for (const auto& [frame, pose] : {std::pair{0, 200}, {1, 206}, {15, 300}, {29, 393}})
     EXPECT_EQ(part.poses[static_cast<std::size_t>(frame)][0], pose) << frame;
+  for (std::size_t i = 0; i < part.rows.size(); ++i)
+    EXPECT_EQ(static_cast<double>(part.rows[i]), part.poses[i][0] + 5) << "the signals of the same moment";
   const Footage half = cut(footage, 1.0, 2.0, 0.5);
   ASSERT_EQ(half.poses.size(), 60u);
   EXPECT_EQ(half.poses[1][0], 203);

@@ -197,8 +197,12 @@ TEST(Rollout, BeginsAsAnotherOneAndIsLivedAgain) {
   for (const double a : *first.table.column("action")) inputs.actions.push_back(static_cast<std::uint16_t>(a));
   const auto environment = makeEnvironment(registry(), c);
   std::size_t seen = 0;
-  const SignalTable again = relive(**environment, inputs, &life->agent().values(), Greedy(), 0.9,
-                                   [&](const Environment&, const ValuesOfState&, Action) { ++seen; });
+  const SignalTable again =
+      relive(**environment, inputs, &life->agent().values(), Greedy(), 0.9, [&](const RolloutMoment& m) {
+        EXPECT_EQ(m.row, static_cast<std::int64_t>(seen));
+        EXPECT_EQ(m.next == kNoAction, seen == inputs.actions.size());
+        ++seen;
+      });
   ASSERT_EQ(again.rows(), first.table.rows() + 1) << "and the state that it ended in";
   EXPECT_EQ(seen, again.rows());
   for (std::size_t i = 0; i < again.signals().size(); ++i) {

@@ -196,14 +196,27 @@ TEST(Signals, StridesOfTheCompassAreCounted) {
   auto* shown = w.window->findChild<SignalsShown*>();
   auto* table = w.window->findChild<StrideTable*>();
   const auto strides = stridesOf(w.session->looking().signals());
+  const auto rows = static_cast<int>(strides.size());
   ASSERT_EQ(shown->strides().size(), strides.size());
-  EXPECT_EQ(table->rowCount(), strides.empty() ? 0 : static_cast<int>(strides.size()) + 1);
+  EXPECT_EQ(table->rowCount(), strides.empty() ? 0 : rows + 1);
   if (strides.empty()) return;
-  table->scrollToTop();
-  const QPoint at(40, table->rowViewportPosition(0) + 8);
-  QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, at);
+  const auto click = [&](int row) {
+    table->scrollTo(table->model()->index(row, 0));
+    QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, QPoint(40, table->rowViewportPosition(row) + 8));
+  };
+  click(0);
   ASSERT_TRUE(shown->band());
-  EXPECT_EQ(shown->markedStride(), 0u);
+  EXPECT_EQ(shown->markedStride(), (MarkedStride{0, false}));
+  EXPECT_EQ(shown->band()->first, strides[0].begins);
+  // A second Q-function's strides stand below, each in a row of its own.
+  w.session->looking().setSecond(w.session->life().values()->values->clone(), "the same");
+  ASSERT_EQ(table->rowCount(), 2 * (rows + 1));
+  EXPECT_EQ(table->item(rows + 1, 0)->text(), "second 1");
+  EXPECT_EQ(table->item(rows + 1, 2)->text(), table->item(0, 2)->text());
+  EXPECT_TRUE(table->item(rows, 0)->text().startsWith("first, mean of"));
+  EXPECT_TRUE(table->item(2 * rows + 1, 0)->text().startsWith("second, mean of"));
+  click(rows + 1);
+  EXPECT_EQ(shown->markedStride(), (MarkedStride{0, true}));
   EXPECT_EQ(shown->band()->first, strides[0].begins);
   QTest::keyClick(table, Qt::Key_Escape);
   EXPECT_FALSE(shown->band());

@@ -7,6 +7,7 @@
 
 #include "core/files/read_file.h"
 #include "tests/ui/window/size_setup.h"
+#include "ui/live/signals/signals_bar.h"
 #include "ui/robustness/robustness_dialog.h"
 #include "ui/robustness/robustness_form.h"
 #include "ui/robustness/robustness_map.h"
@@ -157,6 +158,27 @@ TEST(RobustnessDialog, IsReadableAtEverySize) {
   a.ask("0..0.2:30", "2");
   ASSERT_TRUE(a.waitFor([&] { return a.map->asCsv() != before; }, 60'000));
   check("of many models");
+}
+
+// A second Q-function is chosen once: in a roll-out or here.
+TEST(RobustnessDialog, TheSecondIsThatOfTheSignalsAndTheOtherWay) {
+  Asked w;
+  const QTemporaryDir folder;
+  const QString one = QString::fromStdString(w.saved(folder, "one.safetensors")),
+                other = QString::fromStdString(w.saved(folder, "other.safetensors"));
+  EXPECT_TRUE(w.dialog->findChild<RobustnessForm*>()->second().empty());
+  Q_EMIT w.dialog->findChild<RobustnessForm*>()->secondChosen(one);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->looking().secondPath() == one; }));
+  EXPECT_FALSE(w.session->looking().playback()) << "nothing is rolled out for it";
+  w.dialog->close();
+  w.window->findChild<SignalsBar*>()->setSecond(other);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->looking().secondPath() == other; }));
+  for (QAction* action : w.window->findChildren<QAction*>())
+    if (action->text() == QString::fromUtf8("Rob&ustness …")) action->trigger();
+  const auto dialogs = w.window->findChildren<RobustnessDialog*>();
+  const auto open = std::find_if(dialogs.begin(), dialogs.end(), [](const auto* d) { return d->isVisible(); });
+  ASSERT_NE(open, dialogs.end());
+  EXPECT_EQ((*open)->findChild<RobustnessForm*>()->second(), other.toStdString());
 }
 
 }  // namespace surefoot

@@ -72,6 +72,46 @@ TEST(Falls, AClickInTheListShowsOneAndThenItIsLiveAgain) {
   EXPECT_FALSE(w.session->looking().playback());
 }
 
+// What falls in a roll-out is seen for 0.2 s while the next episode goes on, as in the window.
+TEST(Falls, OfARollOutAreSeenForAMoment) {
+  Window w("epsilon-greedy");
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().values(); }));
+  const Playback p = rolloutOf(w.registry, w.configuration, w.session->life().values()->values->clone(), 10.0, 1);
+  const std::vector<double>& fall = *p.signals.column("fall");
+  const auto at = static_cast<std::size_t>(std::find(fall.begin(), fall.end(), 1.0) - fall.begin());
+  ASSERT_LT(at + 60, fall.size()) << "who has learned nothing falls";
+  EXPECT_FALSE(p.frames[at].flash);
+  for (std::size_t i = 1; i <= 40; ++i) {
+    EXPECT_TRUE(p.frames[at + i].flash) << i;
+    EXPECT_EQ(p.frames[at + i].pose, p.frames[at + 1].pose);
+  }
+  EXPECT_NE(p.frames[at + 1].pose, p.frames[at].pose);
+  EXPECT_FALSE(p.frames[at + 41].flash);
+  const Footage footage = footageOf(p);
+  EXPECT_EQ(footage.falls[at + 40], 1);
+  EXPECT_EQ(footage.rows[at + 40], static_cast<std::int64_t>(at + 40));
+}
+
+TEST(Falls, TheOneThatIsChosenInTheListStaysChosen) {
+  Fallen w;
+  w.window->livePage().useLayout(LivePage::Layout::Falls);
+  auto* list = w.window->findChild<FallsList*>();
+  const QPoint at(30, list->rowViewportPosition(1) + 8);
+  QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, at);
+  const auto number = [&] { return list->model()->index(list->currentIndex().row(), 0).data().toString(); };
+  const QString chosen = number();
+  const std::size_t before = w.session->looking().falls().size();
+  w.session->life().setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->looking().falls().size() > before + 3; }, 30'000));
+  w.session->life().setRunning(false);
+  EXPECT_GT(list->currentIndex().row(), 3) << "newer ones stand above it";
+  EXPECT_EQ(number(), chosen);
+  EXPECT_EQ(list->selectionModel()->selectedRows().value(0).row(), list->currentIndex().row());
+  list->hide();
+  list->show();
+  EXPECT_EQ(number(), chosen);
+}
+
 TEST(Falls, LookingAtThemDoesNotTouchTheLearner) {
   const auto hashOf = [](bool looking) {
     Window w("epsilon-greedy", 600);

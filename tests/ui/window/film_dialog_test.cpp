@@ -2,6 +2,7 @@
 // View › Film…: made in the background, while the life goes on.
 #include "ui/window/film_dialog.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -11,6 +12,7 @@
 #include "tests/ui/film/filmed.h"
 #include "tests/ui/pixels_of.h"
 #include "tests/ui/window_setup.h"
+#include "ui/live/live_page.h"
 
 namespace surefoot {
 
@@ -90,6 +92,34 @@ TEST(FilmDialog, FilmsTheReplayInHandToItsFall) {
   EXPECT_EQ(decoded.pictures.back().pixelColor(0, 0), darkTheme().paper);
   EXPECT_GT(pixelsOf(decoded.pictures.back(), darkTheme().fall), pixelsOf(decoded.pictures[0], darkTheme().fall) + 100)
       << "it ends fallen";
+}
+
+// The strips of the Signals layout stand below, as in `surefoot rollout --film --strips`; without signals there are
+// none.
+TEST(FilmDialog, FilmsSignalsBelowThePicture) {
+  Filmed w;
+  EXPECT_FALSE(w.field<QCheckBox>("Signals below the picture")->isEnabled()) << "nobody looked at signals";
+  w.dialog->reject();
+  w.window->livePage().useLayout(LivePage::Layout::Signals);
+  w.session->life().setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->looking().recordedSignals().rows() > 40; }, 20'000));
+  w.open();
+  w.field<QSpinBox>("Width of the film")->setValue(480);
+  w.field<QSpinBox>("Height of the film")->setValue(360);
+  auto* below = w.field<QCheckBox>("Signals below the picture");
+  ASSERT_TRUE(below->isEnabled());
+  below->setChecked(true);
+  const double end = w.field<QDoubleSpinBox>("Film up to")->value();
+  w.field<QDoubleSpinBox>("Film from")->setValue(end - 0.3);
+  w.dialog->make(QString::fromStdString(w.folder.file("a.webp")));
+  ASSERT_TRUE(w.waitFor([&] { return !w.dialog->busy(); }));
+  const Decoded decoded = decodedWebp(w.folder.file("a.webp"));
+  ASSERT_GT(decoded.pictures.size(), 1u) << w.words().toStdString();
+  const auto strips = [](const QImage& picture) { return picture.copy(0, 360 * 6 / 10, 480, 360 * 4 / 10); };
+  const Theme& theme = themeOf(*w.window);
+  EXPECT_EQ(strips(decoded.pictures[0]).pixelColor(1, 1), theme.panel);
+  EXPECT_GT(pixelsOf(strips(decoded.pictures.back()), theme.ink), 30);
+  EXPECT_NE(strips(decoded.pictures.front()), strips(decoded.pictures.back())) << "the cursor goes along";
 }
 
 TEST(FilmDialog, IsStoppedAndRefusedInWords) {

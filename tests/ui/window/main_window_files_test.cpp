@@ -72,6 +72,25 @@ TEST(MainWindow, ASessionOfAnotherVersionSaysThatItsLifeTakesAnotherCourse) {
       << w.window->messages().accessibleName().toStdString();
 }
 
+// Whoever only wants to look at what was loaded finds out how.
+TEST(MainWindow, SaysWhetherWhatWasLoadedLearns) {
+  Window w;
+  w.session->looking().stepOnce();
+  QTemporaryDir folder;
+  const QString path = folder.filePath("q.safetensors");
+  w.window->saveTo(SavedAs::QFunction, path);
+  ASSERT_TRUE(w.waitFor([&] { return QFile::exists(path); }));
+  for (const bool runs : {false, true}) {
+    w.session->life().setRunning(runs);
+    w.window->openFile(path);
+    ASSERT_TRUE(w.waitFor([&] { return w.window->messages().accessibleName().contains("q.safetensors is loaded"); }));
+    const QString says = w.window->messages().accessibleName();
+    EXPECT_TRUE(says.contains("Roll out")) << says.toStdString();
+    EXPECT_EQ(says.contains("not running"), !runs) << says.toStdString();
+    w.window->messages().dismiss();
+  }
+}
+
 // What the bar says after a save can be copied into a shell, whatever the name and the environment.
 TEST(MainWindow, TheSuggestedCommandsRun) {
   QTemporaryDir folder;

@@ -43,17 +43,19 @@ PhasePortrait::PhasePortrait(SignalsShown& shown, QWidget* parent) : Painted(par
 std::pair<std::size_t, std::size_t> PhasePortrait::rowsShown(const SignalTable& table) const {
   if (table.rows() == 0) return {0, 0};
   const std::vector<double>& time = table.columns()[0];
-  const auto from = std::lower_bound(time.begin(), time.end(), shown_.from());
-  const auto to = std::upper_bound(from, time.end(), shown_.to());
+  const double later = &table == &shown_.second() ? shown_.secondLater() : 0.0;
+  const auto from = std::lower_bound(time.begin(), time.end(), shown_.from() - later);
+  const auto to = std::upper_bound(from, time.end(), shown_.to() - later);
   return {static_cast<std::size_t>(from - time.begin()), static_cast<std::size_t>(to - time.begin())};
 }
 
 PhasePortrait::Axis PhasePortrait::axisOf(std::size_t signal, double pixels) const {
   double low = kInfinity, high = -kInfinity;
   for (const SignalTable* table : {&shown_.table(), &shown_.second()}) {
+    const auto* column = columnLike(*table, shown_.table(), signal);
     const auto [from, to] = rowsShown(*table);
-    for (std::size_t row = from; row < to; ++row) {
-      const double value = table->columns()[signal][row];
+    for (std::size_t row = from; column && row < to; ++row) {
+      const double value = (*column)[row];
       if (!std::isnan(value)) low = std::min(low, value), high = std::max(high, value);
     }
   }
@@ -63,10 +65,14 @@ PhasePortrait::Axis PhasePortrait::axisOf(std::size_t signal, double pixels) con
   return {std::floor(low / step) * step, std::ceil(high / step) * step, step};
 }
 
-QPointF PhasePortrait::at(const SignalTable& table, std::size_t row) const {
-  const double x = (table.columns()[x_][row] - horizontal_.low) / (horizontal_.high - horizontal_.low);
-  const double y = (table.columns()[y_][row] - vertical_.low) / (vertical_.high - vertical_.low);
-  return {plot_.left() + x * plot_.width(), plot_.bottom() - y * plot_.height()};
+QPointF PhasePortrait::at(double x, double y) const {
+  return {plot_.left() + (x - horizontal_.low) / (horizontal_.high - horizontal_.low) * plot_.width(),
+          plot_.bottom() - (y - vertical_.low) / (vertical_.high - vertical_.low) * plot_.height()};
+}
+
+QPointF PhasePortrait::at(std::size_t row) const {
+  const auto& columns = shown_.table().columns();
+  return at(columns[x_][row], columns[y_][row]);
 }
 
 void PhasePortrait::paintEvent(QPaintEvent*) {
@@ -111,17 +117,17 @@ void PhasePortrait::paintEvent(QPaintEvent*) {
     if (!shown_.strides().empty()) {
       p.setPen(QPen(t.ink, 1.5));
       p.setBrush(t.panel);
-      const QPointF touch = at(table, cycle->first);
+      const QPointF touch = at(cycle->first);
       p.drawRect(QRectF(touch - QPointF(4, 4), QSizeF(8, 8)));
     }
   }
   if (const auto row = shown_.row(); row && *row < table.rows()) {
     p.setPen(QPen(t.ink, 2));
     p.setBrush(t.panel);
-    p.drawEllipse(at(table, *row), 5.5, 5.5);
+    p.drawEllipse(at(*row), 5.5, 5.5);
     p.setBrush(t.ink);
     p.setPen(Qt::NoPen);
-    p.drawEllipse(at(table, *row), 1.8, 1.8);
+    p.drawEllipse(at(*row), 1.8, 1.8);
   }
   p.restore();
   drawLegend(p, cycle.has_value());
@@ -158,7 +164,10 @@ void PhasePortrait::drawAxes(QPainter& p) const {
 
 void PhasePortrait::drawWay(QPainter& p, const SignalTable& table, std::size_t from, std::size_t to) const {
   const std::vector<double>& episode = table.columns()[1];
-  const std::vector<double>&x = table.columns()[x_], &y = table.columns()[y_];
+  const auto* xs = columnLike(table, shown_.table(), x_);
+  const auto* ys = columnLike(table, shown_.table(), y_);
+  if (!xs || !ys) return;
+  const std::vector<double>&x = *xs, &y = *ys;
   QPolygonF piece;
   const auto flush = [&] {
     if (piece.size() > 1) p.drawPolyline(piece);
@@ -171,7 +180,7 @@ void PhasePortrait::drawWay(QPainter& p, const SignalTable& table, std::size_t f
       continue;
     }
     constexpr double kNear = 0.7;  // [px]: nearer points draw nothing that is seen
-    const QPointF point = at(table, row);
+    const QPointF point = at(x[row], y[row]);
     if (!piece.isEmpty() && (point - piece.back()).manhattanLength() < kNear) continue;
     // An angle that wraps jumps through half of the picture: no line is drawn there.
     if (!piece.isEmpty() && std::abs(point.x() - piece.back().x()) > plot_.width() / 2) flush();
@@ -187,7 +196,7 @@ void PhasePortrait::drawArrows(QPainter& p, std::size_t from, std::size_t to) co
   for (const double share : {0.25, 0.75}) {
     const auto row = from + static_cast<std::size_t>(share * static_cast<double>(to - from));
     if (row + 1 >= table.rows() || row + 1 > to) continue;
-    const QPointF a = at(table, row), b = at(table, row + 1), way = b - a;
+    const QPointF a = at(row), b = at(row + 1), way = b - a;
     const double length = std::hypot(way.x(), way.y());
     if (length < 1 || std::isnan(length)) continue;
     const QPointF along = way / length, across(-along.y(), along.x()), tip = a + along * 6;
@@ -217,11 +226,11 @@ void PhasePortrait::drawLegend(QPainter& p, bool cycle) const {
                                                         : tr("last stride"));
   QColor faint = colour;
   faint.setAlphaF(0.4f);
-  entry(QPen(faint, 1.2), cycle ? tr("all that is shown") : tr("first Q-function"));
+  entry(QPen(faint, 1.2), cycle ? tr("all that is shown") : shown_.names().first);
   if (shown_.second().rows() == 0) return;
   QPen dashed(t.ink, 1.1);
   dashed.setDashPattern({4, 3});
-  entry(dashed, tr("second Q-function"));
+  entry(dashed, shown_.names().second);
 }
 
 QString PhasePortrait::axesText() const {

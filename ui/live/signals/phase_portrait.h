@@ -35,7 +35,8 @@ class PhasePortrait final : public Painted<>, public CsvSource {
     double low = 0.0, high = 1.0, step = 0.2;
   };
   Axis axisOf(std::size_t signal, double pixels) const;
-  QPointF at(const SignalTable& table, std::size_t row) const;
+  QPointF at(double x, double y) const;
+  QPointF at(std::size_t row) const;  ///< of the first
   void drawAxes(QPainter& p) const;
   void drawWay(QPainter& p, const SignalTable& table, std::size_t from, std::size_t to) const;
   void drawArrows(QPainter& p, std::size_t from, std::size_t to) const;

@@ -129,7 +129,7 @@ void SignalsBar::fillSecond(QMenu& menu) {
   if (const auto& start = life_.began().start) {
     QAction* began = menu.addAction(tr("What it &began with"));
     began->setToolTip(tr("The Q-function of the file that this life began with"));
-    connect(began, &QAction::triggered, this, [this, start] { compareWith(start, tr("what it began with")); });
+    connect(began, &QAction::triggered, this, [this, start] { compareWith(start, {tr("what it began with")}); });
   }
   QAction* none = menu.addAction(tr("&None"));
   none->setEnabled(looking_.hasSecond());
@@ -146,30 +146,30 @@ void SignalsBar::askForSecond() {
              [this](const QString& path) { setSecond(path); });
 }
 
-void SignalsBar::setSecond(const QString& path) {
+void SignalsBar::setSecond(const QString& path, bool rollsOut) {
   const auto file = std::make_shared<Result<std::shared_ptr<const TensorFile>>>(Error{"cancelled"});
   reading_.start([file, name = path.toStdString()](const std::atomic<bool>&) { *file = readQFile(name); },
-                 [this, file, path] {
+                 [this, file, path, rollsOut] {
                    if (!*file) return Q_EMIT refused(toText(file->error().message));
-                   compareWith(**file, QFileInfo(path).fileName());
+                   compareWith(**file, {QFileInfo(path).fileName(), path, rollsOut});
                  },
                  std::chrono::milliseconds(100));
 }
 
-void SignalsBar::compareWith(const std::shared_ptr<const TensorFile>& file, const QString& name) {
+void SignalsBar::compareWith(const std::shared_ptr<const TensorFile>& file, const Second& second) {
   const auto learnedIn = configurationOf(life_.registry(), *file);
   if (learnedIn && learnedIn->names.environment != life_.configuration().names.environment)
     return Q_EMIT refused(
         tr("%1 was learned in %2; it cannot stand beside a Q-function of %3.")
-            .arg(name, toText(learnedIn->names.environment), toText(life_.configuration().names.environment)));
+            .arg(second.name, toText(learnedIn->names.environment), toText(life_.configuration().names.environment)));
   const auto agent = std::make_shared<Result<std::unique_ptr<Agent>>>(Error{"cancelled"});
   making_.start([agent, file, task = life_.task(), &registry = life_.registry()](
                     const std::atomic<bool>&) { *agent = makeTeacher(registry, *file, task); },
-                [this, agent, name] {
+                [this, agent, second] {
                   if (!*agent) return Q_EMIT refused(toText(agent->error().message));
                   const std::shared_ptr<Agent> made = std::move(**agent);
-                  looking_.setSecond({made, &made->values()}, name);
-                  if (!looking_.playback() || !looking_.playback()->start) rollOut();
+                  looking_.setSecond({made, &made->values()}, second.name, second.path);
+                  if (second.rollsOut && (!looking_.playback() || !looking_.playback()->start)) rollOut();
                 },
                 std::chrono::milliseconds(100));
 }

@@ -31,7 +31,8 @@ class SignalsBar final : public QWidget, public Folding {
   /// What the greedy policy does in 25 s, from a new start.
   void rollOut();
   void askForSecond();
-  void setSecond(const QString& path);
+  /// The second Q-function of a file; if nothing is shown that it could stand beside, a roll-out is (or is not).
+  void setSecond(const QString& path, bool rollsOut = true);
 
  Q_SIGNALS:
   void refused(const QString& sentence);
@@ -44,7 +45,11 @@ class SignalsBar final : public QWidget, public Folding {
   void fillAll(QMenu& menu);
   void refresh();
   void compareWithNow();
-  void compareWith(const std::shared_ptr<const TensorFile>& file, const QString& name);
+  struct Second {
+    QString name, path{};
+    bool rollsOut = true;
+  };
+  void compareWith(const std::shared_ptr<const TensorFile>& file, const Second& second);
   void choose();
 
   RunningLife& life_;

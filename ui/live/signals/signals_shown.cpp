@@ -2,7 +2,6 @@
 #include "ui/live/signals/signals_shown.h"
 
 #include <QEvent>
-#include <QSettings>
 #include <QWidget>
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include "ui/running/looking.h"
 #include "ui/running/running_life.h"
 #include "ui/style/policy_look.h"
+#include "ui/style/symbol_text.h"
 
 namespace surefoot {
 
@@ -18,9 +18,12 @@ namespace {
 constexpr int kStridesEvery = 1000;  // [ms]
 constexpr int kMomentsEvery = 50;    // [ms]: more would cost the learner speed
 
-QString settingOf(const std::string& environment) {
-  const std::string name = environment.substr(0, environment.find('@'));  // of a robot from a file, without its hash
-  return QStringLiteral("signals/") + QString::fromStdString(name);
+QString titleOf(const RunningLife& life) {
+  const Names& names = life.configuration().names;
+  const auto policy = findEntry(life.registry().policies, "policy", names.policy);
+  const auto agent = findEntry(life.registry().agents, "agent", names.agent);
+  return toText(policy ? (*policy)->title : names.policy) + QStringLiteral(", ") +
+         toText(agent ? (*agent)->title : names.agent);
 }
 
 }  // namespace
@@ -45,14 +48,27 @@ void SignalsShown::watchedBy(QWidget& view) {
   view.installEventFilter(this);
   if (!view.isVisible()) return;
   visible_.insert(&view);
-  looking_.watchSignals(&view, true);
+  watchSignals(&view, true);
+}
+
+void SignalsShown::watchSignals(const QObject* view, bool watches) {
+  looking_.watchSignals(view, watches);
+  if (beside_.looking) beside_.looking->watchSignals(view, watches);
+}
+
+void SignalsShown::setBeside(LifeBeside beside) {
+  for (const QObject* view : visible_)
+    if (beside_.looking) beside_.looking->watchSignals(view, false);
+  beside_ = std::move(beside);
+  for (const QObject* view : visible_) watchSignals(view, true);
+  Q_EMIT changed();
 }
 
 bool SignalsShown::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Show || event->type() == QEvent::Hide) {
     const bool shows = event->type() == QEvent::Show;
     shows ? static_cast<void>(visible_.insert(watched)) : static_cast<void>(visible_.erase(watched));
-    looking_.watchSignals(watched, shows);
+    watchSignals(watched, shows);
     followEnvironment();
   }
   return QObject::eventFilter(watched, event);
@@ -62,8 +78,23 @@ const SignalTable& SignalsShown::table() const {
   return looking_.signals();
 }
 
+/// Not in a roll-out or a fall's replay, and only beside worlds that are the learners' own: others have other clocks.
+bool SignalsShown::showsBeside() const {
+  return beside_.looking && beside_.later() && looking_.showsLearner() && beside_.looking->showsLearner() &&
+         looking_.secondSignals().rows() == 0;
+}
+
 const SignalTable& SignalsShown::second() const {
-  return looking_.secondSignals();
+  return showsBeside() ? beside_.looking->signals() : looking_.secondSignals();
+}
+
+double SignalsShown::secondLater() const {
+  return showsBeside() ? *beside_.later() : 0.0;
+}
+
+std::pair<QString, QString> SignalsShown::names() const {
+  if (showsBeside()) return {tr("First: %1").arg(titleOf(life_)), tr("Second: %1").arg(titleOf(*beside_.life))};
+  return {tr("What is learned here"), looking_.secondName()};
 }
 
 std::optional<std::size_t> SignalsShown::row() const {
@@ -81,8 +112,7 @@ QColor SignalsShown::learnerColour(const Theme& theme) const {
 void SignalsShown::followEnvironment() {
   if (table().signals().empty() || environment_ == life_.configuration().names.environment) return;
   environment_ = life_.configuration().names.environment;
-  strips_ = fromSettings(QSettings().value(settingOf(environment_)).toString());
-  if (strips_.empty()) strips_ = usualStrips(table().signals());
+  strips_ = chosenStrips(environment_, table().signals());
   x_.clear();
   y_.clear();
   Q_EMIT changed();
@@ -90,13 +120,13 @@ void SignalsShown::followEnvironment() {
 
 void SignalsShown::setStrips(std::vector<Strip> strips) {
   strips_ = std::move(strips);
-  QSettings().setValue(settingOf(environment_), toSettings(strips_));
+  keepStrips(environment_, strips_);
   Q_EMIT changed();
 }
 
 void SignalsShown::setUsualStrips() {
   strips_ = usualStrips(table().signals());
-  QSettings().remove(settingOf(environment_));
+  keepStrips(environment_, {});
   Q_EMIT changed();
 }
 
@@ -110,17 +140,22 @@ void SignalsShown::nextFrame() {
 void SignalsShown::findStrides() {
   sinceStrides_.restart();
   std::vector<Stride> now = stridesOf(table());
-  secondStrides_ = stridesOf(second());
-  const bool same = now.size() == strides_.size() && (now.empty() || now.back().begins == strides_.back().begins);
+  std::vector<Stride> beside = stridesOf(second());
+  for (Stride& stride : beside) stride.begins += secondLater();
+  const auto same = [](const std::vector<Stride>& a, const std::vector<Stride>& b) {
+    return a.size() == b.size() && (a.empty() || a.back().begins == b.back().begins);
+  };
+  const bool all = same(now, strides_) && same(beside, secondStrides_);
   strides_ = std::move(now);
-  if (!same || looking_.playback()) Q_EMIT stridesChanged();
+  secondStrides_ = std::move(beside);
+  if (!all || looking_.playback()) Q_EMIT stridesChanged();
 }
 
 double SignalsShown::end() const {
   if (table().rows() == 0) return kLive;
   const std::vector<double>& time = table().columns()[0];
   const double step = life_.task().stepTime.value_or(1.0);
-  return std::max(time.back(), second().rows() > 0 ? second().columns()[0].back() : 0.0) + step;
+  return std::max(time.back(), second().rows() > 0 ? second().columns()[0].back() + secondLater() : 0.0) + step;
 }
 
 double SignalsShown::from() const {
@@ -194,24 +229,33 @@ void SignalsShown::setAxes(const std::string& x, const std::string& y) {
   Q_EMIT changed();
 }
 
-void SignalsShown::markStride(std::optional<std::size_t> stride) {
-  marked_ = stride && *stride < strides_.size() ? stride : std::nullopt;
+void SignalsShown::markStride(std::optional<MarkedStride> stride) {
+  marked_ = stride;
+  if (!marked()) marked_.reset();
   Q_EMIT changed();
 }
 
+/// nullptr: none is marked, or it is there no more.
+const Stride* SignalsShown::marked() const {
+  if (!marked_) return nullptr;
+  const auto& strides = marked_->ofSecond ? secondStrides_ : strides_;
+  return marked_->stride < strides.size() ? &strides[marked_->stride] : nullptr;
+}
+
 std::optional<std::pair<double, double>> SignalsShown::band() const {
-  if (!marked_ || *marked_ >= strides_.size()) return std::nullopt;
-  const Stride& s = strides_[*marked_];
-  return std::pair{s.begins, s.begins + s.duration};
+  const Stride* s = marked();
+  return s ? std::optional(std::pair{s->begins, s->begins + s->duration}) : std::nullopt;
 }
 
 std::optional<std::pair<std::size_t, std::size_t>> SignalsShown::cycle(const SignalTable& of,
                                                                        const std::vector<Stride>& strides) const {
-  if (&of == &table() && marked_ && *marked_ < strides.size())
-    return std::pair{strides[*marked_].from, strides[*marked_].to};
+  const Stride* s = marked();
+  if (s && marked_->ofSecond == (&of == &second())) return std::pair{s->from, s->to};
   if (!strides.empty()) return std::pair{strides.back().from, strides.back().to};
   if (of.rows() < 3) return std::nullopt;
-  const std::vector<double>&x = of.columns()[axes().first], &episode = of.columns()[1];
+  const auto* column = columnLike(of, table(), axes().first);
+  if (!column) return std::nullopt;
+  const std::vector<double>&x = *column, &episode = of.columns()[1];
   double sum = 0.0;
   for (const double v : x) sum += std::isnan(v) ? 0.0 : v;
   const double mean = sum / static_cast<double>(x.size());

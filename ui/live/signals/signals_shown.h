@@ -5,6 +5,8 @@
 #include <QColor>
 #include <QElapsedTimer>
 #include <QObject>
+#include <QPointer>
+#include <functional>
 #include <optional>
 #include <set>
 #include <utility>
@@ -21,6 +23,21 @@ class Looking;
 class RunningLife;
 struct Theme;
 
+/// Another life in the same environment, whose signals stand beside those of the first.
+struct LifeBeside {
+  QPointer<RunningLife> life;
+  QPointer<Looking> looking;
+  /// To be added to its times; none: that is not known (yet).
+  std::function<std::optional<double>()> later;
+};
+
+/// A stride of the first, or of the second.
+struct MarkedStride {
+  std::size_t stride = 0;
+  bool ofSecond = false;
+  bool operator==(const MarkedStride&) const = default;
+};
+
 class SignalsShown final : public QObject {
   Q_OBJECT
 
@@ -32,7 +49,13 @@ class SignalsShown final : public QObject {
   void watchedBy(QWidget& view);
 
   const SignalTable& table() const;
+  /// What another Q-function does in the same roll-out or replay, or what a life beside the first does; no rows: none.
   const SignalTable& second() const;
+  /// To be added to the second's times.
+  double secondLater() const;
+  /// What the two are called.
+  std::pair<QString, QString> names() const;
+  void setBeside(LifeBeside beside);
   /// The row of the moment that is shown.
   std::optional<std::size_t> row() const;
   void seek(double time);
@@ -58,8 +81,8 @@ class SignalsShown final : public QObject {
 
   const std::vector<Stride>& strides() const { return strides_; }
   const std::vector<Stride>& secondStrides() const { return secondStrides_; }
-  std::optional<std::size_t> markedStride() const { return marked_; }
-  void markStride(std::optional<std::size_t> stride);
+  std::optional<MarkedStride> markedStride() const { return marked_; }
+  void markStride(std::optional<MarkedStride> stride);
   std::optional<std::pair<double, double>> band() const;
   /// Rows of the marked stride or of the last one; where nobody walks, of the last time in which x went up through its
   /// mean to the next time it does.
@@ -79,16 +102,21 @@ class SignalsShown final : public QObject {
   void nextFrame();
   void findStrides();
   double end() const;
+  void watchSignals(const QObject* view, bool watches);
+  /// The life beside is what is shown as the second.
+  bool showsBeside() const;
+  const Stride* marked() const;
 
   RunningLife& life_;
   Looking& looking_;
+  LifeBeside beside_;
   std::set<const QObject*> visible_;
   std::string environment_;
   std::vector<Strip> strips_;
   std::string x_, y_;
   std::optional<std::pair<double, double>> part_;
   std::vector<Stride> strides_, secondStrides_;
-  std::optional<std::size_t> marked_;
+  std::optional<MarkedStride> marked_;
   QElapsedTimer sinceStrides_, sinceMoment_;
 };
 

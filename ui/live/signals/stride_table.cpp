@@ -57,7 +57,7 @@ StrideTable::StrideTable(SignalsShown& shown, QWidget* parent) : QTableWidget(pa
     const QList<QTableWidgetItem*> chosen = selectedItems();
     if (chosen.isEmpty()) return;
     const int row = chosen[0]->row();
-    if (static_cast<std::size_t>(row) < shown_.strides().size()) shown_.markStride(static_cast<std::size_t>(row));
+    if (const auto stride = strideIn(row)) shown_.markStride(stride);
   });
 }
 
@@ -81,20 +81,36 @@ void StrideTable::putMean(int row, const QString& name, const std::vector<Stride
   }
 }
 
+/// The first's strides with their mean, then the second's with theirs.
+std::optional<MarkedStride> StrideTable::strideIn(int row) const {
+  auto at = static_cast<std::size_t>(row);
+  if (at < shown_.strides().size()) return MarkedStride{at, false};
+  at -= shown_.strides().size() + (shown_.strides().empty() ? 0 : 1);
+  return at < shown_.secondStrides().size() ? std::optional(MarkedStride{at, true}) : std::nullopt;
+}
+
 void StrideTable::refresh() {
   filling_ = true;
-  const auto& strides = shown_.strides();
-  const auto& second = shown_.secondStrides();
-  const int means = (strides.empty() ? 0 : 1) + (second.empty() ? 0 : 1);
-  const bool atEnd = !shown_.markedStride();
-  setRowCount(static_cast<int>(strides.size()) + means);
-  int row = 0;
-  for (std::size_t i = 0; i < strides.size(); ++i) putStride(row++, QString::number(i + 1), strides[i]);
-  if (!strides.empty())
-    putMean(row++, (second.empty() ? tr("mean of %1") : tr("first Q, mean of %1")).arg(strides.size()), strides);
-  if (!second.empty()) putMean(row++, tr("second Q, mean of %1").arg(second.size()), second);
+  const bool two = !shown_.secondStrides().empty(), atEnd = !shown_.markedStride();
+  int rows = 0, row = 0;
+  for (const auto* strides : {&shown_.strides(), &shown_.secondStrides()})
+    rows += strides->empty() ? 0 : static_cast<int>(strides->size()) + 1;
+  setRowCount(rows);
+  for (const auto* strides : {&shown_.strides(), &shown_.secondStrides()}) {
+    const bool first = strides == &shown_.strides();
+    for (std::size_t i = 0; i < strides->size(); ++i)
+      putStride(row++, (first ? tr("%1") : tr("second %1")).arg(i + 1), (*strides)[i]);
+    if (!strides->empty())
+      putMean(row++,
+              (!two    ? tr("mean of %1")
+               : first ? tr("first, mean of %1")
+                       : tr("second, mean of %1"))
+                  .arg(strides->size()),
+              *strides);
+  }
   clearSelection();
-  if (const auto marked = shown_.markedStride()) selectRow(static_cast<int>(*marked));
+  for (int i = 0; i < rows && shown_.markedStride(); ++i)
+    if (strideIn(i) == shown_.markedStride()) selectRow(i);
   spreadColumns(*this);
   if (atEnd && row > 0) scrollToBottom();
   filling_ = false;

@@ -5,13 +5,11 @@
 
 #include <QTableWidget>
 
-#include "core/signals/strides.h"
+#include "ui/live/signals/signals_shown.h"
 #include "ui/style/scale.h"
 #include "ui/support/exporting.h"
 
 namespace surefoot {
-
-class SignalsShown;
 
 class StrideTable final : public QTableWidget, public CsvSource {
   Q_OBJECT
@@ -28,6 +26,7 @@ class StrideTable final : public QTableWidget, public CsvSource {
 
  private:
   void refresh();
+  std::optional<MarkedStride> strideIn(int row) const;
   void putStride(int row, const QString& name, const Stride& stride);
   void putMean(int row, const QString& name, const std::vector<Stride>& strides);
 

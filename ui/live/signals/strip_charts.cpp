@@ -57,8 +57,11 @@ QSize StripCharts::minimumSizeHint() const {
 }
 
 StripPicture StripCharts::picture() const {
+  const auto [first, second] = shown_.names();
   return {.table = &shown_.table(),
           .second = shown_.second().rows() > 0 ? &shown_.second() : nullptr,
+          .secondLater = shown_.secondLater(),
+          .names = {first, second},
           .strips = shown_.strips(),
           .from = shown_.from(),
           .to = shown_.to(),
@@ -68,11 +71,15 @@ StripPicture StripCharts::picture() const {
           .clock = shown_.hasClock()};
 }
 
+bool StripCharts::showsStrips() const {
+  return shown_.table().rows() > 0 && !shown_.strips().empty();
+}
+
 void StripCharts::paintEvent(QPaintEvent*) {
   const Theme& t = themeOf(*this);
   ScaledPainter p(this);
   p.fillRect(rect(), t.panel);
-  if (shown_.table().rows() == 0 || shown_.strips().empty()) {
+  if (!showsStrips()) {
     p.setFont(textFont(11));
     p.setPen(t.quiet);
     p.drawText(rect().adjusted(12, 0, -12, 0), Qt::AlignCenter | Qt::TextWordWrap,
@@ -103,6 +110,8 @@ void StripCharts::paintEvent(QPaintEvent*) {
 }
 
 std::optional<std::size_t> StripCharts::stripAt(const QPointF& at) const {
+  const double shownDownTo = visibleRegion().boundingRect().bottom() / textSize();  // the time axis lies over the rest
+  if (at.y() > shownDownTo - StripPainter::kTimes) return std::nullopt;
   for (std::size_t i = 0; i < places_.size(); ++i)
     if (at.y() >= places_[i].top() - 4 && at.y() < places_[i].bottom() + 4) return i;
   return std::nullopt;
@@ -230,8 +239,9 @@ std::string StripCharts::asCsv() const {
   if (second.rows() > 0)
     for (const std::size_t at : places) csv += ",second_" + signals[at].key;
   csv += '\n';
-  const auto add = [&](const SignalTable& of, std::size_t row, std::size_t at) {
-    const double value = row < of.rows() ? of.columns()[at][row] : std::nan("");
+  const auto add = [&](const SignalTable& of, std::optional<std::size_t> row, std::size_t at) {
+    const auto* column = columnLike(of, table, at);
+    const double value = row && column ? (*column)[*row] : std::nan("");
     csv += std::isnan(value) ? "," : fmt::format(",{}", value);
   };
   for (std::size_t row = 0; row < table.rows(); ++row) {
@@ -240,7 +250,7 @@ std::string StripCharts::asCsv() const {
     csv += fmt::format("{}", time);
     for (const std::size_t at : places) add(table, row, at);
     if (second.rows() > 0)
-      for (const std::size_t at : places) add(second, row, at);
+      for (const std::size_t at : places) add(second, rowAt(second, time - shown_.secondLater()), at);
     csv += '\n';
   }
   return csv;

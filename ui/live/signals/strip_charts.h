@@ -26,6 +26,8 @@ class StripCharts final : public Painted<>, public CsvSource {
   std::string asCsv() const override;
   void fillMenu(QMenu& menu) override;
   StripPicture picture() const;
+  /// There are signals to be drawn, and strips that were chosen.
+  bool showsStrips() const;
 
  protected:
   bool event(QEvent* event) override;

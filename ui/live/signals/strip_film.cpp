@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/signals/footage.h"
+#include "ui/film/world_film.h"
 #include "ui/live/signals/strip_painter.h"
 #include "ui/style/theme.h"
 
@@ -16,39 +16,56 @@ namespace {
 constexpr double kWidth = 960;   // of the strips before they are enlarged [px]
 constexpr double kShown = 30.0;  // [s]
 
+/// The time that a film shows: of its rows.
+std::pair<double, double> timeOf(const std::vector<std::int64_t>& rows, const SignalTable& table) {
+  const std::vector<double>& time = table.columns()[0];
+  const auto first = std::find_if(rows.begin(), rows.end(), [](std::int64_t row) { return row >= 0; });
+  if (first == rows.end()) return {time.front(), time.back() + table.stepTime()};
+  const auto last = static_cast<std::size_t>(*std::max_element(rows.begin(), rows.end()));
+  return {time[static_cast<std::size_t>(*first)], std::min(time.back(), time[last] + 1 / kFilmRate) + table.stepTime()};
+}
+
+/// The strips as they are at a row; −1: there is no cursor.
+StripPicture pictureAt(std::int64_t row, std::pair<double, double> filmed, const StripsBelow& below,
+                       const Theme& theme) {
+  const SignalTable& table = *below.table;
+  const bool clock = table.signals()[0].unit == "s";
+  const auto [first, end] = filmed;
+  const double length = std::min(end - first, clock ? kShown : kShown / kUnclockedStep);
+  const double moment = row < 0 ? first : table.columns()[0][static_cast<std::size_t>(row)];
+  const double from = std::clamp(moment - length / 2, first, std::max(first, end - length));
+  return {.table = &table,
+          .strips = below.strips,
+          .from = from,
+          .to = from + length,
+          .row = row < 0 ? std::nullopt : std::optional(static_cast<std::size_t>(row)),
+          .learner = theme.ink,
+          .clock = clock};
+}
+
 }  // namespace
 
 QSize aboveStrips(QSize whole) {
   return {whole.width(), whole.height() - static_cast<int>(kStripShare * whole.height())};
 }
 
-Film withStrips(Film above, QSize whole, std::shared_ptr<const SignalTable> table, std::vector<Strip> strips,
-                double step, const Theme& theme) {
+Film filmOf(std::shared_ptr<const Environment> environment, Footage footage, StripsBelow below, QSize whole,
+            const Theme& theme) {
+  if (below.strips.empty() || !below.table || below.table->rows() == 0)
+    return worldFilm(std::move(environment), std::move(footage), whole, theme);
+  std::vector<std::int64_t> rows = footage.rows;
+  for (std::int64_t& row : rows) row = std::min(row, static_cast<std::int64_t>(below.table->rows()) - 1);
+  const auto filmed = timeOf(rows, *below.table);
+  Film above = worldFilm(std::move(environment), std::move(footage), aboveStrips(whole), theme);
   const std::int64_t frames = above.frames;
   return {whole, frames,
-          [above = std::move(above), whole, table = std::move(table), strips = std::move(strips), step,
+          [above = std::move(above), rows = std::move(rows), below = std::move(below), filmed, whole,
            &theme](std::int64_t frame) {
             QImage image(whole, QImage::Format_RGB32);
             image.fill(theme.panel);
             QPainter p(&image);
             p.drawImage(0, 0, above.picture(frame));
-            const auto last = static_cast<std::int64_t>(table->rows()) - 1;
-            const auto row = std::clamp<std::int64_t>(
-                static_cast<std::int64_t>(static_cast<double>(frame) / kFilmRate / step + 1e-9), 0,
-                std::max<std::int64_t>(0, last));
-            const std::vector<double>& time = table->columns()[0];
-            const double end = time.empty() ? 1.0 : time.back() + 1e-9,
-                         unit = end / (static_cast<double>(last + 1) * step);
-            const double length = std::min(end, kShown * unit);
-            const double from =
-                time.empty() ? 0.0 : std::clamp(time[static_cast<std::size_t>(row)] - length / 2, 0.0, end - length);
-            const StripPicture what{.table = table.get(),
-                                    .strips = strips,
-                                    .from = from,
-                                    .to = from + length,
-                                    .row = static_cast<std::size_t>(row),
-                                    .learner = theme.ink,
-                                    .clock = unit > 0.9 && unit < 1.1};
+            const StripPicture what = pictureAt(rows[static_cast<std::size_t>(frame)], filmed, below, theme);
             const double enlarged = whole.width() / kWidth;
             const int top = aboveStrips(whole).height();
             p.translate(0, top);

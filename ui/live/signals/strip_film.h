@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A film with strips of signals below it, whose cursor goes along.
+// A film of a world with strips of signals below it, whose cursor goes along.
 #pragma once
 
 #include <memory>
+#include <vector>
 
+#include "core/signals/footage.h"
 #include "core/signals/signal_table.h"
 #include "ui/film/film.h"
 #include "ui/live/signals/strips.h"
@@ -15,11 +17,15 @@ struct Theme;
 /// The share of a film's height that is the strips'.
 inline constexpr double kStripShare = 0.42;
 
-/// The size that the film above has in one of this size with strips.
+struct StripsBelow {
+  std::shared_ptr<const SignalTable> table;  ///< in which the footage has its rows
+  std::vector<Strip> strips;                 ///< empty: nothing stands below
+};
+
+/// The size that the world has in a film of this size with strips.
 QSize aboveStrips(QSize whole);
-/// `above` has the size aboveStrips(whole). All of the time is shown, or of a longer one 30 s around the moment.
-/// `step`: time of a step in the film [s]; rows are steps.
-Film withStrips(Film above, QSize whole, std::shared_ptr<const SignalTable> table, std::vector<Strip> strips,
-                double step, const Theme& theme);
+/// `footage` is cut for the film. The strips show all of its time, or of a longer one 30 s around the moment.
+Film filmOf(std::shared_ptr<const Environment> environment, Footage footage, StripsBelow below, QSize whole,
+            const Theme& theme);
 
 }  // namespace surefoot

@@ -109,17 +109,38 @@ void StripPainter::drawAxis(QPainter& p, const QRectF& where, const Range& range
   }
 }
 
+/// Which line is whose, in the corner below the names.
+void StripPainter::drawLegend(QPainter& p) const {
+  if (!second()) return;
+  constexpr double kLine = 20, kHeight = 13;
+  const QPen pens[] = {QPen(theme_.ink, 1.5), secondPen(theme_.ink)};
+  const double left = 12, room = kNames + 14 - left - kLine;
+  p.setFont(textFont(kText));
+  for (int i = 0; i < 2; ++i) {
+    const double y = plot_.bottom() + 1 + kHeight * i;
+    p.setPen(pens[i]);
+    p.drawLine(QPointF(left, y + 7), QPointF(left + kLine - 6, y + 7));
+    p.setPen(theme_.quiet);
+    drawSymbol(p, QRectF(left + kLine, y, room, kHeight), Qt::AlignLeft,
+               QFontMetricsF(p.font()).elidedText(picture_.names[i], Qt::ElideRight, room));
+  }
+}
+
+/// The second's row of the moment; none: it did not live then.
 std::optional<std::size_t> StripPainter::secondRow() const {
-  if (!picture_.second || !picture_.row || *picture_.row >= picture_.second->rows()) return std::nullopt;
-  return picture_.row;
+  const auto life = second();
+  if (!life || !picture_.row || *picture_.row >= picture_.table->rows()) return std::nullopt;
+  return rowAt(life->table, picture_.table->columns()[0][*picture_.row] - life->later);
 }
 
 void StripPainter::drawNumbers(QPainter& p, const StripSignals& strip, const QRectF& where, const Range& range) const {
   if (!picture_.row || *picture_.row >= picture_.table->rows()) return;
   const QRectF column(plot_.right() + 4, 0, kNumbers - 12, 16);
-  const auto write = [&](double y, const SignalTable& table, std::size_t row, std::size_t place, bool strong) {
-    const double value = table.columns()[place][row];
-    const bool onOff = table.signals()[place].kind == Signal::Kind::OnOff;
+  const auto write = [&](double y, const Life& life, std::size_t row, std::size_t place, bool strong) {
+    const auto* values = columnOf(life, place);
+    if (!values) return;
+    const double value = (*values)[row];
+    const bool onOff = picture_.table->signals()[place].kind == Signal::Kind::OnOff;
     p.setFont(textFont(kName, strong ? 500 : 400));
     p.setPen(strong ? theme_.ink : theme_.quiet);
     drawSymbol(p, column.translated(0, y), Qt::AlignRight,
@@ -127,17 +148,17 @@ void StripPainter::drawNumbers(QPainter& p, const StripSignals& strip, const QRe
   };
   if (strip.look == StripLook::OnOff) {
     for (std::size_t s = 0; s < strip.places.size(); ++s)
-      write(where.top() + kRowHeight * static_cast<double>(s), *picture_.table, *picture_.row, strip.places[s], s == 0);
+      write(where.top() + kRowHeight * static_cast<double>(s), first(), *picture_.row, strip.places[s], s == 0);
     return;
   }
-  const auto second = secondRow();
-  const std::size_t lines = second && strip.places.size() == 1 ? 2 : std::min<std::size_t>(strip.places.size(), 2);
+  const auto at = secondRow();
+  const std::size_t lines = at && strip.places.size() == 1 ? 2 : std::min<std::size_t>(strip.places.size(), 2);
   const bool both = lines > 1 && where.height() >= 26;
   const double y = where.center().y() - (both ? 15 : 8);
-  write(y, *picture_.table, *picture_.row, strip.places[0], true);
+  write(y, first(), *picture_.row, strip.places[0], true);
   if (!both) return;
-  if (strip.places.size() > 1) return write(y + 15, *picture_.table, *picture_.row, strip.places[1], false);
-  write(y + 15, *picture_.second, *second, strip.places[0], false);
+  if (strip.places.size() > 1) return write(y + 15, first(), *picture_.row, strip.places[1], false);
+  write(y + 15, *second(), *at, strip.places[0], false);
 }
 
 void StripPainter::drawMoment(QPainter& p) const {

@@ -2,6 +2,7 @@
 #include "ui/live/signals/strips.h"
 
 #include <QObject>
+#include <QSettings>
 #include <QStringList>
 #include <algorithm>
 
@@ -14,6 +15,11 @@ namespace {
 
 bool isTerm(const Signal& s) {
   return s.group == "reward" && s.key != "reward";
+}
+
+QString settingOf(const std::string& environment) {
+  const std::string name = environment.substr(0, environment.find('@'));  // of a robot from a file, without its hash
+  return QStringLiteral("signals/") + QString::fromStdString(name);
 }
 
 StripLook lookOf(const std::vector<std::size_t>& places, const std::vector<Signal>& signals) {
@@ -36,6 +42,19 @@ StripSignals signalsIn(const Strip& strip, const std::vector<Signal>& signals) {
     if (const std::size_t at = signalAt(signals, key); at < signals.size()) in.places.push_back(at);
   in.look = lookOf(in.places, signals);
   return in;
+}
+
+const std::vector<double>* columnLike(const SignalTable& of, const SignalTable& like, std::size_t place) {
+  return &of == &like ? &of.columns()[place] : of.column(like.signals()[place].key);
+}
+
+std::optional<std::size_t> rowAt(const SignalTable& table, double time) {
+  if (table.rows() == 0) return std::nullopt;
+  const std::vector<double>& times = table.columns()[0];
+  const double slack = 0.5 * table.stepTime();
+  const auto at = std::lower_bound(times.begin(), times.end(), time - slack);
+  if (at == times.end() || *at > time + slack) return std::nullopt;
+  return static_cast<std::size_t>(at - times.begin());
 }
 
 std::vector<Strip> usualStrips(const std::vector<Signal>& signals) {
@@ -104,6 +123,16 @@ QString nameIn(const StripSignals& strip, const Signal& signal) {
   if (strip.look == StripLook::OnOff)
     for (const char* tail : {" on the floor", " touches"}) name.remove(QLatin1String(tail));
   return name;
+}
+
+std::vector<Strip> chosenStrips(const std::string& environment, const std::vector<Signal>& signals) {
+  std::vector<Strip> strips = fromSettings(QSettings().value(settingOf(environment)).toString());
+  return strips.empty() ? usualStrips(signals) : strips;
+}
+
+void keepStrips(const std::string& environment, const std::vector<Strip>& strips) {
+  if (strips.empty()) return QSettings().remove(settingOf(environment));
+  QSettings().setValue(settingOf(environment), toSettings(strips));
 }
 
 QString toSettings(const std::vector<Strip>& strips) {

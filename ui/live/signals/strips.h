@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,11 @@ struct StripSignals {
 };
 StripSignals signalsIn(const Strip& strip, const std::vector<Signal>& signals);
 
+/// A column of `like` in a table of another learner, whose signals may be fewer or more; nullptr: it has none.
+const std::vector<double>* columnLike(const SignalTable& of, const SignalTable& like, std::size_t place);
+/// The row of a time, at most half a step away; none: nothing was written down then.
+std::optional<std::size_t> rowAt(const SignalTable& table, double time);
+
 /// What is shown of an environment at first: what a robot engineer looks at.
 std::vector<Strip> usualStrips(const std::vector<Signal>& signals);
 
@@ -39,6 +45,9 @@ QString unitOf(const StripSignals& strip, const std::vector<Signal>& signals);
 /// The short name of one of several signals of a strip.
 QString nameIn(const StripSignals& strip, const Signal& signal);
 
+/// The strips that a person chose last in this environment, or the usual ones; and to keep such a choice (empty: none).
+std::vector<Strip> chosenStrips(const std::string& environment, const std::vector<Signal>& signals);
+void keepStrips(const std::string& environment, const std::vector<Strip>& strips);
 /// A text for the settings: keys with "+" between those of a strip and "," between strips; and back.
 QString toSettings(const std::vector<Strip>& strips);
 std::vector<Strip> fromSettings(const QString& text);
