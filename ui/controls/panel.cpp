@@ -122,13 +122,11 @@ void PanelHeader::addWidget(QWidget* widget) {
 /// From left to right: the widget's controls, then the buttons.
 void PanelHeader::orderTabs() {
   QWidgetList order;
-  for (QWidget* next = extra_; next == extra_ || extra_->isAncestorOf(next); next = next->nextInFocusChain()) {
-    if (order.contains(next)) break;
-    if (next->window() == window()) order << next;
-  }
+  for (QWidget* next = extra_; next == extra_ || extra_->isAncestorOf(next); next = next->nextInFocusChain())
+    if (next->focusPolicy() & Qt::TabFocus && next->window() == window()) order << next;
   for (QAbstractButton* button : {button_, close_})
     if (button) order << button;
-  QWidget* before = this;
+  QWidget* before = close_;  // it stands before the panel's content, and moves behind the others last
   for (QWidget* next : order) {
     setTabOrder(before, next);
     before = next;

@@ -224,7 +224,7 @@ Panel* LivePage::addPanel(const QString& title, const QString& name, QWidget* co
   auto* panel = new Panel(title, name, content, content != form_, this);
   addDockWidget(area, panel);
   panels_.push_back(panel);
-  if (content != form_) new ViewMenu(*content);
+  if (content != form_) new ViewMenu(*panel->view());
   connect(panel->toggleViewAction(), &QAction::triggered, panel, [this, panel](bool on) {
     if (on) panel->raise();
     if (!on) keepFocus();

@@ -100,6 +100,7 @@ class LivePage final : public QMainWindow {
   QWidget* full_ = nullptr;                       // the panel that has the whole page
   std::vector<std::pair<Panel*, QSize>> before_;  // the panels that were visible before that
   double sizedFor_ = 1.0;                         // the text size that the columns were made for
+  Layout layout_ = Layout::Usual;                 // the last that was chosen
   bool laidOut_ = false;
   bool untouched_ = true;  // no one has moved a separator: the columns follow the width of the window
 };

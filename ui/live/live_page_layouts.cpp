@@ -54,6 +54,7 @@ void LivePage::keepFocus() {
 
 // Named layouts: the usual one, and one each for teaching, falls and maps.
 void LivePage::useLayout(Layout layout) {
+  layout_ = layout;
   resetLayout();
   const auto panel = [this](const char* name) { return findChild<Panel*>(QLatin1String(name)); };
   switch (layout) {

@@ -25,7 +25,7 @@ void LivePage::makeSignals() {
   auto* shown = signalsShown_ = new SignalsShown(session_.life(), session_.looking(), this);
   auto* scrolled = new ScrolledStrips(*shown);
   signals_ = addPanel(tr("Signals"), "signals", scrolled, Qt::RightDockWidgetArea);
-  auto* menu = new ViewMenu(scrolled->charts());
+  auto* menu = scrolled->charts().findChild<ViewMenu*>();
   auto* bar = signalsBar_ = new SignalsBar(session_.life(), session_.looking(), *shown);
   signals_->header().addWidget(bar);
   connect(bar, &SignalsBar::refused, this, &LivePage::refused);
@@ -75,21 +75,20 @@ void LivePage::useSignals() {
   for (Panel* p : {signals_, portrait_}) p->show();
   strides_->setVisible(walks);
   addDockWidget(Qt::RightDockWidgetArea, signals_);
-  addDockWidget(Qt::RightDockWidgetArea, strides_);
   shareSpaceOfSignals();
 }
 
-/// Two worlds get more of it than one. Where the phase portrait has no room below the world, it shares the place of
-/// another panel: the page would scroll, and the time axis with it.
+/// Two worlds get more of it than one. Where the phase portrait has no room below the world, all panels share one place:
+/// the page would scroll, and the time axis with it.
 void LivePage::shareSpaceOfSignals() {
   const int room = parentWidget() ? parentWidget()->height() : height();
   centralWidget()->layout()->activate();
   if (centralWidget()->minimumSizeHint().height() + portrait_->minimumSizeHint().height() <= room) {
+    addDockWidget(Qt::RightDockWidgetArea, strides_);
     addDockWidget(Qt::BottomDockWidgetArea, portrait_);
   } else {
-    Panel* other = strides_->isVisible() ? strides_ : signals_;
-    tabifyDockWidget(other, portrait_);
-    other->raise();
+    for (Panel* other : {strides_, portrait_}) tabifyDockWidget(signals_, other);
+    signals_->raise();
   }
   resizeDocks({signals_}, {width() * (rival_ ? 58 : 68) / 100}, Qt::Horizontal);
   resizeDocks({signals_, strides_}, {height() * 77 / 100, height() * 23 / 100}, Qt::Vertical);
@@ -101,7 +100,7 @@ void LivePage::showSignalsOfSecond() {
   if (rival_)
     beside = {&rival_->session().life(), &rival_->session().looking(), [rival = rival_] { return rival->later(); }};
   signalsShown_->setBeside(std::move(beside));
-  if (signals_->isVisible() && portrait_->isVisible()) shareSpaceOfSignals();
+  if (layout_ == Layout::Signals && !full_) shareSpaceOfSignals();
 }
 
 }  // namespace surefoot

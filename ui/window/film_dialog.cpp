@@ -129,9 +129,9 @@ void FilmDialog::makeLook(QGridLayout* grid) {
   colours_->setCurrentIndex(themeOf(*this).dark ? 1 : 0);
   addRow(grid, tr("Colours"), rowOf({colours_}));
 
-  signals_ = new QCheckBox(tr("signals below the picture"));
+  signals_ = new QCheckBox(tr("below the picture"));
   signals_->setAccessibleName(tr("Signals below the picture"));
-  addRow(grid, tr("Below"), rowOf({signals_}));
+  addRow(grid, tr("Signals"), rowOf({signals_}));
 }
 
 void FilmDialog::makeWords(QGridLayout* grid) {

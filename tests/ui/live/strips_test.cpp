@@ -64,7 +64,6 @@ TEST(Strips, TabGoesThroughTheHeaderFromLeftToRight) {
   const auto x = [&](QWidget* widget) { return widget->mapTo(header, QPoint()).x(); };
   std::sort(seen.begin(), seen.end(), [&](QWidget* a, QWidget* b) { return x(a) < x(b); });
   ASSERT_GE(seen.size(), 6) << "five words and full size";
-  { QWidget* n = header; for (int i = 0; i < 40; ++i, n = n->nextInFocusChain()) fprintf(stderr, "CHAIN %s '%s' policy %d vis %d %p\n", n->metaObject()->className(), qPrintable(n->accessibleName()), int(n->focusPolicy()), int(n->isVisible()), (void*)n); n = w.charts; for (int i = 0; i < 6; ++i, n = n->previousInFocusChain()) fprintf(stderr, "BACK %s '%s'\n", n->metaObject()->className(), qPrintable(n->accessibleName())); }
   EXPECT_EQ(tabbedThrough(header, seen.front()), seen);
   EXPECT_TRUE(w.charts->hasFocus()) << "the strips come after their header, and not "
                                     << QApplication::focusWidget()->accessibleName().toStdString();

@@ -15,6 +15,8 @@ namespace {
 
 constexpr double kWidth = 960;   // of the strips before they are enlarged [px]
 constexpr double kShown = 30.0;  // [s]
+/// The share of a film's height that is the strips', and as much as many strips may have.
+constexpr double kStripShare = 0.42, kMostStripShare = 0.55;
 
 /// The time that a film shows: of its rows.
 std::pair<double, double> timeOf(const std::vector<std::int64_t>& rows, const SignalTable& table) {
@@ -43,11 +45,14 @@ StripPicture pictureAt(std::int64_t row, std::pair<double, double> filmed, const
           .clock = clock};
 }
 
-}  // namespace
-
-QSize aboveStrips(QSize whole) {
-  return {whole.width(), whole.height() - static_cast<int>(kStripShare * whole.height())};
+/// Many strips get more of the height; where that is not enough, they are drawn smaller.
+QSize aboveStrips(QSize whole, double least) {
+  const double wanted = least * whole.width() / kWidth / whole.height();
+  return {whole.width(),
+          whole.height() - static_cast<int>(std::clamp(wanted, kStripShare, kMostStripShare) * whole.height())};
 }
+
+}  // namespace
 
 Film filmOf(std::shared_ptr<const Environment> environment, Footage footage, StripsBelow below, QSize whole,
             const Theme& theme) {
@@ -56,21 +61,23 @@ Film filmOf(std::shared_ptr<const Environment> environment, Footage footage, Str
   std::vector<std::int64_t> rows = footage.rows;
   for (std::int64_t& row : rows) row = std::min(row, static_cast<std::int64_t>(below.table->rows()) - 1);
   const auto filmed = timeOf(rows, *below.table);
-  Film above = worldFilm(std::move(environment), std::move(footage), aboveStrips(whole), theme);
+  const double least = StripPainter::leastHeight(pictureAt(-1, filmed, below, theme));
+  const QSize upper = aboveStrips(whole, least);
+  const double enlarged = std::min(whole.width() / kWidth, (whole.height() - upper.height()) / least);
+  Film above = worldFilm(std::move(environment), std::move(footage), upper, theme);
   const std::int64_t frames = above.frames;
   return {whole, frames,
-          [above = std::move(above), rows = std::move(rows), below = std::move(below), filmed, whole,
+          [above = std::move(above), rows = std::move(rows), below = std::move(below), filmed, whole, upper, enlarged,
            &theme](std::int64_t frame) {
             QImage image(whole, QImage::Format_RGB32);
             image.fill(theme.panel);
             QPainter p(&image);
             p.drawImage(0, 0, above.picture(frame));
             const StripPicture what = pictureAt(rows[static_cast<std::size_t>(frame)], filmed, below, theme);
-            const double enlarged = whole.width() / kWidth;
-            const int top = aboveStrips(whole).height();
-            p.translate(0, top);
+            p.translate(0, upper.height());
             p.scale(enlarged, enlarged);
-            StripPainter(theme, what, QRectF(0, 0, kWidth, (whole.height() - top) / enlarged)).paint(p);
+            const QSizeF room = QSizeF(whole.width(), whole.height() - upper.height()) / enlarged;
+            StripPainter(theme, what, QRectF(QPointF(), room)).paint(p);
             return image;
           }};
 }

@@ -14,16 +14,11 @@ namespace surefoot {
 
 struct Theme;
 
-/// The share of a film's height that is the strips'.
-inline constexpr double kStripShare = 0.42;
-
 struct StripsBelow {
   std::shared_ptr<const SignalTable> table;  ///< in which the footage has its rows
   std::vector<Strip> strips;                 ///< empty: nothing stands below
 };
 
-/// The size that the world has in a film of this size with strips.
-QSize aboveStrips(QSize whole);
 /// `footage` is cut for the film. The strips show all of its time, or of a longer one 30 s around the moment.
 Film filmOf(std::shared_ptr<const Environment> environment, Footage footage, StripsBelow below, QSize whole,
             const Theme& theme);
