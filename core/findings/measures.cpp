@@ -128,6 +128,12 @@ Curve againstMinutes(const ConditionRecord& record, std::size_t points, const Va
   return overLives(record, std::move(x), lives);
 }
 
+double lastAverageReward(const std::vector<StoredEpisode>& episodes) {
+  if (episodes.empty()) return std::nan("");
+  const auto count = std::min<std::ptrdiff_t>(EpisodeLog::kAverageOver, std::ssize(episodes));
+  return averageRewards({episodes.end() - count, episodes.end()}).back();
+}
+
 }  // namespace
 
 std::size_t ConditionRecord::shortest() const {
@@ -173,13 +179,12 @@ Result<std::vector<ConditionRecord>> readConditions(const Store& store) {
 
 std::vector<double> averageRewards(const std::vector<StoredEpisode>& episodes) {
   constexpr std::size_t kOver = EpisodeLog::kAverageOver;
-  std::vector<double> averages(episodes.size());
-  for (std::size_t k = 0; k < episodes.size(); ++k) {
-    const std::size_t first = k + 1 > kOver ? k + 1 - kOver : 0;
-    double sum = 0;
-    for (std::size_t i = first; i <= k; ++i) sum += episodes[i].reward;
-    averages[k] = sum / static_cast<double>(k + 1 - first);
-  }
+  std::vector<double> rewards, averages(episodes.size());
+  for (const StoredEpisode& e : episodes) rewards.push_back(e.reward);
+  // Every sum from its oldest reward on; all sums side by side, so that none waits for itself.
+  for (std::size_t before = kOver; before-- > 0;)
+    for (std::size_t k = before; k < rewards.size(); ++k) averages[k] += rewards[k - before];
+  for (std::size_t k = 0; k < averages.size(); ++k) averages[k] /= static_cast<double>(std::min(k + 1, kOver));
   return averages;
 }
 
@@ -220,7 +225,7 @@ std::vector<LifeMeasures> measure(const ConditionRecord& record, std::optional<s
          .minutes = minutesOf(during, record.condition.stepTime),
          .allFalls = fallsOf(whole),
          .endPerformance = ratio(fallsOf(last), static_cast<double>(last.size())),
-         .averageReward = episodes.empty() ? std::nan("") : averageRewards(episodes).back(),
+         .averageReward = lastAverageReward(episodes),
          .lifeReward = rewardOf(whole),
          .firstTransitions = transitionsOf(whole.first(std::min<std::size_t>(EpisodeLog::kAverageOver, whole.size()))),
          .during = lengthsOf(during),

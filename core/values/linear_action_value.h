@@ -237,7 +237,9 @@ class LinearActionValue final : public ActionValueFunction {
     const double high = initial_.high / features_.total();
     const std::size_t before = weights_.size();
     weights_.resize(rows() * columns_);
-    for (std::size_t k = before; k < weights_.size(); ++k) weights_.set(k, low + (high - low) * uniformAt(seed_, k));
+    const auto initial = [&](std::size_t k) { return low == high ? low : low + (high - low) * uniformAt(seed_, k); };
+    if (low != 0.0 || high != 0.0)  // they are 0 already
+      for (std::size_t k = before; k < weights_.size(); ++k) weights_.set(k, initial(k));
     visits_.resize(rows(), 0);
   }
   /// How much q̂(s) moves if every weight of x moves by its x: Σ x², and more where hashed features share a weight.
