@@ -212,7 +212,7 @@ TEST(Contract, LookingDoesNotTouchTheLearner) {
         std::vector<double> q((*watched)->environment().task().actions.size());
         std::vector<Eligibility> z;
         const auto follows = (*watched)->agent().values().clone();
-        constexpr std::int64_t kLong = 5000;
+        constexpr std::int64_t kLong = 2000;
         while (!(*watched)->finished() && (*watched)->steps() < kLong) {
           (*watched)->step();
           const auto& values = (*watched)->agent().values();

@@ -85,12 +85,12 @@ TEST_F(KeptLivesTest, StoppedAgainAndAgainTheContentIsThatOfOneRun) {
   const std::string task = "lives = 2\n[[condition]]\nname = \"a\"\n";
   const std::vector<std::string> plans = {
       kLong,
-      task + "minutes = 100\nagent = \"sarsa-2q\"\npolicy = \"trl\"\nset.policy.threshold = 50\n",
-      task + "minutes = 100\nagent = \"q-learning\"\nset.features.memory = 4096\nset.shaping.rewards = \"all\"\n",
-      task + "minutes = 80\nfeatures = \"radial-basis\"\nset.policy.epsilon_schedule = \"linear\"\n",
-      task + "environment = \"compass\"\nminutes = 30\n",
-      task + "environment = \"leo\"\nminutes = 6\n",
-      task + "environment = \"mountain-car\"\nepisodes = 4000\n"};
+      task + "minutes = 30\nagent = \"sarsa-2q\"\npolicy = \"trl\"\nset.policy.threshold = 50\n",
+      task + "minutes = 30\nagent = \"q-learning\"\nset.features.memory = 4096\nset.shaping.rewards = \"all\"\n",
+      task + "minutes = 30\nfeatures = \"radial-basis\"\nset.policy.epsilon_schedule = \"linear\"\n",
+      task + "environment = \"compass\"\nminutes = 10\n",
+      task + "environment = \"leo\"\nminutes = 3\n",
+      task + "environment = \"mountain-car\"\nepisodes = 2000\n"};
   for (const std::string& text : plans) {
     const Plan plan = planOf(text);
     // A checkpoint of LEO takes half a second to write and to read.
