@@ -5,6 +5,7 @@
 
 #include <QElapsedTimer>
 #include <QFileDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QTemporaryDir>
@@ -97,13 +98,19 @@ TEST(ExperimentPage, WhatIsAddedToAPlanCanBeUndone) {
   w.window->setPage(1);
   auto* editor = w.window->findChild<PlanEditor*>();
   auto* edit = w.named<QPlainTextEdit>("Plan");
+  ASSERT_TRUE(w.waitFor([&] { return !w.window->experimentPage().experiment().isOpening(); }));
   const std::string plan = "lives = 2\n[[condition]]\nname = \"a\"\nminutes = 1\n";
   edit->setPlainText(QString::fromStdString(plan));
   edit->moveCursor(QTextCursor::End);
   QTest::keyClicks(edit, "# mine");
   Q_EMIT editor->liveConditionAsked();
-  ASSERT_TRUE(edit->toPlainText().contains("live: trl"));
+  ASSERT_TRUE(w.waitFor([&] { return edit->toPlainText().contains("live: trl"); }));
+  const auto refused = [&] {
+    const auto labels = editor->findChildren<QLabel*>();
+    return std::any_of(labels.begin(), labels.end(), [](auto* l) { return l->text().startsWith("It is not added"); });
+  };
   Q_EMIT editor->liveConditionAsked();
+  EXPECT_TRUE(w.waitFor(refused));
   EXPECT_EQ(edit->toPlainText().count("live: trl"), 1) << "the same condition twice would be refused";
   edit->undo();
   EXPECT_FALSE(edit->toPlainText().contains("live: trl"));

@@ -67,8 +67,8 @@ TEST(PlanEditor, ThePlanIsEditedAsTextAndChecked) {
   EXPECT_FALSE(use->isEnabled()) << "there is no such policy";
   editor->setText(QString::fromStdString(kPlan));
   Q_EMIT editor->liveConditionAsked();
-  EXPECT_TRUE(edit->toPlainText().contains("live: trl"));
-  ASSERT_TRUE(use->isEnabled());
+  EXPECT_TRUE(p.waitFor([&] { return edit->toPlainText().contains("live: trl"); }));
+  ASSERT_TRUE(p.waitFor([&] { return use->isEnabled(); }));
   QTest::mouseClick(use, Qt::LeftButton);
   EXPECT_EQ(p.experiment().storedPlan().conditions.size(), 3u);
 }
@@ -123,7 +123,7 @@ TEST(PlanEditor, TheFormBeginsAsTheFirstConditionUntilItIsFilledIn) {
   editor->setText(QString::fromStdString(
       "lives = 3\n[base]\nscenario = 3\npolicy = \"softmax\"\nminutes = 4.5\n[base.pre-learning]\nscenario = 2\n"
       "until = 150\npool = 7\n[[condition]]\nname = \"one\"\n"));
-  EXPECT_EQ(shows("Environment of the condition"), "pendulum");
+  ASSERT_TRUE(p.waitFor([&] { return shows("Environment of the condition") == "pendulum"; })) << "when it is checked";
   EXPECT_EQ(shows("Scenario of the condition"), "3");
   EXPECT_EQ(shows("Policy of the condition"), "softmax");
   EXPECT_EQ(shows("Pre-learning of the condition"), "2");

@@ -254,9 +254,12 @@ TEST(RobotPage, LetItLearnBeginsALifeOfThisRobot) {
   w.session->life().setRunning(true);
   ASSERT_TRUE(w.waitFor([&] { return w.session->life().progress().episodes > 3; }));
   w.window->openFile(path);
-  QTest::qWait(400);
+  QAbstractButton* learn = nullptr;
   for (auto* b : w.window->robotPage().findChildren<QAbstractButton*>())
-    if (b->text() == "Let it learn") QTest::mouseClick(b, Qt::LeftButton);
+    if (b->text() == "Let it learn") learn = b;
+  ASSERT_TRUE(learn);
+  ASSERT_TRUE(w.waitFor([&] { return !w.window->robotPage().isChecking() && learn->isEnabled(); }, 30'000));
+  QTest::mouseClick(learn, Qt::LeftButton);
   EXPECT_TRUE(w.waitFor([&] { return w.session->life().configuration().names.environment.starts_with("segway@"); }));
   EXPECT_TRUE(w.waitFor([&] { return w.session->life().running() && w.session->life().progress().steps > 10; }));
   EXPECT_TRUE(w.session->history().undo().canUndo()) << "the life before is kept";
