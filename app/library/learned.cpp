@@ -47,11 +47,11 @@ std::vector<std::string> layersOf(const ActionValueFunction& function) {
   return names;
 }
 
-Status valuesOf(const ActionValueFunction& function, const Task& task, surefoot_layer layer, const States& states,
+Status valuesOf(const ActionValueFunction& function, const Task& task, int32_t layer, const States& states,
                 double* values, std::size_t count) {
   const auto actions = static_cast<std::size_t>(function.actions());
   if (layer < SUREFOOT_LAYER_SUM || layer > SUREFOOT_LAYER_RISK)
-    return Error{fmt::format("layer: {} is not allowed; it goes from 0 to 3.", static_cast<int>(layer))};
+    return Error{fmt::format("layer: {} is not allowed; it goes from 0 to 3.", layer)};
   const Layer which = kLayers[static_cast<std::size_t>(layer)];
   if (!has(function, which))
     return Error{fmt::format("layer: this learner does not keep \"{}\"; it has {}.",

@@ -17,7 +17,7 @@ struct States {
 };
 
 /// values[n][actions] ← a layer.
-Status valuesOf(const ActionValueFunction& function, const Task& task, surefoot_layer layer, const States& states,
+Status valuesOf(const ActionValueFunction& function, const Task& task, int32_t layer, const States& states,
                 double* values, std::size_t count);
 /// pi[n][actions] ← the probabilities of the actions under a policy.
 Status probabilitiesOf(const ActionValueFunction& function, const Task& task, const Policy& policy,

@@ -37,8 +37,8 @@ surefoot_status surefoot_life_episodes(surefoot_life* life, size_t first, surefo
   });
 }
 
-surefoot_status surefoot_life_values(surefoot_life* life, surefoot_layer layer, const double* states, size_t n,
-                                     double* values, size_t count) {
+surefoot_status surefoot_life_values(surefoot_life* life, int32_t layer, const double* states, size_t n, double* values,
+                                     size_t count) {
   return withLife(life, [&](surefoot_life& l) {
     return valuesOf(l.life->agent().values(), l.task(), layer, {states, n}, values, count);
   });

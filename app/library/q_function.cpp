@@ -64,7 +64,7 @@ surefoot_status surefoot_q_function_about(surefoot_q_function* q, const char** j
   });
 }
 
-surefoot_status surefoot_q_function_values(surefoot_q_function* q, surefoot_layer layer, const double* states, size_t n,
+surefoot_status surefoot_q_function_values(surefoot_q_function* q, int32_t layer, const double* states, size_t n,
                                            double* values, size_t count) {
   return call(q, "q", [&](surefoot_q_function& h) {
     return valuesOf(h.function.values(), h.function.task(), layer, {states, n}, values, count);

@@ -132,7 +132,7 @@ SUREFOOT_CALL surefoot_status surefoot_environment_render(surefoot_environment *
 /* Worlds of one kind that take a step in one call. */
 typedef struct surefoot_worlds surefoot_worlds;
 
-/* What becomes of a world whose episode is over. */
+/* What becomes of a world whose episode is over (`again`). */
 typedef enum surefoot_again {
   SUREFOOT_AGAIN_WHEN_ASKED = 0, /* it stands still (reward 0, its ending told again) until it is reset */
   SUREFOOT_AGAIN_NEXT_STEP = 1,  /* the next step begins its next episode: its action is not used, its reward is 0 */
@@ -152,7 +152,7 @@ typedef struct surefoot_batch {
 } surefoot_batch;
 
 /* `description` as in surefoot_environment_make; 1 to 100,000 worlds. World i begins with seed i + 1. */
-SUREFOOT_CALL surefoot_status surefoot_worlds_make(const char *description, size_t count, surefoot_again again,
+SUREFOOT_CALL surefoot_status surefoot_worlds_make(const char *description, size_t count, int32_t again,
                                                    surefoot_worlds **worlds);
 SUREFOOT_PLAIN surefoot_status surefoot_worlds_close(surefoot_worlds *worlds);
 /* As surefoot_environment_about. */
@@ -253,7 +253,7 @@ typedef struct surefoot_episode {
 SUREFOOT_CALL surefoot_status surefoot_life_episodes(surefoot_life *life, size_t first, surefoot_episode *rows,
                                                      size_t count, size_t *there);
 
-/* Which estimate. */
+/* Which estimate (`layer`). */
 typedef enum surefoot_layer {
   SUREFOOT_LAYER_SUM = 0,      /* Q */
   SUREFOOT_LAYER_POSITIVE = 1, /* Q+, of learners that keep it */
@@ -262,8 +262,8 @@ typedef enum surefoot_layer {
 } surefoot_layer;
 
 /* values[states][actions] ← the layer in each state; `states`: [n][state variables]. `count`: n × actions. */
-SUREFOOT_CALL surefoot_status surefoot_life_values(surefoot_life *life, surefoot_layer layer, const double *states,
-                                                   size_t n, double *values, size_t count);
+SUREFOOT_CALL surefoot_status surefoot_life_values(surefoot_life *life, int32_t layer, const double *states, size_t n,
+                                                   double *values, size_t count);
 /* pi[n][actions] ← the probability of each action under the policy as it is now. */
 SUREFOOT_CALL surefoot_status surefoot_life_probabilities(surefoot_life *life, const double *states, size_t n,
                                                           double *pi, size_t count);
@@ -294,8 +294,8 @@ SUREFOOT_PLAIN surefoot_status surefoot_q_function_close(surefoot_q_function *q)
 /* {"configuration": …, "origin": a sentence, "content": hash of the values, "layers": ["sum", …], "task": as
  * surefoot_environment_about}. */
 SUREFOOT_CALL surefoot_status surefoot_q_function_about(surefoot_q_function *q, const char **json);
-SUREFOOT_CALL surefoot_status surefoot_q_function_values(surefoot_q_function *q, surefoot_layer layer,
-                                                         const double *states, size_t n, double *values, size_t count);
+SUREFOOT_CALL surefoot_status surefoot_q_function_values(surefoot_q_function *q, int32_t layer, const double *states,
+                                                         size_t n, double *values, size_t count);
 /* The policy of the next call: its name (NULL: that of the file) and {KEY: value} of its parameters (NULL: as in the
  * file). */
 SUREFOOT_CALL surefoot_status surefoot_q_function_follow(surefoot_q_function *q, const char *policy,

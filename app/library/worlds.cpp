@@ -33,8 +33,8 @@ using namespace surefoot;
 struct surefoot_worlds : Handle {
   Configuration configuration{};
   std::vector<OneWorld> worlds{};
-  surefoot_again again = SUREFOOT_AGAIN_NEXT_STEP;
-  std::size_t variables = 0, terms = 0;  ///< of the state; of the reward
+  std::int32_t again = SUREFOOT_AGAIN_NEXT_STEP;  ///< surefoot_again
+  std::size_t variables = 0, terms = 0;           ///< of the state; of the reward
 
   const Task& task() const { return worlds[0].environment->task(); }
   void tellState(std::size_t world, double* states) const {
@@ -77,13 +77,12 @@ Status surefoot_worlds::step(std::size_t i, Action action, const surefoot_batch&
 
 constexpr std::size_t kMostWorlds = 100'000;
 
-surefoot_status surefoot_worlds_make(const char* description, size_t count, surefoot_again again,
-                                     surefoot_worlds** worlds) {
+surefoot_status surefoot_worlds_make(const char* description, size_t count, int32_t again, surefoot_worlds** worlds) {
   return makeHandle(worlds, [&]() -> Result<std::unique_ptr<surefoot_worlds>> {
     if (count < 1 || count > kMostWorlds)
       return Error{fmt::format("count: {} is not allowed; it goes from 1 to {}.", count, kMostWorlds)};
     if (again < SUREFOOT_AGAIN_WHEN_ASKED || again > SUREFOOT_AGAIN_AT_ONCE)
-      return Error{fmt::format("again: {} is not allowed; it goes from 0 to 2.", static_cast<int>(again))};
+      return Error{fmt::format("again: {} is not allowed; it goes from 0 to 2.", again)};
     const auto registry = ourRegistry();
     if (!registry) return registry.error();
     auto configuration = worldIn(**registry, description);

@@ -70,8 +70,8 @@ static void learned(const char *folder) {
   const double states[2 * 3] = {0.1, 0, 0, -0.2, 0.5, 0};
   double a[10], b[10], sum[10], pi[10], visits[2]; /* of five actions */
   for (int layer = SUREFOOT_LAYER_SUM; layer <= SUREFOOT_LAYER_NEGATIVE; ++layer) {
-    DONE(surefoot_life_values(life, (surefoot_layer)layer, states, 2, a, 10));
-    DONE(surefoot_q_function_values(q, (surefoot_layer)layer, states, 2, b, 10));
+    DONE(surefoot_life_values(life, layer, states, 2, a, 10));
+    DONE(surefoot_q_function_values(q, layer, states, 2, b, 10));
     CHECK(memcmp(a, b, sizeof a) == 0);
     for (int i = 0; i < 10; ++i) sum[i] = layer == SUREFOOT_LAYER_SUM ? a[i] : sum[i] - a[i];
   }

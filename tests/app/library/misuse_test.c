@@ -74,7 +74,7 @@ static void moments(void) {
 
   surefoot_worlds *worlds;
   REFUSED(surefoot_worlds_make(NULL, 0, SUREFOOT_AGAIN_AT_ONCE, &worlds), SUREFOOT_USAGE, "from 1");
-  REFUSED(surefoot_worlds_make(NULL, 1, (surefoot_again)9, &worlds), SUREFOOT_USAGE, "from 0 to 2");
+  REFUSED(surefoot_worlds_make(NULL, 1, 9, &worlds), SUREFOOT_USAGE, "from 0 to 2");
   DONE(surefoot_worlds_make(NULL, 2, SUREFOOT_AGAIN_AT_ONCE, &worlds));
   const int64_t actions[2] = {0, 7};
   double states[6];
@@ -97,7 +97,7 @@ static void lives(void) {
   double q[5];
   REFUSED(surefoot_life_values(life, SUREFOOT_LAYER_SUM, nan, 1, q, 5), SUREFOOT_USAGE, "finite");
   REFUSED(surefoot_life_values(life, SUREFOOT_LAYER_SUM, nan, 1, q, 2), SUREFOOT_USAGE, "5 numbers");
-  REFUSED(surefoot_life_values(life, (surefoot_layer)8, nan, 1, q, 5), SUREFOOT_USAGE, "layer");
+  REFUSED(surefoot_life_values(life, 8, nan, 1, q, 5), SUREFOOT_USAGE, "layer");
   REFUSED(surefoot_life_set(life, "features.pole_angle", "10"), SUREFOOT_USAGE, "new table");
   REFUSED(surefoot_life_set(life, "policy.epsilon", "2"), SUREFOOT_USAGE, "policy.epsilon");
   DONE(surefoot_life_set(life, "policy.epsilon", "0.2"));
