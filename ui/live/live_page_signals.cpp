@@ -78,8 +78,8 @@ void LivePage::useSignals() {
   shareSpaceOfSignals();
 }
 
-/// Two worlds get more of it than one. Where the phase portrait has no room below the world, all panels share one place:
-/// the page would scroll, and the time axis with it.
+/// Two worlds get more of it than one. Where the phase portrait has no room below the world, all panels share one
+/// place: the page would scroll, and the time axis with it.
 void LivePage::shareSpaceOfSignals() {
   const int room = parentWidget() ? parentWidget()->height() : height();
   centralWidget()->layout()->activate();
