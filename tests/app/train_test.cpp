@@ -177,7 +177,7 @@ TEST(Train, ALogOfAnyLengthNeedsNoMemory) {
 #endif
   constexpr std::int64_t kEpisodes = 800'000;
   const Folder folder;
-  const std::string command = "ulimit -v 120000; exec " + std::string(SUREFOOT_PROGRAM) +
+  const std::string command = "ulimit -v 160000; exec " + std::string(SUREFOOT_PROGRAM) +
                               " train --environment chain --lives 2 --jobs 2 --episodes " + std::to_string(kEpisodes) +
                               " --log " + folder.file("log.csv") + " >/dev/null 2>" + folder.file("err");
   ASSERT_EQ(std::system(command.c_str()), 0) << contentOf(folder.file("err"));

@@ -19,7 +19,8 @@ QSize Worlds::minimumSizeHint() const {
   for (int i = 0; i < count(); ++i)
     if (!widget(i)->isHidden()) {
       const QSize one = widget(i)->minimumSizeHint();
-      least = {least.width() + one.width(), std::max(least.height(), one.height())};
+      const int between = least.width() > 0 ? handleWidth() : 0;
+      least = {least.width() + between + one.width(), std::max(least.height(), one.height())};
     }
   return least;
 }
