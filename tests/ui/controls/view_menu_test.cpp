@@ -33,7 +33,7 @@ TEST(ViewMenu, EveryViewHasOneByMouseAndByKeys) {
   Window w;
   std::vector<QWidget*> views{&w.window->livePage().world()};
   for (Panel* panel : w.window->livePage().panels())
-    if (panel->objectName() != "parameters") views.push_back(panel->widget());
+    if (panel->objectName() != "parameters") views.push_back(panel->view());
   for (FigureView* figure : w.window->findChildren<FigureView*>()) views.push_back(figure);
   ASSERT_GE(views.size(), 9u);
   for (QWidget* view : views) {
