@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/handbook/declared_pages.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/environment_library.h"
+#include "core/formulas.h"
+#include "core/glossary.h"
+#include "core/life/rewinding.h"
+#include "core/text/number_text.h"
+#include "core/text/words.h"
+
+namespace surefoot {
+
+namespace {
+
+/// Text in which no letter means anything to Markdown.
+std::string plain(std::string_view text) {
+  std::string out;
+  for (const char c : text) {
+    if (std::string_view("\\`*_{}[]<>#|").find(c) != std::string_view::npos) out += '\\';
+    out += c;
+  }
+  return out;
+}
+
+const char* whenText(When when) {
+  switch (when) {
+    case When::Now:
+      return "Holds at once.";
+    case When::NextEpisode:
+      return "Holds from the next episode on.";
+    case When::NewTable:
+      break;
+  }
+  return "Begins another life: the table is made anew.";
+}
+
+std::string paragraphOf(const Parameters::Entry& entry) {
+  const Parameter& p = entry.parameter;
+  const std::string unit = p.unit.empty() ? "" : " " + p.unit;
+  std::string text = fmt::format("<a name=\"{}\"></a>\n\n### {}{}\n\n`{}`", p.key, plain(p.title),
+                                 p.symbol.empty() ? "" : ", " + plain(p.symbol), p.key);
+  if (p.kind == Kind::Choice)
+    text +=
+        fmt::format(", one of {}; default {}.", plain(joinWords(p.choices, "or")), plain(formatValue(p, p.fallback)));
+  else
+    text += fmt::format(", {} … {}{}; default {}{}.", boundText(p.low), boundText(p.high), plain(unit),
+                        plain(formatValue(p, p.fallback)), plain(unit));
+  text += fmt::format(" {}\n\n{}", whenText(p.when), plain(p.help));
+  if (!p.origin.empty()) text += fmt::format(" The default is from: {}.", plain(p.origin));
+  if (!p.needs.empty()) text += fmt::format(" Has an effect only with `{}`.", p.needs);
+  if (const std::string formula = formulaOf(p); !formula.empty()) text += fmt::format("\n\n    {}", formula);
+  return text + "\n\n";
+}
+
+std::string paragraphsOf(const Parameters& parameters) {
+  std::string text;
+  for (const auto& entry : parameters.all()) text += paragraphOf(entry);
+  return text;
+}
+
+/// What the glossary says, with the equation set apart.
+std::string meaning(std::string_view name) {
+  const Word* word = wordOf(name);
+  if (!word) return "";
+  std::string text = plain(word->text) + "\n\n";
+  if (!word->formula.empty()) text += fmt::format("    {}\n\n", word->formula);
+  if (!word->source.empty()) text += fmt::format("Source: {}.\n\n", plain(word->source));
+  return text;
+}
+
+/// "Parameters: [ε](…), …"
+std::string parameterLinks(const Parameters& parameters) {
+  std::vector<std::string> links;
+  for (const auto& entry : parameters.all())
+    links.push_back(fmt::format("[{}]({})", plain(entry.parameter.title), parameterPage(entry.parameter.key)));
+  return links.empty() ? "" : fmt::format("Parameters: {}.\n\n", fmt::join(links, ", "));
+}
+
+/// The parameters of an agent on the representation with which it is usual.
+Parameters parametersOf(const Registry& registry, const AgentEntry& agent) {
+  Parameters parameters;
+  const auto environment = registry.environments.front().make();
+  static_cast<void>(static_cast<bool>(agent.declare(environment->task(), registry.features.front().name, parameters)));
+  return parameters;
+}
+
+std::string presetsText(const Registry& registry, const std::string& environment) {
+  std::string text;
+  const auto tell = [&](const char* heading, const std::vector<const AssignmentEntry*>& entries) {
+    if (entries.empty()) return;
+    text += fmt::format("## {}\n\n", heading);
+    for (const AssignmentEntry* entry : entries)
+      text +=
+          fmt::format("- **{}**: {}\n", plain(entry->name), plain(entry->help.empty() ? entry->title : entry->help));
+    text += "\n";
+  };
+  tell("Presets", presetsOf(registry, environment));
+  tell("Scenarios", scenariosOf(registry, environment));
+  return text;
+}
+
+std::string taskText(const Task& task) {
+  std::string text = "## State\n\n";
+  for (const StateVariable& v : task.state)
+    text += fmt::format("- {} ({}): {} … {}{}\n", plain(v.title), plain(v.symbol), boundText(v.low), boundText(v.high),
+                        v.unit.empty() ? "" : " " + plain(v.unit));
+  text += fmt::format("\n## Actions\n\n{} actions", task.actions.size());
+  if (!task.actionTitle.empty()) text += ": " + plain(task.actionTitle);
+  text += ".\n\n";
+  if (!task.rewardTerms.empty()) text += fmt::format("Rewards: {}.\n\n", plain(joinWords(task.rewardTerms, "and")));
+  return text;
+}
+
+}  // namespace
+
+Handbook methodPages(const Registry& registry) {
+  Handbook pages;
+  const auto add = [&](const Named& entry, const std::string& rest) {
+    pages.push_back({methodPage(entry.name), kMethods, entry.title,
+                     fmt::format("`{}`. {}\n\n{}{}", entry.name, plain(entry.help), meaning(entry.name), rest)});
+  };
+  for (const PolicyEntry& entry : registry.policies) {
+    Parameters parameters;
+    parameters.add(*entry.make(), "policy.");
+    add(entry, parameterLinks(parameters));
+  }
+  for (const AgentEntry& entry : registry.agents) add(entry, parameterLinks(parametersOf(registry, entry)));
+  for (const FeatureEntry& entry : registry.features) add(entry, "");
+  std::string words;
+  for (const Word& word : glossary())
+    if (word.name.empty())
+      words += fmt::format("**{}**. {}{}{}\n\n", plain(word.title), plain(word.text),
+                           word.formula.empty() ? "" : fmt::format(" `{}`", word.formula),
+                           word.source.empty() ? "" : fmt::format(" ({})", plain(word.source)));
+  pages.push_back({"words", kMethods, "Words", std::move(words)});
+  return pages;
+}
+
+Handbook worldPages(const Registry& registry) {
+  Handbook pages;
+  for (const EnvironmentEntry& entry : registry.environments) {
+    const auto environment = entry.make();
+    Parameters parameters;
+    parameters.add(*environment, "environment.");
+    pages.push_back({fmt::format("world-{}", entry.name), kWorlds, entry.title,
+                     fmt::format("`{}`. {}\n\n{}{}{}{}", entry.name, plain(entry.help), meaning(entry.name),
+                                 taskText(environment->task()), presetsText(registry, entry.name),
+                                 parameters.all().empty() ? "" : "## Parameters\n\n" + paragraphsOf(parameters))});
+  }
+  return pages;
+}
+
+Handbook parameterPages(const Registry& registry) {
+  Parameters all;
+  for (const PolicyEntry& entry : registry.policies) all.add(*entry.make(), "policy.");
+  Rewinding rewinding;
+  all.add(rewinding, "life.");
+  for (const EnvironmentEntry& world : registry.environments) {
+    const auto environment = world.make();
+    for (const AgentEntry& agent : registry.agents)
+      for (const FeatureEntry& features : registry.features)  // a misfit adds nothing
+        static_cast<void>(static_cast<bool>(agent.declare(environment->task(), features.name, all)));
+  }
+  Handbook pages;
+  for (const auto& entry : all.all()) {
+    const std::string& key = entry.parameter.key;
+    const std::string group = key.substr(0, key.find('.'));
+    const std::string name = "parameters-" + group;
+    auto page = std::find_if(pages.begin(), pages.end(), [&](const HandbookPage& p) { return p.name == name; });
+    if (page == pages.end()) page = pages.insert(pages.end(), {name, kParameters, group, ""});
+    page->text += paragraphOf(entry);
+  }
+  return pages;
+}
+
+Handbook commandPages(const std::vector<CommandHelp>& commands) {
+  Handbook pages;
+  for (const CommandHelp& command : commands)
+    pages.push_back({commandPage(command.name), kCommands, "surefoot " + command.name,
+                     fmt::format("{}\n\n```\n{}\n```\n", plain(command.summary), command.help)});
+  return pages;
+}
+
+}  // namespace surefoot

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The handbook: pages that are written by hand (resources/handbook), and pages that are made from what the program
+// declares, so that no method, parameter or command is without one. Any thread.
+#pragma once
+
+#include "core/basics/result.h"
+#include "core/handbook/page.h"
+#include "core/registry.h"
+
+namespace surefoot {
+
+/// A command of the program, with its help.
+struct CommandHelp {
+  std::string name{}, summary{}, help{};
+};
+
+/// `folder`: with the written pages. An error names the file that cannot be read.
+Result<Handbook> makeHandbook(const Registry& registry, const std::string& folder,
+                              const std::vector<CommandHelp>& commands);
+
+/// A page written by hand: its first line is "<!-- section: SECTION -->", its second "# TITLE".
+Result<HandbookPage> parsePage(const std::string& text, const std::string& file);
+
+/// The page that tells of a method ("method-trl"), of a parameter ("parameters-policy#policy.epsilon"), of a command.
+std::string methodPage(std::string_view name);
+std::string parameterPage(std::string_view key, std::string_view environment = "");
+std::string commandPage(std::string_view name);
+
+/// Links that lead nowhere: "first-steps: no-such-page". For the tests.
+std::vector<std::string> brokenLinks(const Handbook& handbook, const std::string& folder);
+
+}  // namespace surefoot

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/handbook/html.h"
+
+#include <fmt/format.h>
+#include <md4c-html.h>
+
+#include <filesystem>
+#include <regex>
+
+#include "core/files/whole_file.h"
+
+namespace surefoot {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) out += c == '&' ? "&amp;" : c == '<' ? "&lt;" : c == '>' ? "&gt;" : std::string(1, c);
+  return out;
+}
+
+constexpr const char* kStyle = R"(:root { color-scheme: light dark; --ink: #1f2328; --paper: #fafaf8; --quiet: #5f6671;
+  --fill: #f1f3f5; --line: #e3e5e8; --accent: #0072b2; }
+@media (prefers-color-scheme: dark) { :root { --ink: #e6e8eb; --paper: #16181c; --quiet: #9aa1ab; --fill: #2a2e35;
+  --line: #33383f; --accent: #56b4e9; } }
+body { margin: 0; display: flex; color: var(--ink); background: var(--paper); font: 16px/1.55 Roboto, sans-serif; }
+nav { flex: 0 0 240px; padding: 24px; border-right: 1px solid var(--line); font-size: 14px; min-height: 100vh; }
+nav h2 { font-size: 13px; color: var(--quiet); margin: 16px 0 4px; font-weight: 500; }
+nav a { display: block; padding: 2px 0; color: var(--ink); text-decoration: none; }
+nav a.here { color: var(--accent); font-weight: 500; }
+main { flex: 1; max-width: 760px; padding: 24px 40px 80px; overflow-x: auto; }
+h1, h2, h3 { font-weight: 500; line-height: 1.25; }
+a { color: var(--accent); }
+code, pre { font: 14px/1.5 "Roboto Mono", monospace; background: var(--fill); border-radius: 4px; }
+code { padding: 1px 4px; } pre { padding: 12px; overflow-x: auto; } pre code { padding: 0; }
+table { border-collapse: collapse; } td, th { border: 1px solid var(--line); padding: 4px 10px; text-align: left; }
+img { max-width: 100%; border: 1px solid var(--line); border-radius: 6px; }
+@media (max-width: 800px) { body { display: block; } nav { border: 0; min-height: 0; } }
+)";
+
+/// "first-steps" becomes "first-steps.html" where a page is meant.
+std::string withFileNames(const std::string& html, const Handbook& handbook) {
+  static const std::regex kLink("href=\"([a-z0-9-]+)(#[^\"]*)?\"");
+  std::string out;
+  auto from = html.begin();
+  for (std::sregex_iterator link(html.begin(), html.end(), kLink), end; link != end; ++link) {
+    out.append(from, html.begin() + link->position());
+    const std::string name = (*link)[1], anchor = (*link)[2];
+    out += pageNamed(handbook, name) ? fmt::format("href=\"{}.html{}\"", name, anchor) : link->str();
+    from = html.begin() + link->position() + link->length();
+  }
+  return out.append(from, html.end());
+}
+
+std::string navigation(const Handbook& handbook, const std::string& here) {
+  std::string nav, section;
+  for (const HandbookPage& page : handbook) {
+    if (page.section != section) nav += fmt::format("<h2>{}</h2>\n", escaped(section = page.section));
+    nav += fmt::format("<a href=\"{}.html\"{}>{}</a>\n", page.name, page.name == here ? " class=\"here\"" : "",
+                       escaped(page.title));
+  }
+  return nav;
+}
+
+std::string wholePage(const Handbook& handbook, const std::string& name, const std::string& title,
+                      const std::string& body) {
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width\">\n<title>{} – Surefoot</title>\n"
+      "<link rel=\"stylesheet\" href=\"style.css\">\n</head>\n<body>\n<nav>\n{}</nav>\n<main>\n{}</main>\n</body>\n"
+      "</html>\n",
+      escaped(title), navigation(handbook, name), body);
+}
+
+}  // namespace
+
+std::string htmlOf(const HandbookPage& page) {
+  const std::string text = fmt::format("# {}\n\n{}", page.title, page.text);
+  std::string html;
+  const auto take = [](const MD_CHAR* part, MD_SIZE size, void* to) {
+    static_cast<std::string*>(to)->append(part, size);
+  };
+  md_html(text.data(), static_cast<MD_SIZE>(text.size()), take, &html, MD_FLAG_TABLES | MD_FLAG_PERMISSIVEURLAUTOLINKS,
+          0);
+  return html;
+}
+
+Status writeHtml(const Handbook& handbook, const std::string& pictures, const std::string& folder) {
+  std::error_code error;
+  if (fs::exists(folder, error))
+    return Error{fmt::format("{}: it exists already; name a folder that does not.", folder), ErrorKind::File};
+  fs::create_directories(folder, error);
+  if (error) return Error{fmt::format("{}: {}.", folder, error.message()), ErrorKind::File};
+  const auto write = [&](const std::string& name, const std::string& content) {
+    return writeWhole("handbook", (fs::path(folder) / name).string(), content);
+  };
+  if (const Status s = write("style.css", kStyle); !s) return s;
+  std::string index = "<h1>Surefoot</h1>\n", section;
+  for (const HandbookPage& page : handbook) {
+    if (page.section != section) index += fmt::format("<h2>{}</h2>\n", escaped(section = page.section));
+    index += fmt::format("<p><a href=\"{}.html\">{}</a></p>\n", page.name, escaped(page.title));
+    const std::string body = withFileNames(htmlOf(page), handbook);
+    if (const Status s = write(page.name + ".html", wholePage(handbook, page.name, page.title, body)); !s) return s;
+  }
+  if (const Status s = write("index.html", wholePage(handbook, "", "Handbook", index)); !s) return s;
+  for (const auto& entry : fs::directory_iterator(pictures, error))
+    if (entry.path().extension() == ".png" || entry.path().extension() == ".gif") {
+      fs::copy_file(entry.path(), fs::path(folder) / entry.path().filename(), error);
+      if (error) return Error{fmt::format("{}: {}.", entry.path().string(), error.message()), ErrorKind::File};
+    }
+  return Done{};
+}
+
+}  // namespace surefoot
