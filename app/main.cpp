@@ -110,6 +110,7 @@ int run(int argc, char** argv) {
     int operator()(const MergeRequest& r) const { return mergeCommand(r); }
     int operator()(const StatisticsRequest& r) const { return statisticsCommand(registry, r); }
     int operator()(const LessonsRequest& r) const { return lessonsCommand(registry, r); }
+    int operator()(const HandbookRequest& r) const { return handbookCommand(registry, r); }
     int operator()(const PrintRequest& r) const { return print(r.text); }
     int operator()(const VersionRequest& r) const {
       return print(r.json ? versionsAsJson() : fmt::format("surefoot {}\n", kVersion));

@@ -183,6 +183,8 @@ int windowCommand(const Registry& registry, const WindowRequest& request, int ar
   setup.about.folder = QString::fromStdString(resourceFolder("about"));
   for (const PartVersion& part : partVersions())
     setup.about.versions.emplace_back(QString::fromStdString(part.name), QString::fromStdString(part.version));
+  setup.handbook = [&registry] { return makeHandbook(registry, resourceFolder("handbook"), commandHelp(registry)); };
+  setup.pictures = QString::fromStdString(resourceFolder("screenshots"));
   setup.asksOnQuit = !request.json && !request.log;  // with these, quitting writes the results
   MainWindow window(session, std::move(setup));
   window.show();

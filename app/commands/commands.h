@@ -30,6 +30,7 @@ int newRobotCommand(const Registry& registry, const NewRobotRequest& request);
 int replayCommand(const Registry& registry, const ReplayRequest& request);
 int differenceCommand(const Registry& registry, const DifferenceRequest& request);
 int manualCommand(const Registry& registry, const ManualRequest& request);
+int handbookCommand(const Registry& registry, const HandbookRequest& request);
 
 /// Prints "surefoot: …" to standard error and returns the exit code of the error.
 int fail(const Error& error);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The exit codes of the program. `surefoot --help`, the manual and the README list them; scripts rely on them.
+// The exit codes of the program. `surefoot --help`, the manual and the handbook list them; scripts rely on them.
 #pragma once
 
 #include <string>

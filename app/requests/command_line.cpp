@@ -87,6 +87,7 @@ struct CommandLine {
   CLI::App* difference = app.add_subcommand("difference", "the first step at which two lives differ, and in what");
   CLI::App* bench = app.add_subcommand("bench", "how fast this machine learns");
   CLI::App* probabilities = app.add_subcommand("probabilities", "the probability of every action, given its value");
+  CLI::App* handbook = app.add_subcommand("handbook", "write the handbook as web pages");
   LessonsLine lessons{app, *window};
   CLI::App* manual = app.add_subcommand("manual", "write the manual pages")->group("");
   OpenLine open{*window};
@@ -105,6 +106,7 @@ struct CommandLine {
   BenchRequest benchOptions;
   ManualRequest manualOptions;
   bool versionAsJson = false;
+  HandbookRequest handbookOptions;
 
   /// Those that let an environment move.
   std::vector<CLI::App*> livingCommands() const {
@@ -133,8 +135,9 @@ struct CommandLine {
     addAssignments(*probabilities, probabilitiesOptions.assignments, "a parameter of the policy; may be repeated");
     probabilities->add_flag("--json", probabilitiesOptions.json, "as JSON");
     std::vector<CLI::App*> commands = laboratory.commands();
-    for (CLI::App* c : {&app, train, window, list, probabilities, query, slice, inspect, resample, replay, difference,
-                        bench, lessons.lessons, robots.check, robots.create, signals.rollout, signals.robustness})
+    for (CLI::App* c :
+         {&app, train, window, list, probabilities, query, slice, inspect, resample, replay, difference, bench,
+          handbook, lessons.lessons, robots.check, robots.create, signals.rollout, signals.robustness})
       commands.push_back(c);
     for (CLI::App* command : commands) {
       command->set_help_flag("-h,--help", "print this help");
@@ -178,6 +181,7 @@ struct CommandLine {
     addOption(*resample, "--save", resampleOptions.save, "the file to write, which must not exist yet", "FILE");
     resample->add_flag("--json", resampleOptions.json, "report as JSON");
 
+    handbook->add_option("FOLDER", handbookOptions.folder, "the folder to make; it must not exist yet")->type_name("");
     bench->add_flag("--json", benchOptions.json, "as JSON");
     file(replay, replayOptions.file, "a journal");
     replay->add_flag("--verify", replayOptions.verify, "fail unless the hash is that of the journal");
@@ -257,6 +261,7 @@ Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv
   if (line.bench->parsed()) return Request(line.benchOptions);
   if (line.replay->parsed()) return Request(line.replayOptions);
   if (line.difference->parsed()) return Request(line.differenceOptions);
+  if (line.handbook->parsed()) return Request(line.handbookOptions);
   if (line.lessons.lessons->parsed()) return Request(line.lessons.request);
   if (const Status s = line.open.check(); !s) return s.error();
   auto request = makeTrainRequest(registry, line.windowOptions, true);
@@ -265,6 +270,14 @@ Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv
   line.open.complete(shown);
   if (const Status s = line.lessons.complete(shown); !s) return s.error();
   return Request(std::move(shown));
+}
+
+std::vector<CommandHelp> commandHelp(const Registry& registry) {
+  const CommandLine line(registry);
+  std::vector<CommandHelp> all;
+  for (const CLI::App* command : line.app.get_subcommands([](const CLI::App* c) { return !c->get_group().empty(); }))
+    all.push_back({command->get_name(), command->get_description(), command->help("surefoot")});
+  return all;
 }
 
 }  // namespace surefoot

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/experiment/configuration.h"
+#include "core/handbook/handbook.h"
 #include "core/laboratory/laboratory.h"
 #include "core/robustness/robustness_plan.h"
 #include "core/saved/checkpoint.h"
@@ -180,6 +181,11 @@ struct NewRobotRequest {
   std::string name, like = "segway";
 };
 
+/// `surefoot handbook`: its pages as HTML, into a new folder.
+struct HandbookRequest {
+  std::string folder;
+};
+
 /// --help: the text to print.
 struct PrintRequest {
   std::string text;
@@ -199,8 +205,12 @@ using Request =
     std::variant<ListRequest, ProbabilitiesRequest, TrainRequest, WindowRequest, QueryRequest, SliceRequest,
                  RolloutRequest, RobustnessRequest, InspectRequest, ResampleRequest, ReplayRequest, DifferenceRequest,
                  BenchRequest, ExperimentRequest, ReproduceRequest, ExportRequest, MergeRequest, StatisticsRequest,
-                 LessonsRequest, CheckRequest, NewRobotRequest, PrintRequest, VersionRequest, ManualRequest>;
+                 LessonsRequest, CheckRequest, NewRobotRequest, HandbookRequest, PrintRequest, VersionRequest,
+                 ManualRequest>;
 
 Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv);
+
+/// Every command with its help, in the order of `surefoot --help`.
+std::vector<CommandHelp> commandHelp(const Registry& registry);
 
 }  // namespace surefoot

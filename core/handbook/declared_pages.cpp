@@ -20,7 +20,7 @@ namespace {
 std::string plain(std::string_view text) {
   std::string out;
   for (const char c : text) {
-    if (std::string_view("\\`*_{}[]<>#|").find(c) != std::string_view::npos) out += '\\';
+    if (std::string_view("\\`*_{}[]<>#|&").find(c) != std::string_view::npos) out += '\\';
     out += c;
   }
   return out;
@@ -41,7 +41,7 @@ const char* whenText(When when) {
 std::string paragraphOf(const Parameters::Entry& entry) {
   const Parameter& p = entry.parameter;
   const std::string unit = p.unit.empty() ? "" : " " + p.unit;
-  std::string text = fmt::format("<a name=\"{}\"></a>\n\n### {}{}\n\n`{}`", p.key, plain(p.title),
+  std::string text = fmt::format("### <a name=\"{}\"></a>{}{}\n\n`{}`", p.key, plain(p.title),
                                  p.symbol.empty() ? "" : ", " + plain(p.symbol), p.key);
   if (p.kind == Kind::Choice)
     text +=
@@ -62,6 +62,28 @@ std::string paragraphsOf(const Parameters& parameters) {
   return text;
 }
 
+/// A group of parameters, by what their keys begin with.
+struct Group {
+  std::string_view key, title, about;
+};
+constexpr Group kGroups[] = {
+    {"policy", "Policies", "What the policies have, with their schedules and what they do with the risk of a fall."},
+    {"agent", "Learning", "What the learning rules have in common."},
+    {"features", "Representation",
+     "How values are kept: tiles, radial basis functions, tables. Every state variable has a resolution of its own."},
+    {"positive", "Q⁺ of Sarsa_2Q", "The learning and the representation of the expected gains."},
+    {"negative", "Q⁻ of Sarsa_2Q", "The learning and the representation of the expected losses."},
+    {"split", "How rewards are split for Sarsa_2Q", "Which part of a reward is a gain and which a loss."},
+    {"shaping", "Shaping of rewards", "A coarse value function that is learned first and shapes the rewards."},
+    {"risk", "The risk of a fall", "The probability that an action ends in a fall, learned beside the values."},
+    {"life", "A life", "Falls that are taken back."}};
+
+std::string titleOf(std::string_view key) {
+  for (const Group& group : kGroups)
+    if (group.key == key) return std::string(group.title);
+  return std::string(key);
+}
+
 /// What the glossary says, with the equation set apart.
 std::string meaning(std::string_view name) {
   const Word* word = wordOf(name);
@@ -72,18 +94,31 @@ std::string meaning(std::string_view name) {
   return text;
 }
 
-/// "Parameters: [ε](…), …"
+/// "Parameters: [ε](…), …": those of a policy or a rule singly, of representations the pages.
 std::string parameterLinks(const Parameters& parameters) {
   std::vector<std::string> links;
-  for (const auto& entry : parameters.all())
-    links.push_back(fmt::format("[{}]({})", plain(entry.parameter.title), parameterPage(entry.parameter.key)));
-  return links.empty() ? "" : fmt::format("Parameters: {}.\n\n", fmt::join(links, ", "));
+  for (const auto& entry : parameters.all()) {
+    const std::string& key = entry.parameter.key;
+    const std::string page = parameterPage(key), group = key.substr(0, key.find('.'));
+    const bool single = group == "policy" || group == "agent";
+    const std::string link = single ? fmt::format("[{}]({})", plain(entry.parameter.title), page)
+                                    : fmt::format("[{}]({})", titleOf(group), page.substr(0, page.find('#')));
+    if (std::find(links.begin(), links.end(), link) == links.end()) links.push_back(link);
+  }
+  return links.empty() ? "" : fmt::format("**Parameters**: {}.\n\n", fmt::join(links, ", "));
+}
+
+/// The pendulum's, which is the usual one.
+const EnvironmentEntry& usualWorld(const Registry& registry) {
+  const auto usual = std::find_if(registry.environments.begin(), registry.environments.end(),
+                                  [](const EnvironmentEntry& entry) { return entry.name == "pendulum"; });
+  return usual == registry.environments.end() ? registry.environments.front() : *usual;
 }
 
 /// The parameters of an agent on the representation with which it is usual.
 Parameters parametersOf(const Registry& registry, const AgentEntry& agent) {
   Parameters parameters;
-  const auto environment = registry.environments.front().make();
+  const auto environment = usualWorld(registry).make();
   static_cast<void>(static_cast<bool>(agent.declare(environment->task(), registry.features.front().name, parameters)));
   return parameters;
 }
@@ -146,7 +181,7 @@ Handbook worldPages(const Registry& registry) {
     const auto environment = entry.make();
     Parameters parameters;
     parameters.add(*environment, "environment.");
-    pages.push_back({fmt::format("world-{}", entry.name), kWorlds, entry.title,
+    pages.push_back({worldPage(entry.name), kWorlds, entry.title,
                      fmt::format("`{}`. {}\n\n{}{}{}{}", entry.name, plain(entry.help), meaning(entry.name),
                                  taskText(environment->task()), presetsText(registry, entry.name),
                                  parameters.all().empty() ? "" : "## Parameters\n\n" + paragraphsOf(parameters))});
@@ -155,24 +190,29 @@ Handbook worldPages(const Registry& registry) {
 }
 
 Handbook parameterPages(const Registry& registry) {
-  Parameters all;
+  Parameters all;  // each key once: the first that declares it
   for (const PolicyEntry& entry : registry.policies) all.add(*entry.make(), "policy.");
   Rewinding rewinding;
   all.add(rewinding, "life.");
-  for (const EnvironmentEntry& world : registry.environments) {
-    const auto environment = world.make();
+  std::vector<const EnvironmentEntry*> worlds = {&usualWorld(registry)};  // whose defaults are told
+  for (const EnvironmentEntry& world : registry.environments) worlds.push_back(&world);
+  for (const EnvironmentEntry* world : worlds) {
+    const auto environment = world->make();
     for (const AgentEntry& agent : registry.agents)
       for (const FeatureEntry& features : registry.features)  // a misfit adds nothing
         static_cast<void>(static_cast<bool>(agent.declare(environment->task(), features.name, all)));
   }
   Handbook pages;
-  for (const auto& entry : all.all()) {
-    const std::string& key = entry.parameter.key;
-    const std::string group = key.substr(0, key.find('.'));
-    const std::string name = "parameters-" + group;
-    auto page = std::find_if(pages.begin(), pages.end(), [&](const HandbookPage& p) { return p.name == name; });
-    if (page == pages.end()) page = pages.insert(pages.end(), {name, kParameters, group, ""});
-    page->text += paragraphOf(entry);
+  for (const Group& group : kGroups) {
+    std::string text;
+    for (const auto& entry : all.all())
+      if (entry.parameter.key.starts_with(fmt::format("{}.", group.key))) text += paragraphOf(entry);
+    if (text.empty()) continue;
+    pages.push_back(
+        {fmt::format("parameters-{}", group.key), kParameters, std::string(group.title),
+         fmt::format("{} Set one with `--set KEY=VALUE`, in the form, or in a plan. A default can be another "
+                     "one in a world that says so; `surefoot list` and the form tell.\n\n{}",
+                     group.about, text)});
   }
   return pages;
 }

@@ -3,6 +3,8 @@
 // declares, so that no method, parameter or command is without one. Any thread.
 #pragma once
 
+#include <span>
+
 #include "core/basics/result.h"
 #include "core/handbook/page.h"
 #include "core/registry.h"
@@ -18,15 +20,17 @@ struct CommandHelp {
 Result<Handbook> makeHandbook(const Registry& registry, const std::string& folder,
                               const std::vector<CommandHelp>& commands);
 
-/// A page written by hand: its first line is "<!-- section: SECTION -->", its second "# TITLE".
-Result<HandbookPage> parsePage(const std::string& text, const std::string& file);
+/// The sections, in the order in which they are read.
+std::span<const char* const> handbookSections();
 
-/// The page that tells of a method ("method-trl"), of a parameter ("parameters-policy#policy.epsilon"), of a command.
+/// The page that tells of a method ("method-trl"), a world, a parameter ("parameters-policy#policy.epsilon"; one of an
+/// environment stands on the page of its world), a command.
 std::string methodPage(std::string_view name);
+std::string worldPage(std::string_view name);
 std::string parameterPage(std::string_view key, std::string_view environment = "");
 std::string commandPage(std::string_view name);
 
-/// Links that lead nowhere: "first-steps: no-such-page". For the tests.
-std::vector<std::string> brokenLinks(const Handbook& handbook, const std::string& folder);
+/// Links and pictures that lead nowhere: "first-steps: no-such-page". For the tests.
+std::vector<std::string> brokenLinks(const Handbook& handbook, const std::string& pictures);
 
 }  // namespace surefoot

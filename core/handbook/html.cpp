@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 #include <md4c-html.h>
 
+#include <algorithm>
 #include <filesystem>
-#include <regex>
+#include <set>
 
 #include "core/files/whole_file.h"
+#include "core/handbook/html_links.h"
 
 namespace surefoot {
 
@@ -40,18 +42,14 @@ img { max-width: 100%; border: 1px solid var(--line); border-radius: 6px; }
 @media (max-width: 800px) { body { display: block; } nav { border: 0; min-height: 0; } }
 )";
 
-/// "first-steps" becomes "first-steps.html" where a page is meant.
-std::string withFileNames(const std::string& html, const Handbook& handbook) {
-  static const std::regex kLink("href=\"([a-z0-9-]+)(#[^\"]*)?\"");
-  std::string out;
-  auto from = html.begin();
-  for (std::sregex_iterator link(html.begin(), html.end(), kLink), end; link != end; ++link) {
-    out.append(from, html.begin() + link->position());
-    const std::string name = (*link)[1], anchor = (*link)[2];
-    out += pageNamed(handbook, name) ? fmt::format("href=\"{}.html{}\"", name, anchor) : link->str();
-    from = html.begin() + link->position() + link->length();
-  }
-  return out.append(from, html.end());
+/// "first-steps" becomes "first-steps.html" where a page is meant; `pictures` are the files that it shows.
+std::string withFileNames(const HandbookPage& page, const Handbook& handbook, std::set<std::string>& pictures) {
+  return withLinks(htmlOf(page), [&](std::string_view target, bool picture) {
+    if (picture) pictures.emplace(target);
+    const auto hash = std::min(target.find('#'), target.size());
+    const bool isPage = !picture && pageNamed(handbook, target.substr(0, hash));
+    return isPage ? fmt::format("{}.html{}", target.substr(0, hash), target.substr(hash)) : std::string(target);
+  });
 }
 
 std::string navigation(const Handbook& handbook, const std::string& here) {
@@ -67,9 +65,9 @@ std::string navigation(const Handbook& handbook, const std::string& here) {
 std::string wholePage(const Handbook& handbook, const std::string& name, const std::string& title,
                       const std::string& body) {
   return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width\">\n<title>{} – Surefoot</title>\n"
-      "<link rel=\"stylesheet\" href=\"style.css\">\n</head>\n<body>\n<nav>\n{}</nav>\n<main>\n{}</main>\n</body>\n"
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+      "<meta name=\"viewport\" content=\"width=device-width\"/>\n<title>{} – Surefoot</title>\n"
+      "<link rel=\"stylesheet\" href=\"style.css\"/>\n</head>\n<body>\n<nav>\n{}</nav>\n<main>\n{}</main>\n</body>\n"
       "</html>\n",
       escaped(title), navigation(handbook, name), body);
 }
@@ -77,40 +75,52 @@ std::string wholePage(const Handbook& handbook, const std::string& name, const s
 }  // namespace
 
 std::string htmlOf(const HandbookPage& page) {
-  const std::string text = fmt::format("# {}\n\n{}", page.title, page.text);
-  std::string html;
+  std::string html = fmt::format("<h1>{}</h1>\n", escaped(page.title));
   const auto take = [](const MD_CHAR* part, MD_SIZE size, void* to) {
     static_cast<std::string*>(to)->append(part, size);
   };
-  md_html(text.data(), static_cast<MD_SIZE>(text.size()), take, &html, MD_FLAG_TABLES | MD_FLAG_PERMISSIVEURLAUTOLINKS,
-          0);
+  md_html(page.text.data(), static_cast<MD_SIZE>(page.text.size()), take, &html,
+          MD_FLAG_TABLES | MD_FLAG_PERMISSIVEURLAUTOLINKS, MD_HTML_FLAG_XHTML);
   return html;
 }
+
+namespace {
+
+Status writeInto(const fs::path& folder, const Handbook& handbook, const std::string& pictures) {
+  const auto write = [&](const std::string& name, const std::string& content) {
+    return writeWhole("handbook", (folder / name).string(), content);
+  };
+  if (const Status s = write("style.css", kStyle); !s) return s;
+  std::string index = "<h1>Surefoot</h1>\n", section;
+  std::set<std::string> shown;
+  for (const HandbookPage& page : handbook) {
+    if (page.section != section) index += fmt::format("<h2>{}</h2>\n", escaped(section = page.section));
+    index += fmt::format("<p><a href=\"{}.html\">{}</a></p>\n", page.name, escaped(page.title));
+    const std::string body = withFileNames(page, handbook, shown);
+    if (const Status s = write(page.name + ".html", wholePage(handbook, page.name, page.title, body)); !s) return s;
+  }
+  if (const Status s = write("index.html", wholePage(handbook, "", "Handbook", index)); !s) return s;
+  for (const std::string& picture : shown) {
+    std::error_code error;
+    fs::copy_file(fs::path(pictures) / picture, folder / picture, error);
+    if (error)
+      return Error{fmt::format("{}: it cannot be copied from {}: {}.", picture, pictures, error.message()),
+                   ErrorKind::File};
+  }
+  return Done{};
+}
+
+}  // namespace
 
 Status writeHtml(const Handbook& handbook, const std::string& pictures, const std::string& folder) {
   std::error_code error;
   if (fs::exists(folder, error))
     return Error{fmt::format("{}: it exists already; name a folder that does not.", folder), ErrorKind::File};
   fs::create_directories(folder, error);
-  if (error) return Error{fmt::format("{}: {}.", folder, error.message()), ErrorKind::File};
-  const auto write = [&](const std::string& name, const std::string& content) {
-    return writeWhole("handbook", (fs::path(folder) / name).string(), content);
-  };
-  if (const Status s = write("style.css", kStyle); !s) return s;
-  std::string index = "<h1>Surefoot</h1>\n", section;
-  for (const HandbookPage& page : handbook) {
-    if (page.section != section) index += fmt::format("<h2>{}</h2>\n", escaped(section = page.section));
-    index += fmt::format("<p><a href=\"{}.html\">{}</a></p>\n", page.name, escaped(page.title));
-    const std::string body = withFileNames(htmlOf(page), handbook);
-    if (const Status s = write(page.name + ".html", wholePage(handbook, page.name, page.title, body)); !s) return s;
-  }
-  if (const Status s = write("index.html", wholePage(handbook, "", "Handbook", index)); !s) return s;
-  for (const auto& entry : fs::directory_iterator(pictures, error))
-    if (entry.path().extension() == ".png" || entry.path().extension() == ".gif") {
-      fs::copy_file(entry.path(), fs::path(folder) / entry.path().filename(), error);
-      if (error) return Error{fmt::format("{}: {}.", entry.path().string(), error.message()), ErrorKind::File};
-    }
-  return Done{};
+  if (error) return Error{fmt::format("{}: it cannot be made: {}.", folder, error.message()), ErrorKind::File};
+  const Status written = writeInto(folder, handbook, pictures);
+  if (!written) fs::remove_all(folder, error);  // all of it or nothing
+  return written;
 }
 
 }  // namespace surefoot

@@ -7,11 +7,11 @@
 
 namespace surefoot {
 
-/// The page's title and text, without head and style. Links to other pages stay their names.
+/// The page's title and text, well-formed as XML, without head and style. Links to other pages stay their names.
 std::string htmlOf(const HandbookPage& page);
 
-/// Every page as NAME.html, index.html with all of them, one style sheet and the pictures of `pictures`, into a folder
-/// that does not exist yet.
+/// Every page as NAME.html, index.html with all of them, one style sheet and the pictures that they show, copied from
+/// the folder `pictures`, into a folder that does not exist yet.
 Status writeHtml(const Handbook& handbook, const std::string& pictures, const std::string& folder);
 
 }  // namespace surefoot

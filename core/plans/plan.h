@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An experiment of many conditions, as a plan file says it (TOML). README.md describes the format.
+// An experiment of many conditions, as a plan file says it (TOML). The handbook's page "Plans" describes it.
 //
 // A condition is a configuration, how many lives are lived under it, and what these have learned before. Its text names
 // everything in which it differs from the defaults; its lives' seeds are derived from the plan's master seed and this

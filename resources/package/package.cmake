@@ -47,6 +47,7 @@ set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
 set(share ${CMAKE_INSTALL_DATADIR})
 install(TARGETS surefoot COMPONENT program)
 install(DIRECTORY ${resources}/lessons ${resources}/plans ${resources}/recipes ${resources}/robots ${resources}/about
+                  ${resources}/handbook ${resources}/screenshots
         DESTINATION ${share}/surefoot)
 install(PROGRAMS ${resources}/slurm/experiment.sh DESTINATION ${share}/surefoot/slurm)
 install(DIRECTORY ${made}/manual/ DESTINATION ${CMAKE_INSTALL_MANDIR})

@@ -14,12 +14,12 @@ using Json = nlohmann::json;
 
 namespace {
 
-/// The Python of the README.
+/// The Python of the handbook.
 std::string example() {
-  const std::string readme = contentOf(SUREFOOT_SOURCE "/README.md");
+  const std::string page = contentOf(SUREFOOT_SOURCE "/resources/handbook/72-q-function-python.md");
   const std::string fence = "```python\n";
-  const auto begin = readme.find(fence) + fence.size();
-  return readme.substr(begin, readme.find("```", begin) - begin);
+  const auto begin = page.find(fence) + fence.size();
+  return page.substr(begin, page.find("```", begin) - begin);
 }
 
 /// States within the ranges of the variables: some anywhere, some where an episode begins, which are more familiar.
@@ -38,7 +38,7 @@ std::vector<std::string> statesOf(const Json& about, int count) {
   return states;
 }
 
-/// A Q-function of `train ARGUMENTS`, read by the README's Python: in so many states, the values of every action and
+/// A Q-function of `train ARGUMENTS`, read by the handbook's Python: in so many states, the values of every action and
 /// what these do are those of `query`.
 void expectThatPythonReads(const std::string& arguments) {
   const Folder folder;
@@ -69,14 +69,14 @@ for text in sys.argv[2:]:
 
 }  // namespace
 
-TEST(Files, TheReadmesPythonReadsDenseTables) {
+TEST(Files, TheHandbooksPythonReadsDenseTables) {
   expectThatPythonReads("--minutes 1");
   expectThatPythonReads("--minutes 1 --agent sarsa-2q --set negative.scale=0.5 --set positive.pole_angle_to=0.5");
   expectThatPythonReads("--minutes 0.5 --features radial-basis");
   expectThatPythonReads("--environment cliff --features table --episodes 30");
 }
 
-TEST(Files, TheReadmesPythonReadsHashedTables) {
+TEST(Files, TheHandbooksPythonReadsHashedTables) {
   expectThatPythonReads("--minutes 1 --set features.memory=100000");
   expectThatPythonReads("--minutes 1 --set features.memory=2000");  // too few: some look-ups fail
   expectThatPythonReads("--minutes 0.5 --agent sarsa-2q --set positive.memory=3000");

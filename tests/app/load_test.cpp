@@ -64,21 +64,19 @@ TEST(Load, ANameIsOneWordOfAShell) {
 
 namespace {
 
-/// The commands in the README's shell blocks from `section` on, up to the next heading.
-std::vector<std::string> commandsOf(const std::string& section) {
-  const std::string readme = contentOf(SUREFOOT_SOURCE "/README.md");
-  const auto begin = readme.find(section);
-  std::istringstream in(readme.substr(begin, readme.find("\n### ", begin + section.size()) - begin));
+/// The commands in the shell blocks of a page of the handbook.
+std::vector<std::string> commandsOf(const std::string& page) {
+  std::istringstream in(contentOf(SUREFOOT_SOURCE "/resources/handbook/" + page));
   std::vector<std::string> commands;
   bool shell = false;
   for (std::string line; std::getline(in, line);) {
     if (line.starts_with("```")) shell = line == "```sh";
-    if (shell && line.starts_with("./app/run ")) commands.push_back(line.substr(10));
+    if (shell && line.starts_with("surefoot ")) commands.push_back(line.substr(9));
   }
   return commands;
 }
 
-/// As it is written, but shorter: no life of the README is worth a minute of testing.
+/// As it is written, but shorter: no life of the handbook is worth a minute of testing.
 std::string shorter(std::string command) {
   for (const char* option : {"--minutes ", "--every "}) {
     const auto at = command.find(option);
@@ -93,9 +91,9 @@ std::string shorter(std::string command) {
 
 }  // namespace
 
-TEST(Load, TheReadmesCommandsOnFilesRunOneAfterTheOther) {
+TEST(Load, TheHandbooksCommandsOnFilesRunOneAfterTheOther) {
   const Folder folder;
-  const auto commands = commandsOf("### Files");
+  const auto commands = commandsOf("70-files.md");
   ASSERT_GT(commands.size(), 10u);
   for (const std::string& command : commands) {
     const std::string whole = "cd " + folder.file("") + " && " SUREFOOT_PROGRAM " " + shorter(command) + " >out 2>err";

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes the pictures of the README again, from the real program under a virtual X server.
+# Makes the pictures of the README and the handbook again, from the real program under a virtual X server.
 #   tests/ui/screenshots.sh [PROGRAM] [OUTPUT_FOLDER]
 set -euo pipefail
 cd "$(dirname "$(readlink -f "$0")")/../.."

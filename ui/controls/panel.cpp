@@ -1,51 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/controls/panel.h"
 
-#include <QAbstractButton>
 #include <QPainter>
 #include <QScrollArea>
 #include <cmath>
 
-#include "ui/style/icons.h"
+#include "ui/controls/header_button.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
+#include "ui/support/help.h"
 #include "ui/support/plain_text.h"
 
 namespace surefoot {
 
 namespace {
 
-constexpr int kSide = 12, kHeader = 32, kBaseline = 21, kHeaderButton = 24;  // [px], with texts of the usual size
-
-class HeaderButton final : public Painted<QAbstractButton> {
- public:
-  HeaderButton(Icon icon, Icon checked, QWidget* parent) : Painted(parent), icon_(icon), checked_(checked) {
-    setCheckable(icon != checked);
-    setFocusPolicy(Qt::TabFocus);
-    setCursor(Qt::PointingHandCursor);
-  }
-
- protected:
-  void paintEvent(QPaintEvent*) override {
-    const Theme& t = themeOf(*this);
-    ScaledPainter p(this);
-    p.setRenderHint(QPainter::Antialiasing);
-    if (underMouse()) {
-      p.setPen(Qt::NoPen);
-      p.setBrush(t.fill);
-      p.drawRoundedRect(rect(), 4, 4);
-    }
-    if (hasFocus()) {
-      p.setPen(QPen(t.accent, 2));
-      p.setBrush(Qt::NoBrush);
-      p.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
-    }
-    drawIcon(p, isChecked() ? checked_ : icon_, rect(), underMouse() ? t.ink : t.quiet);
-  }
-
- private:
-  Icon icon_, checked_;
-};
+constexpr int kSide = 12, kHeader = 32, kBaseline = 21;  // [px], with texts of the usual size
 
 }  // namespace
 
@@ -97,6 +67,12 @@ void PanelHeader::setNote(const QString& note) {
   update();
 }
 
+void PanelHeader::setHelp(const QString& page) {
+  if (!help_) help_ = new HelpButton(title_, this);
+  setHelpPage(*this, page);
+  resizeEvent(nullptr);
+}
+
 void PanelHeader::setFull(bool full) {
   if (!button_) return;
   button_->setChecked(full);
@@ -140,11 +116,13 @@ bool PanelHeader::event(QEvent* event) {
 
 void PanelHeader::resizeEvent(QResizeEvent*) {
   int right = width() - 6;
-  for (QAbstractButton* button : {close_, button_})
+  constexpr int kButton = HeaderButton::kSide;
+  for (QAbstractButton* button : {close_, button_, help_})
     if (button && !button->isHidden()) {
-      place(*button, {right - kHeaderButton, (height() - kHeaderButton) / 2, kHeaderButton, kHeaderButton});
-      right -= kHeaderButton + 4;
+      place(*button, {right - kButton, (height() - kButton) / 2, kButton, kButton});
+      right -= kButton;
     }
+  right -= 4;
   if (!extra_) return;
   const int room = right - static_cast<int>(titleEnd()) - 8;
   if (auto* folding = dynamic_cast<Folding*>(extra_)) folding->fold(scaled(room));
@@ -162,10 +140,10 @@ void PanelHeader::paintEvent(QPaintEvent*) {
   const double baseline = kBaseline;
   p.drawText(QPointF(kSide, baseline), title_);
   const double x = titleEnd() + 8;
-  const double right = extra_ && !extra_->isHidden()     ? placeOf(*extra_).x() - 8
-                       : button_ && !button_->isHidden() ? placeOf(*button_).x() - 4
-                       : floating_                       ? placeOf(*close_).x() - 4
-                                                         : width() - kSide;
+  double right = width() - kSide;
+  for (const QAbstractButton* button : {close_, button_, help_})
+    if (button && !button->isHidden()) right = placeOf(*button).x() - 4;
+  if (extra_ && !extra_->isHidden()) right = placeOf(*extra_).x() - 8;
   p.setFont(textFont(11));
   p.setPen(t.quiet);
   drawSymbol(p, x, baseline, wholeParts(note_, p.font(), right - x));
@@ -179,6 +157,8 @@ Panel::Panel(const QString& title, const QString& name, QWidget* content, bool c
   setAttribute(Qt::WA_StyledBackground);  // with a frame while it floats
   setWidget(content);
   content->setAccessibleName(title);
+  setHelpPage(*this, QStringLiteral("panel-") + name);
+  header_->setHelp(helpPageOf(this));
   connect(header_, &PanelHeader::closeAsked, this, &QWidget::close);
   connect(this, &QDockWidget::topLevelChanged, header_, &PanelHeader::setFloating);
 }

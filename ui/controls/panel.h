@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A dock with a header of our own: title, a quiet note, and a button that gives it the whole window and back.
+// A dock with a header of our own: title, a quiet note, a "?", and a button that gives it the whole window and back.
 #pragma once
 
 #include <QDockWidget>
@@ -27,6 +27,8 @@ class PanelHeader final : public Painted<> {
   void setTitle(const QString& title);
   void setNote(const QString& note);
   const QString& note() const { return note_; }
+  /// A "?" before the button, which opens this page of the handbook (ui/support/help.h).
+  void setHelp(const QString& page);
   void setFull(bool full);
   /// A panel that floats is a window of its own: its header is the title bar, with a button to close it.
   void setFloating(bool floating);
@@ -55,7 +57,7 @@ class PanelHeader final : public Painted<> {
   void orderTabs();
 
   QString title_, note_;
-  QAbstractButton *button_ = nullptr, *close_ = nullptr;
+  QAbstractButton *button_ = nullptr, *close_ = nullptr, *help_ = nullptr;
   QWidget* extra_ = nullptr;
   bool paper_ = false, floating_ = false;
 };

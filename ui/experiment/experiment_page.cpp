@@ -182,6 +182,7 @@ QWidget* ExperimentPage::makeColumn() {
   edit_ = new LinkButton(tr("Edit the plan"));
   connect(edit_, &QToolButton::clicked, this, [this] { showPlan(stack_->currentIndex() == 0); });
   header->addWidget(edit_);
+  header->setHelp(QStringLiteral("page-experiment"));
   layout->addWidget(header);
   auto* scroll = new QScrollArea;
   scroll->setWidgetResizable(true);

@@ -41,6 +41,7 @@ QWidget* ExperimentPage::makeResults() {
   auto* header = new PanelHeader(tr("Table"), true);
   auto* other = new LinkButton(tr("The thesis's claims"));
   header->addWidget(other);
+  header->setHelp(QStringLiteral("statistics"));
   const auto turn = [this, lower, header, other](int page) {
     lower->setCurrentIndex(page);
     const bool soFar = experiment_.view() && !experiment_.view()->findings.complete;

@@ -33,6 +33,7 @@ FigurePanel::FigurePanel(Experiment& experiment, std::size_t first, QWidget* par
   choose_->setMenu(menu);
   choose_->setPopupMode(QToolButton::InstantPopup);
   header_->addWidget(choose_);
+  header_->setHelp(QStringLiteral("page-experiment"));
   connect(menu, &QMenu::aboutToShow, this, &FigurePanel::fillMenu);
   connect(&experiment_, &Experiment::planChanged, this, [this] {
     chosen_.clear();

@@ -12,6 +12,7 @@
 
 #include "core/lessons/reading/lesson_reading.h"
 #include "ui/controls/hairline.h"
+#include "ui/controls/header_button.h"
 #include "ui/controls/labels.h"
 #include "ui/controls/text_button.h"
 #include "ui/lessons/lesson_details.h"
@@ -123,6 +124,7 @@ QWidget* LessonsPage::makeListPage() {
   note_ = note;
   head->addWidget(title);
   head->addWidget(note, 1);
+  head->addWidget(new HelpButton(tr("Lessons")));
   whenScaled(page, [head] {
     head->setContentsMargins(scaled({12, 8, 12, 6}));
     head->setSpacing(scaled(8));

@@ -29,6 +29,7 @@
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
 #include "ui/support/counted.h"
+#include "ui/support/help.h"
 
 namespace surefoot {
 
@@ -207,6 +208,8 @@ QWidget* LivePage::makeCentre() {
   column->setSpacing(0);
   worldHeader_ = new PanelHeader(tr("World"), true, centre);
   worldHeader_->setOnPaper(true);
+  worldHeader_->setHelp(QStringLiteral("panel-world"));
+  setHelpPage(*centre, QStringLiteral("panel-world"));
   auto* scrubber = new Scrubber(session_.looking());
   worldHeader_->addWidget(scrubber);
   connect(scrubber, &Scrubber::goOnAsked, this, &LivePage::goOn);

@@ -65,6 +65,7 @@ QWidget* RobotPage::makeDescription() {
   auto* head = new PanelHeader(tr("Description"), false, box);
   errors_ = makeText(QString(), 11, 500, false, box);
   head->addWidget(errors_);
+  head->setHelp(QStringLiteral("robot-format"));
   textHead_ = head;
   text_ = new RobotText;
   lines_ = new OneLine(11, box);
@@ -143,6 +144,7 @@ QWidget* RobotPage::makeWorld() {
   drop_->setToolTip(tipText(tr("As it is drawn, from 20 cm above the ground, motors off")));
   handMade_ = mode(tr("Hand-made"), RobotTrial::Mode::HandMade);
   worldHead_->addWidget(modes);
+  worldHead_->setHelp(QStringLiteral("page-robot"));
   picture_ = new RobotPicture;
   left->addWidget(worldHead_);
   left->addWidget(picture_, 1);
@@ -152,6 +154,7 @@ QWidget* RobotPage::makeWorld() {
   right->setSpacing(0);
   auto* head = new PanelHeader(tr("State"), false, box);
   head->setNote(tr("seen in 4,000 random steps"));
+  head->setHelp(QStringLiteral("page-robot"));
   table_ = new StateTable;
   auto* scroll = new QScrollArea;
   scroll->setWidgetResizable(true);
@@ -171,6 +174,7 @@ QWidget* RobotPage::makeLife() {
   column->setSpacing(0);
   auto* head = new PanelHeader(tr("What a random life looks like"), false, box);
   head->setNote(tr("a click on a mark shows the fall"));
+  head->setHelp(QStringLiteral("page-robot"));
   life_ = new RandomLife;
   column->addWidget(head);
   column->addWidget(life_, 1);

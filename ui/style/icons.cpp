@@ -55,6 +55,15 @@ void drawIcon(QPainter& p, Icon icon, const QRectF& where, const QColor& colour)
     case Icon::Close:
       lines(p, {{-4, -4, 4, 4}, {-4, 4, 4, -4}});
       break;
+    case Icon::Help: {
+      QPainterPath hook(QPointF(-3.2, -2.6));
+      hook.cubicTo(-3.2, -7.2, 3.4, -7, 3.2, -2.8);
+      hook.cubicTo(3.1, -0.3, 0, -0.4, 0, 2);
+      p.drawPath(hook);
+      p.setPen(QPen(colour, 2, Qt::SolidLine, Qt::RoundCap));
+      p.drawPoint(QPointF(0, 5.5));
+      break;
+    }
     case Icon::Chevron:
       lines(p, {{-3.5, -1.8, 0, 1.8}, {0, 1.8, 3.5, -1.8}});
       break;

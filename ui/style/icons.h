@@ -7,7 +7,7 @@
 
 namespace surefoot {
 
-enum class Icon { Run, Pause, Step, Restart, Turbo, FullSize, NormalSize, Chevron, Close };
+enum class Icon { Run, Pause, Step, Restart, Turbo, FullSize, NormalSize, Chevron, Close, Help };
 
 /// Draws the icon around the centre of `where`.
 void drawIcon(QPainter& painter, Icon icon, const QRectF& where, const QColor& colour);

@@ -35,6 +35,8 @@ MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent)
     : QMainWindow(parent),
       session_(session),
       appearance_(readPreferences().appearance),
+      makeHandbook_(std::move(setup.handbook)),
+      pictures_(setup.pictures),
       about_(setup.about),
       asksOnQuit_(setup.asksOnQuit) {
   applyTextSize(readPreferences().textSize);

@@ -10,6 +10,7 @@
 
 #include "core/basics/result.h"
 #include "ui/about/about_dialog.h"
+#include "core/handbook/page.h"
 #include "ui/experiment/experiment.h"
 #include "ui/live/run_bar.h"
 
@@ -25,6 +26,7 @@ namespace surefoot {
 class Autosave;
 class FilmDialog;
 class ExperimentPage;
+class HandbookWindow;
 class LifeFollower;
 class LinkButton;
 class LessonsPage;
@@ -45,11 +47,13 @@ enum class SavedAs;
 
 /// The data that the program gives to its window.
 struct WindowSetup {
-  std::vector<PlanSource> plans;  ///< to choose from on the Experiment page
-  QString lessons{};              ///< the folder of the lessons
-  QString folder{};               ///< for results and autosaves; empty: the user's data folder
-  AboutFacts about{};             ///< for Help › About
-  bool asksOnQuit = true;         ///< whether quitting asks to save; false if quitting writes the results
+  std::vector<PlanSource> plans;                 ///< to choose from on the Experiment page
+  std::function<Result<Handbook>()> handbook{};  ///< makes it, when it is first asked for
+  QString pictures{};                            ///< the folder of the handbook's pictures
+  QString lessons{};                             ///< the folder of the lessons
+  QString folder{};                              ///< for results and autosaves; empty: the user's data folder
+  AboutFacts about{};                            ///< for Help › About
+  bool asksOnQuit = true;  ///< whether quitting asks to save; false if quitting writes the results
 };
 
 class MainWindow final : public QMainWindow {
@@ -75,10 +79,14 @@ class MainWindow final : public QMainWindow {
   void saveTo(SavedAs what, const QString& path, const std::function<void()>& then = {});
   /// The program is ended from outside: the session is kept for the next start, then the window closes.
   void closeForNow();
+  /// Opens the handbook at a page; empty: at the page of what has the focus.
+  void showHandbook(const QString& page = {});
+  HandbookWindow* handbook() const { return handbook_; }
   /// Why the session could not be kept when the window was closed for now.
   const std::optional<Error>& whyNotKept() const { return whyNotKept_; }
 
  protected:
+  bool event(QEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void showEvent(QShowEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -95,6 +103,7 @@ class MainWindow final : public QMainWindow {
   void makeEditMenu();
   void makeViewMenu();
   void makeTextSizes(QMenu* view);
+  void makeHelpMenu();
   /// Applies a text size and keeps it for the next start.
   void setTextSize(double size);
   void keepLayout();
@@ -179,6 +188,9 @@ class MainWindow final : public QMainWindow {
   Appearance appearance_;
   Autosave* autosave_ = nullptr;
   QPointer<WordsDialog> words_;
+  std::function<Result<Handbook>()> makeHandbook_;
+  QString pictures_;
+  QPointer<HandbookWindow> handbook_;
   QPointer<FilmDialog> film_;
   SessionName* name_ = nullptr;
   QString troubleShown_;

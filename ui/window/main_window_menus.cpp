@@ -240,20 +240,7 @@ void MainWindow::makeMenus() {
        &ExperimentPage::exportForSpreadsheets);
   item(tr("Export all c&harts …"), tr("PNG, PDF and CSV"), &ExperimentPage::exportCharts);
 
-  QMenu* help = menuBar()->addMenu(tr("&Help"));
-  connect(addAction(help, tr("&Shortcuts"), tr("All shortcuts"), Qt::Key_F1), &QAction::triggered, this, [this] {
-    const bool lesson = pages_->currentWidget() == lessons_ && lessons_->view();
-    lesson ? lessons_->showHint() : showShortcuts();
-  });
-  connect(addAction(help, tr("&Words"), tr("What the words mean, with their formulas"), {}), &QAction::triggered, this,
-          [this] { showWords({}); });
-  connect(addAction(help, tr("Write a &lesson"), tr("A lesson of one's own as text, from a template"), {}),
-          &QAction::triggered, this, [this] {
-            setPage(2);
-            lessons_->editTemplate();
-          });
-  connect(addAction(help, tr("&About Surefoot"), tr("What this is"), {}), &QAction::triggered, this,
-          &MainWindow::showAbout);
+  makeHelpMenu();
   menuBar()->setCornerWidget(makeTabs());
 }
 

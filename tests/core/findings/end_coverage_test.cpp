@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whether the 95 % intervals of falls and minutes hold, which are measured up to an end of learning that the lives
 // themselves tell. What they shall hold is what as many lives show on average: with fewer lives the end is found
-// earlier. Of real lives README.md has the numbers.
+// earlier. Of real lives the handbook's page "Statistics" has the numbers.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 

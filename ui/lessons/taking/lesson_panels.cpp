@@ -22,6 +22,7 @@
 #include "ui/live/world/scrubber.h"
 #include "ui/live/world/world_view.h"
 #include "ui/style/symbol_text.h"
+#include "ui/support/help.h"
 
 namespace surefoot {
 
@@ -127,13 +128,16 @@ QWidget* LessonPanels::makeContent(const std::string& name, QString& title, QStr
   return form;
 }
 
-LessonPanels::Part LessonPanels::wrap(const QString& title, const QString& note, QWidget* content) {
+LessonPanels::Part LessonPanels::wrap(const QString& title, const QString& note, QWidget* content,
+                                      const std::string& name) {
   auto* box = new QWidget;
   auto* column = new QVBoxLayout(box);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
   auto* header = new PanelHeader(title, true, box);
   header->setNote(note);
+  setHelpPage(*box, name.empty() ? QStringLiteral("taking-lessons") : QStringLiteral("panel-") + toText(name));
+  header->setHelp(helpPageOf(box));
   column->addWidget(header);
   column->addWidget(content, 1);
   if (content->accessibleName().isEmpty()) content->setAccessibleName(title);
@@ -145,7 +149,7 @@ LessonPanels::Part LessonPanels::wrap(const QString& title, const QString& note,
 LessonPanels::Part LessonPanels::make(const std::string& name) {
   QString title, note;
   QWidget* content = makeContent(name, title, note);
-  Part part = wrap(title, note, content);
+  Part part = wrap(title, note, content, name);
   if (name == "world") {
     part.header->setOnPaper(true);
     part.header->addWidget(new Scrubber(driver_.session().looking()));

@@ -46,7 +46,8 @@ class LessonPanels final : public QWidget {
   void showStep();
   Part& part(const std::string& name);
   Part make(const std::string& name);
-  Part wrap(const QString& title, const QString& note, QWidget* content);
+  /// `name`: of the panel; empty: it is none of the Live page's.
+  Part wrap(const QString& title, const QString& note, QWidget* content, const std::string& name = {});
   QWidget* makeContent(const std::string& name, QString& title, QString& note);
   void makeMaps(Part& part);
   QWidget* makeLives(const LessonLives& lives);

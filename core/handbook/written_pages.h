@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pages of the handbook that are written by hand, a Markdown file each: "03-the-world.md" is the page "the-world". The
+// first line says the section, the second the title; "<!-- include: ../robots/format.md -->" stands for the text of
+// another file without its title.
+#pragma once
+
+#include "core/basics/result.h"
+#include "core/handbook/page.h"
+
+namespace surefoot {
+
+/// All of a folder, by the numbers of their files. An error names the file that cannot be read, and what is wrong.
+Result<Handbook> writtenPages(const std::string& folder);
+
+/// `file`: its name, and where what it includes is looked for.
+Result<HandbookPage> parsePage(const std::string& text, const std::string& file);
+
+}  // namespace surefoot
