@@ -233,7 +233,7 @@ void RobotText::explain(const QString& sentence) {
   QToolTip::showText(viewport()->mapToGlobal(cursorRect().bottomLeft()), tipText(sentence), this);
 }
 
-/// F1 is the list of shortcuts elsewhere.
+/// F1 is the handbook elsewhere.
 bool RobotText::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_F1) event->accept();
   return QPlainTextEdit::event(event);
