@@ -33,6 +33,7 @@ constexpr Shown kExamples[] = {
     {"bench", "--json", "steps a second of every environment"},
     {"probabilities", "--q '1;2;3' --policy softmax --set policy.temperature=1",
      "how likely each of three actions is under Softmax"},
+    {"handbook", "pages", "pages/index.html, and all others"},
     {"lessons", "", "the lessons, in order"},
     {"lessons", "check my-lesson.toml --show", "read a lesson, live through it, print what a student reads"},
     {"check", "hopper", "what a robot's file describes, after letting it move at random"},

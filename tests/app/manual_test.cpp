@@ -99,12 +99,13 @@ TEST(Manual, NeedsAFolderAndADate) {
   expectRefusal("manual " + folder.file("out") + "/a 2026-11-30", 3, {"out", "cannot be made"});
 }
 
-TEST(Manual, TheExitCodesOfTheReadmeAreThoseOfTheProgram) {
-  const std::string readme = std::regex_replace(contentOf(SUREFOOT_SOURCE "/README.md"), std::regex("`"), "");
+TEST(Manual, TheExitCodesOfTheHandbookAreThoseOfTheProgram) {
+  const std::string page = contentOf(SUREFOOT_SOURCE "/resources/handbook/67-exit-codes.md");
+  const std::string table = std::regex_replace(page, std::regex("`"), "");
   const std::string help = surefoot("--help").out;
   for (const ExitMeaning& m : kExitMeanings) {
     const std::string text(m.text);
-    EXPECT_NE(readme.find("| " + std::to_string(m.code) + " | " + text + " |"), std::string::npos) << m.code;
+    EXPECT_NE(table.find("| " + std::to_string(m.code) + " | " + text + " |"), std::string::npos) << m.code;
     EXPECT_NE(help.find(text), std::string::npos) << m.code;
   }
 }
