@@ -14,6 +14,7 @@
 #include "app/process/interrupt.h"
 #include "app/process/resources.h"
 #include "app/reports/report.h"
+#include "app/requests/command_help.h"
 #include "app/versions.h"
 #include "core/basics/guarded_call.h"
 #include "core/environment_programs.h"

@@ -4,6 +4,7 @@
 
 #include "app/commands/commands.h"
 #include "app/process/resources.h"
+#include "app/requests/command_help.h"
 #include "core/handbook/html.h"
 
 namespace surefoot {

@@ -272,12 +272,4 @@ Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv
   return Request(std::move(shown));
 }
 
-std::vector<CommandHelp> commandHelp(const Registry& registry) {
-  const CommandLine line(registry);
-  std::vector<CommandHelp> all;
-  for (const CLI::App* command : line.app.get_subcommands([](const CLI::App* c) { return !c->get_group().empty(); }))
-    all.push_back({command->get_name(), command->get_description(), command->help("surefoot")});
-  return all;
-}
-
 }  // namespace surefoot

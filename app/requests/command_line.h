@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "core/experiment/configuration.h"
-#include "core/handbook/handbook.h"
 #include "core/laboratory/laboratory.h"
 #include "core/robustness/robustness_plan.h"
 #include "core/saved/checkpoint.h"
@@ -201,16 +200,12 @@ struct ManualRequest {
   std::string folder, date;
 };
 
-using Request =
-    std::variant<ListRequest, ProbabilitiesRequest, TrainRequest, WindowRequest, QueryRequest, SliceRequest,
-                 RolloutRequest, RobustnessRequest, InspectRequest, ResampleRequest, ReplayRequest, DifferenceRequest,
-                 BenchRequest, ExperimentRequest, ReproduceRequest, ExportRequest, MergeRequest, StatisticsRequest,
-                 LessonsRequest, CheckRequest, NewRobotRequest, HandbookRequest, PrintRequest, VersionRequest,
-                 ManualRequest>;
+using Request = std::variant<ListRequest, ProbabilitiesRequest, TrainRequest, WindowRequest, QueryRequest, SliceRequest,
+                             RolloutRequest, RobustnessRequest, InspectRequest, ResampleRequest, ReplayRequest,
+                             DifferenceRequest, BenchRequest, ExperimentRequest, ReproduceRequest, ExportRequest,
+                             MergeRequest, StatisticsRequest, LessonsRequest, CheckRequest, NewRobotRequest,
+                             HandbookRequest, PrintRequest, VersionRequest, ManualRequest>;
 
 Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv);
-
-/// Every command with its help, in the order of `surefoot --help`.
-std::vector<CommandHelp> commandHelp(const Registry& registry);
 
 }  // namespace surefoot

@@ -219,9 +219,16 @@ Handbook parameterPages(const Registry& registry) {
 
 Handbook commandPages(const std::vector<CommandHelp>& commands) {
   Handbook pages;
-  for (const CommandHelp& command : commands)
-    pages.push_back({commandPage(command.name), kCommands, "surefoot " + command.name,
-                     fmt::format("{}\n\n```\n{}\n```\n", plain(command.summary), command.help)});
+  for (const CommandHelp& command : commands) {
+    std::string text = fmt::format("{}.\n\n```sh\n{}\n```\n\n", plain(command.summary), command.line);
+    if (!command.remark.empty()) text += plain(command.remark) + "\n\n";
+    if (!command.examples.empty()) text += "## Examples\n\n```sh\n";
+    for (const auto& [words, does] : command.examples) text += fmt::format("# {}\n{}\n", does, words);
+    if (!command.examples.empty()) text += "```\n\n";
+    if (!command.options.empty()) text += "## Options\n\n";
+    for (const auto& [words, help] : command.options) text += fmt::format("- `{}`: {}\n", words, plain(help));
+    pages.push_back({commandPage(command.name), kCommands, "surefoot " + command.name, std::move(text)});
+  }
   return pages;
 }
 

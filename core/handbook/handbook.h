@@ -11,9 +11,15 @@
 
 namespace surefoot {
 
-/// A command of the program, with its help.
+/// A command of the program, as its help has it.
 struct CommandHelp {
-  std::string name{}, summary{}, help{};
+  struct Item {
+    std::string words{}, help{};  ///< "--seed N", and what it says
+  };
+  std::string name{}, summary{};
+  std::string line{};    ///< "surefoot train [OPTIONS]"
+  std::string remark{};  ///< may be empty
+  std::vector<Item> options{}, examples{};
 };
 
 /// `folder`: with the written pages. An error names the file that cannot be read.

@@ -21,9 +21,11 @@ namespace {
 
 const std::string kPages = SUREFOOT_SOURCE "/resources/handbook", kPictures = SUREFOOT_SOURCE "/resources/screenshots";
 
+const std::vector<CommandHelp> kCommand = {{.name = "train", .summary = "learn without a window"}};
+
 const Handbook& handbook() {
   static const Handbook pages = [] {
-    auto made = makeHandbook(fullRegistry(), kPages, {{"train", "learn without a window", "Usage: surefoot train"}});
+    auto made = makeHandbook(fullRegistry(), kPages, kCommand);
     EXPECT_TRUE(made) << made.error().message;
     return made ? *made : Handbook{};
   }();
@@ -125,7 +127,7 @@ TEST(Handbook, SearchingFindsTitlesFirstAndAllWords) {
 }
 
 TEST(Handbook, TextFromDeclarationsIsNoMarkup) {
-  const Handbook pages = commandPages({{"a_b", "*not* <b>bold</b> & [no](link)", "1 < 2"}});
+  const Handbook pages = commandPages({{.name = "a_b", .summary = "*not* <b>bold</b> & [no](link)", .line = "1 < 2"}});
   const std::string html = htmlOf(pages.at(0));
   EXPECT_NE(html.find("*not* &lt;b&gt;bold&lt;/b&gt; &amp; [no](link)"), std::string::npos) << html;
   EXPECT_NE(html.find("1 &lt; 2"), std::string::npos) << html;

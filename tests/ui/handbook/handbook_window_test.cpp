@@ -27,7 +27,7 @@ struct Reader {
   Reader() {
     WindowSetup setup;
     setup.handbook = [this] {
-      return makeHandbook(registry, SUREFOOT_SOURCE "/resources/handbook", {{"train", "learn", "Usage"}});
+      return makeHandbook(registry, SUREFOOT_SOURCE "/resources/handbook", {{.name = "train", .summary = "learn"}});
     };
     setup.pictures = QStringLiteral(SUREFOOT_SOURCE "/resources/screenshots");
     setup.lessons = QStringLiteral(SUREFOOT_SOURCE "/resources/lessons");
