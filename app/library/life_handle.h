@@ -13,6 +13,7 @@ struct surefoot_life : surefoot::Handle {
   surefoot::Configuration configuration{};  ///< as the life began
   int index = 0;                            ///< which life of its seed
   std::shared_ptr<surefoot::Mishap> mishap = std::make_shared<surefoot::Mishap>();
+  bool hasOwnPolicy = false;  ///< of the caller's
   std::unique_ptr<surefoot::Life> life{};
   double cpuSeconds = 0.0;
 

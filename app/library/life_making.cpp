@@ -36,6 +36,7 @@ Result<TrainOptions> optionsOf(const Json& json, const surefoot_world* world, co
 
 Status makeIt(surefoot_life& made, const Json& json, const surefoot_world* world, const surefoot_policy* policy) {
   if (const Status s = addOwnParts(made.registry, world, policy, made.mishap); !s) return s;
+  made.hasOwnPolicy = policy != nullptr;
   const auto options = optionsOf(json, world, policy);
   if (!options) return options.error();
   const auto index = numberOf(json, "life");

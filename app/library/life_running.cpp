@@ -42,19 +42,24 @@ Result<Limits> limitsOf(const surefoot_extent& extent, const Task& task) {
 /// Steps on until a limit of these, the life's end, or the end of patience [s]; 0: patience has none.
 void run(surefoot_life& l, const Limits& limits, double patience) {
   using Clock = std::chrono::steady_clock;
-  constexpr std::int64_t kBetweenLooks = 256;  // steps: at the clock
   Life& life = *l.life;
   const auto begun = Clock::now();
-  const std::int64_t batch = life.environment().answersAtOnce() ? kBetweenLooks : 1;
+  const std::int64_t between = life.environment().answersAtOnce() ? 256 : 1;  // steps between two looks at the clock
+  const bool watched = limits.episodes != kMost || l.hasOwnPolicy;            // after every step
+  const auto over = [&] { return life.finished() || limits.reachedBy(life) || l.mishap->ofPolicy; };
   const auto patient = [&] {
     return patience == 0 || std::chrono::duration<double>(Clock::now() - begun).count() < patience;
   };
   if (!life.unanswered().empty()) life.step();  // tries again what was not answered
   life.begin();
-  do {
-    for (std::int64_t i = 0; i < batch && !life.finished() && !limits.reachedBy(life) && !l.mishap->ofPolicy; ++i)
+  while (!over()) {
+    const std::int64_t batch = std::min(between, limits.steps - life.steps());
+    for (std::int64_t i = 0; i < batch && !life.finished(); ++i) {
       life.step();
-  } while (!life.finished() && !limits.reachedBy(life) && !l.mishap->ofPolicy && patient());
+      if (watched && over()) return;
+    }
+    if (!patient()) return;
+  }
 }
 
 }  // namespace

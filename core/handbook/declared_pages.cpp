@@ -63,10 +63,10 @@ std::string paragraphsOf(const Parameters& parameters) {
 }
 
 /// A group of parameters, by what their keys begin with.
-struct Group {
+struct ParameterGroup {
   std::string_view key, title, about;
 };
-constexpr Group kGroups[] = {
+constexpr ParameterGroup kGroups[] = {
     {"policy", "Policies", "What the policies have, with their schedules and what they do with the risk of a fall."},
     {"agent", "Learning", "What the learning rules have in common."},
     {"features", "Representation",
@@ -79,7 +79,7 @@ constexpr Group kGroups[] = {
     {"life", "A life", "Falls that are taken back."}};
 
 std::string titleOf(std::string_view key) {
-  for (const Group& group : kGroups)
+  for (const ParameterGroup& group : kGroups)
     if (group.key == key) return std::string(group.title);
   return std::string(key);
 }
@@ -203,7 +203,7 @@ Handbook parameterPages(const Registry& registry) {
         static_cast<void>(static_cast<bool>(agent.declare(environment->task(), features.name, all)));
   }
   Handbook pages;
-  for (const Group& group : kGroups) {
+  for (const ParameterGroup& group : kGroups) {
     std::string text;
     for (const auto& entry : all.all())
       if (entry.parameter.key.starts_with(fmt::format("{}.", group.key))) text += paragraphOf(entry);

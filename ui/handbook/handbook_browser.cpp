@@ -18,7 +18,7 @@ namespace {
 constexpr int kMargin = 24, kWidest = 760;  // [px], of the text's column
 
 /// What Qt's HTML knows of CSS. %1 to %3 are colours, %4 to %9 lengths [px].
-QString styleSheet(const Theme& t) {
+QString pageStyle(const Theme& t) {
   const auto px = [](int pixels) { return QString::number(scaled(pixels)); };
   const auto css = QStringLiteral(
       "h1 { font-size: %4px; font-weight: 500; margin-top: 0; margin-bottom: %6px; }"
@@ -79,7 +79,7 @@ void HandbookBrowser::style() {
   setViewportMargins(margin, margin / 2, 0, 0);
   width_ = viewport()->width();
   document()->setDefaultFont(scaledFont(13));
-  document()->setDefaultStyleSheet(styleSheet(t));
+  document()->setDefaultStyleSheet(pageStyle(t));
   if (source().isEmpty()) return;
   const QScrollBar& bar = *verticalScrollBar();
   const double place = bar.maximum() > 0 ? static_cast<double>(bar.value()) / bar.maximum() : 0.0;

@@ -9,8 +9,8 @@
 #include <optional>
 
 #include "core/basics/result.h"
-#include "ui/about/about_dialog.h"
 #include "core/handbook/page.h"
+#include "ui/about/about_dialog.h"
 #include "ui/experiment/experiment.h"
 #include "ui/live/run_bar.h"
 
@@ -81,7 +81,7 @@ class MainWindow final : public QMainWindow {
   void closeForNow();
   /// Opens the handbook at a page; empty: at the page of what has the focus.
   void showHandbook(const QString& page = {});
-  HandbookWindow* handbook() const { return handbook_; }
+  HandbookWindow* handbook() const;
   /// Why the session could not be kept when the window was closed for now.
   const std::optional<Error>& whyNotKept() const { return whyNotKept_; }
 
