@@ -44,7 +44,7 @@ HandbookBrowser::HandbookBrowser(const Handbook& handbook, QString pictures, QWi
   setOpenExternalLinks(true);
   document()->setDocumentMargin(0);
   connect(this, &QTextBrowser::sourceChanged, this, &HandbookBrowser::showMarks);
-  whenScaled(this, [this] { style(); });
+  whenScaled(this, [this] { readAgain(); });
 }
 
 void HandbookBrowser::open(const QString& page) {
@@ -73,7 +73,7 @@ QVariant HandbookBrowser::loadResource(int type, const QUrl& name) {
 }
 
 // Colours, sizes and pictures are fixed when a page is read; so it is read again, and stays where it was.
-void HandbookBrowser::style() {
+void HandbookBrowser::readAgain() {
   const Theme& t = themeOf(*this);
   const int margin = scaled(kMargin);
   setViewportMargins(margin, margin / 2, 0, 0);
@@ -91,14 +91,14 @@ void HandbookBrowser::style() {
 
 void HandbookBrowser::changeEvent(QEvent* event) {
   QTextBrowser::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) style();
+  if (event->type() == QEvent::PaletteChange) readAgain();
 }
 
 void HandbookBrowser::resizeEvent(QResizeEvent* event) {
   QTextBrowser::resizeEvent(event);
   const int right = std::max(0, viewport()->width() - scaled(kWidest));
   document()->setTextWidth(viewport()->width() - right);
-  if (viewport()->width() != width_) style();
+  if (viewport()->width() != width_) readAgain();
 }
 
 void HandbookBrowser::mark(const QString& words) {

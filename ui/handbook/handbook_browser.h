@@ -30,7 +30,7 @@ class HandbookBrowser final : public QTextBrowser {
 
  private:
   int pictureWidth() const;
-  void style();
+  void readAgain();
   void showMarks();
 
   const Handbook& handbook_;

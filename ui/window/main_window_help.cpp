@@ -56,6 +56,10 @@ void MainWindow::showHandbook(const QString& page) {
   handbook_->open(!page.isEmpty() ? page : helpPageOf(here ? focus : pages_->currentWidget()));
 }
 
+HandbookWindow* MainWindow::handbook() const {
+  return handbook_;
+}
+
 // A "?" was pressed somewhere in the window.
 bool MainWindow::event(QEvent* event) {
   if (event->type() != QEvent::WhatsThisClicked) return QMainWindow::event(event);
