@@ -52,7 +52,7 @@ std::string paragraphOf(const Parameters::Entry& entry) {
   text += fmt::format(" {}\n\n{}", whenText(p.when), plain(p.help));
   if (!p.origin.empty()) text += fmt::format(" The default is from: {}.", plain(p.origin));
   if (!p.needs.empty()) text += fmt::format(" Has an effect only with `{}`.", p.needs);
-  if (const std::string formula = formulaOf(p); !formula.empty()) text += fmt::format("\n\n    {}", formula);
+  if (const std::string formula = formulaOf(p); !formula.empty()) text += fmt::format("\n\n> {}", plain(formula));
   return text + "\n\n";
 }
 
@@ -89,9 +89,16 @@ std::string meaning(std::string_view name) {
   const Word* word = wordOf(name);
   if (!word) return "";
   std::string text = plain(word->text) + "\n\n";
-  if (!word->formula.empty()) text += fmt::format("    {}\n\n", word->formula);
+  if (!word->formula.empty()) text += fmt::format("> {}\n\n", plain(word->formula));
   if (!word->source.empty()) text += fmt::format("Source: {}.\n\n", plain(word->source));
   return text;
+}
+
+/// "policy.epsilon_end" and its neighbours.
+bool isOfSchedule(const std::string& key) {
+  for (const char* part : {"_schedule", "_end", "_over", "_per"})
+    if (key.ends_with(part)) return true;
+  return false;
 }
 
 /// "Parameters: [ε](…), …": those of a policy or a rule singly, of representations the pages.
@@ -99,6 +106,7 @@ std::string parameterLinks(const Parameters& parameters) {
   std::vector<std::string> links;
   for (const auto& entry : parameters.all()) {
     const std::string& key = entry.parameter.key;
+    if (isOfSchedule(key)) continue;  // its page tells of it beside what it changes
     const std::string page = parameterPage(key), group = key.substr(0, key.find('.'));
     const bool single = group == "policy" || group == "agent";
     const std::string link = single ? fmt::format("[{}]({})", plain(entry.parameter.title), page)

@@ -28,9 +28,11 @@ constexpr const char* kStyle = R"(:root { color-scheme: light dark; --ink: #1f23
 @media (prefers-color-scheme: dark) { :root { --ink: #e6e8eb; --paper: #16181c; --quiet: #9aa1ab; --fill: #2a2e35;
   --line: #33383f; --accent: #56b4e9; } }
 body { margin: 0; display: flex; color: var(--ink); background: var(--paper); font: 16px/1.55 Roboto, sans-serif; }
-nav { flex: 0 0 240px; padding: 24px; border-right: 1px solid var(--line); font-size: 14px; min-height: 100vh; }
-nav h2 { font-size: 13px; color: var(--quiet); margin: 16px 0 4px; font-weight: 500; }
+nav { flex: 0 0 240px; padding: 24px; border-right: 1px solid var(--line); font-size: 14px; box-sizing: border-box;
+  position: sticky; top: 0; height: 100vh; overflow-y: auto; }
+nav summary { color: var(--quiet); margin: 10px 0 4px; font-weight: 500; cursor: pointer; }
 nav a { display: block; padding: 2px 0; color: var(--ink); text-decoration: none; }
+nav details a { padding-left: 14px; }
 nav a.here { color: var(--accent); font-weight: 500; }
 main { flex: 1; max-width: 760px; padding: 24px 40px 80px; overflow-x: auto; }
 h1, h2, h3 { font-weight: 500; line-height: 1.25; }
@@ -39,7 +41,8 @@ code, pre { font: 14px/1.5 "Roboto Mono", monospace; background: var(--fill); bo
 code { padding: 1px 4px; } pre { padding: 12px; overflow-x: auto; } pre code { padding: 0; }
 table { border-collapse: collapse; } td, th { border: 1px solid var(--line); padding: 4px 10px; text-align: left; }
 img { max-width: 100%; border: 1px solid var(--line); border-radius: 6px; }
-@media (max-width: 800px) { body { display: block; } nav { border: 0; min-height: 0; } }
+blockquote { margin: 0 0 0 24px; color: var(--quiet); }
+@media (max-width: 800px) { body { display: block; } nav { border: 0; height: auto; position: static; } }
 )";
 
 /// "first-steps" becomes "first-steps.html" where a page is meant; `pictures` are the files that it shows.
@@ -52,14 +55,20 @@ std::string withFileNames(const HandbookPage& page, const Handbook& handbook, st
   });
 }
 
+/// The sections, of which that of this page is open.
 std::string navigation(const Handbook& handbook, const std::string& here) {
+  const HandbookPage* shown = pageNamed(handbook, here);
   std::string nav, section;
   for (const HandbookPage& page : handbook) {
-    if (page.section != section) nav += fmt::format("<h2>{}</h2>\n", escaped(section = page.section));
+    if (page.section != section) {
+      const bool open = shown && shown->section == page.section;
+      nav += fmt::format("{}<details{}>\n<summary>{}</summary>\n", section.empty() ? "" : "</details>\n",
+                         open ? " open=\"open\"" : "", escaped(section = page.section));
+    }
     nav += fmt::format("<a href=\"{}.html\"{}>{}</a>\n", page.name, page.name == here ? " class=\"here\"" : "",
                        escaped(page.title));
   }
-  return nav;
+  return "<a href=\"index.html\">Handbook</a>\n" + nav + "</details>\n";
 }
 
 std::string wholePage(const Handbook& handbook, const std::string& name, const std::string& title,

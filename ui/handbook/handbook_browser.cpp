@@ -24,9 +24,10 @@ QString pageStyle(const Theme& t) {
       "h1 { font-size: %4px; font-weight: 500; margin-top: 0; margin-bottom: %6px; }"
       "h2 { font-size: %5px; font-weight: 500; margin-top: %7px; margin-bottom: %8px; }"
       "h3 { font-size: %9px; font-weight: 500; margin-top: %6px; margin-bottom: %8px; }"
-      "p, li { line-height: 140%; margin-top: 0; margin-bottom: %8px; }"
+      "p, li { line-height: 130%; margin-top: 0; margin-bottom: %8px; }"
       "a { color: %1; text-decoration: none; }"
       "code { background-color: %2; }"
+      "blockquote { margin-left: %7px; margin-top: 0; }"
       "pre { background-color: %2; margin-top: %8px; margin-bottom: %6px; }"
       "table { border-color: %3; border-style: solid; border-collapse: collapse; margin-bottom: %6px; }"
       "td, th { border: 1px solid %3; padding: %8px; }");
@@ -76,7 +77,7 @@ QVariant HandbookBrowser::loadResource(int type, const QUrl& name) {
 void HandbookBrowser::readAgain() {
   const Theme& t = themeOf(*this);
   const int margin = scaled(kMargin);
-  setViewportMargins(margin, margin / 2, 0, 0);
+  setViewportMargins(margin, margin / 2, margin / 2, 0);
   width_ = viewport()->width();
   document()->setDefaultFont(scaledFont(13));
   document()->setDefaultStyleSheet(pageStyle(t));

@@ -56,12 +56,12 @@ void drawIcon(QPainter& p, Icon icon, const QRectF& where, const QColor& colour)
       lines(p, {{-4, -4, 4, 4}, {-4, 4, 4, -4}});
       break;
     case Icon::Help: {
-      QPainterPath hook(QPointF(-3.2, -2.6));
-      hook.cubicTo(-3.2, -7.2, 3.4, -7, 3.2, -2.8);
-      hook.cubicTo(3.1, -0.3, 0, -0.4, 0, 2);
+      QPainterPath hook(QPointF(-2.8, -2.6));
+      hook.cubicTo(-2.8, -6.4, 3, -6.2, 2.8, -2.6);
+      hook.cubicTo(2.7, -0.4, 0, -0.6, 0, 1.6);
       p.drawPath(hook);
       p.setPen(QPen(colour, 2, Qt::SolidLine, Qt::RoundCap));
-      p.drawPoint(QPointF(0, 5.5));
+      p.drawPoint(QPointF(0, 5));
       break;
     }
     case Icon::Chevron:
