@@ -17,10 +17,6 @@
 
 namespace surefoot {
 
-HandbookWindow* MainWindow::handbook() const {
-  return handbook_;
-}
-
 void MainWindow::makeHelpMenu() {
   setHelpPage(*this, QStringLiteral("window"));
   setHelpPage(*experiment_, QStringLiteral("page-experiment"));
