@@ -63,7 +63,8 @@ std::string navigation(const Handbook& handbook, const std::string& here) {
     if (page.section != section) {
       const bool open = shown && shown->section == page.section;
       nav += fmt::format("{}<details{}>\n<summary>{}</summary>\n", section.empty() ? "" : "</details>\n",
-                         open ? " open=\"open\"" : "", escaped(section = page.section));
+                         open ? " open=\"open\"" : "", escaped(page.section));
+      section = page.section;
     }
     nav += fmt::format("<a href=\"{}.html\"{}>{}</a>\n", page.name, page.name == here ? " class=\"here\"" : "",
                        escaped(page.title));

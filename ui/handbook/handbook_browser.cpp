@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/handbook/handbook_browser.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QImageReader>
 #include <QPixmap>
 #include <QScrollBar>
+#include <QTextBlock>
 #include <QTextDocument>
 #include <algorithm>
 
@@ -82,11 +84,12 @@ void HandbookBrowser::readAgain() {
   document()->setDefaultFont(scaledFont(13));
   document()->setDefaultStyleSheet(pageStyle(t));
   if (source().isEmpty()) return;
-  const QScrollBar& bar = *verticalScrollBar();
-  const double place = bar.maximum() > 0 ? static_cast<double>(bar.value()) / bar.maximum() : 0.0;
+  const int top = cursorForPosition({0, 0}).blockNumber();
   document()->clear();
   reload();
-  verticalScrollBar()->setValue(static_cast<int>(place * verticalScrollBar()->maximum()));
+  static_cast<void>(document()->pageCount());  // lays all of it out, which else happens bit by bit
+  const QRectF block = document()->documentLayout()->blockBoundingRect(document()->findBlockByNumber(top));
+  verticalScrollBar()->setValue(static_cast<int>(block.top()));
   showMarks();
 }
 
@@ -99,7 +102,11 @@ void HandbookBrowser::resizeEvent(QResizeEvent* event) {
   QTextBrowser::resizeEvent(event);
   const int right = std::max(0, viewport()->width() - scaled(kWidest));
   document()->setTextWidth(viewport()->width() - right);
-  if (viewport()->width() != width_) readAgain();
+  // Not now: a page may just be laid out, which is what made its scroll bar come.
+  const auto later = [this] {
+    if (viewport()->width() != width_) readAgain();
+  };
+  if (viewport()->width() != width_) QMetaObject::invokeMethod(this, later, Qt::QueuedConnection);
 }
 
 void HandbookBrowser::mark(const QString& words) {
