@@ -9,8 +9,9 @@ namespace surefoot {
 
 namespace {
 
-/// Letters of ASCII as small ones; others as they are.
+/// Letters of ASCII as small ones, others as they are; without the marks before what is no Markdown ("Sarsa\_2Q").
 std::string small(std::string text) {
+  std::erase(text, '\\');
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(c < 0x80 ? std::tolower(c) : c); });
   return text;

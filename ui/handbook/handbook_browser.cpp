@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/handbook/handbook_browser.h"
 
-#include <QAbstractTextDocumentLayout>
 #include <QImageReader>
 #include <QPixmap>
 #include <QScrollBar>
-#include <QTextBlock>
 #include <QTextDocument>
 #include <algorithm>
 
@@ -47,7 +45,10 @@ HandbookBrowser::HandbookBrowser(const Handbook& handbook, QString pictures, QWi
   setOpenExternalLinks(true);
   document()->setDocumentMargin(0);
   connect(this, &QTextBrowser::sourceChanged, this, &HandbookBrowser::showMarks);
-  whenScaled(this, [this] { readAgain(); });
+  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
+  again_.setSingleShot(true);
+  connect(&again_, &QTimer::timeout, this, &HandbookBrowser::readAgain);
+  whenScaled(this, [this] { again_.start(0); });
 }
 
 void HandbookBrowser::open(const QString& page) {
@@ -56,7 +57,7 @@ void HandbookBrowser::open(const QString& page) {
 }
 
 int HandbookBrowser::pictureWidth() const {
-  return std::min(viewport()->width(), scaled(kWidest)) - verticalScrollBar()->sizeHint().width();
+  return viewport()->width();
 }
 
 QVariant HandbookBrowser::loadResource(int type, const QUrl& name) {
@@ -75,38 +76,37 @@ QVariant HandbookBrowser::loadResource(int type, const QUrl& name) {
   return fitted;
 }
 
+/// Lines are no longer than one reads well.
+void HandbookBrowser::fit() {
+  const int margin = scaled(kMargin), most = scaled(kWidest);
+  setViewportMargins(margin, margin / 2, std::max(margin / 2, width() - margin - most), 0);
+}
+
 // Colours, sizes and pictures are fixed when a page is read; so it is read again, and stays where it was.
 void HandbookBrowser::readAgain() {
-  const Theme& t = themeOf(*this);
-  const int margin = scaled(kMargin);
-  setViewportMargins(margin, margin / 2, margin / 2, 0);
+  fit();
   width_ = viewport()->width();
   document()->setDefaultFont(scaledFont(13));
-  document()->setDefaultStyleSheet(pageStyle(t));
+  document()->setDefaultStyleSheet(pageStyle(themeOf(*this)));
   if (source().isEmpty()) return;
-  const int top = cursorForPosition({0, 0}).blockNumber();
+  const int first = cursorForPosition({0, 0}).position();  // in sight
   document()->clear();
   reload();
-  static_cast<void>(document()->pageCount());  // lays all of it out, which else happens bit by bit
-  const QRectF block = document()->documentLayout()->blockBoundingRect(document()->findBlockByNumber(top));
-  verticalScrollBar()->setValue(static_cast<int>(block.top()));
+  QTextCursor place(document());
+  place.setPosition(std::min(first, document()->characterCount() - 1));
+  verticalScrollBar()->setValue(verticalScrollBar()->value() + cursorRect(place).top());
   showMarks();
 }
 
 void HandbookBrowser::changeEvent(QEvent* event) {
   QTextBrowser::changeEvent(event);
-  if (event->type() == QEvent::PaletteChange) readAgain();
+  if (event->type() == QEvent::PaletteChange) again_.start(0);
 }
 
 void HandbookBrowser::resizeEvent(QResizeEvent* event) {
   QTextBrowser::resizeEvent(event);
-  const int right = std::max(0, viewport()->width() - scaled(kWidest));
-  document()->setTextWidth(viewport()->width() - right);
-  // Not now: a page may just be laid out, which is what made its scroll bar come.
-  const auto later = [this] {
-    if (viewport()->width() != width_) readAgain();
-  };
-  if (viewport()->width() != width_) QMetaObject::invokeMethod(this, later, Qt::QueuedConnection);
+  fit();
+  if (viewport()->width() != width_) again_.start(0);
 }
 
 void HandbookBrowser::mark(const QString& words) {

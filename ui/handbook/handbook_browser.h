@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QTextBrowser>
+#include <QTimer>
 
 #include "core/handbook/page.h"
 
@@ -30,12 +31,14 @@ class HandbookBrowser final : public QTextBrowser {
 
  private:
   int pictureWidth() const;
+  void fit();
   void readAgain();
   void showMarks();
 
   const Handbook& handbook_;
   QString pictures_, marked_;
   int width_ = 0;  // for which pictures were made
+  QTimer again_;   // a page is not read anew while it is being read
 };
 
 }  // namespace surefoot

@@ -117,12 +117,13 @@ TEST(Handbook, SearchingFindsTitlesFirstAndAllWords) {
   EXPECT_EQ(namesOf(pagesWith(kSmall, "tiles")), (std::vector<std::string>{"two", "one"})) << "in the title";
   EXPECT_EQ(namesOf(pagesWith(kSmall, "TILES picture")), std::vector<std::string>{"one"}) << "both words, any case";
   EXPECT_EQ(namesOf(pagesWith(kSmall, "ε-greedy")), std::vector<std::string>{"two"});
+  EXPECT_EQ(namesOf(pagesWith({{"a", "Files", "A", "of Sarsa\\_2Q"}}, "sarsa_2q")), std::vector<std::string>{"a"});
   EXPECT_TRUE(pagesWith(kSmall, "tiles nowhere").empty());
   EXPECT_EQ(pagesWith(kSmall, "  ").size(), 2u) << "no word: all of them";
   const auto first = [](const std::string& words) { return pagesWith(handbook(), words).at(0)->name; };
   EXPECT_EQ(first("exit codes"), "exit-codes");
   EXPECT_EQ(first("value maps"), "panel-maps");
-  EXPECT_EQ(first("policy.mellowness"), "parameters-policy") << "a key";
+  EXPECT_EQ(first("policy.omega"), "parameters-policy") << "a key";
   EXPECT_EQ(first("bubblewrap"), "robot-programs");
 }
 

@@ -5,7 +5,6 @@
 #include <QLineEdit>
 #include <QScrollBar>
 #include <QTextDocument>
-#include <QToolButton>
 #include <QTreeWidget>
 #include <QUrl>
 
@@ -38,6 +37,12 @@ struct Reader {
     EXPECT_TRUE(QTest::qWaitForWindowExposed(window.get()));
     window->activateWindow();
     EXPECT_TRUE(QTest::qWaitForWindowActive(window.get()));
+  }
+  /// Opens a page and waits until keys go to the handbook.
+  void read(const QString& page) {
+    window->showHandbook(page);
+    EXPECT_TRUE(QTest::qWaitForWindowActive(window->handbook()));
+    QTest::qWait(30);
   }
   HandbookBrowser& browser() { return window->handbook()->browser(); }
   HandbookContents& contents() { return window->handbook()->contents(); }
@@ -97,7 +102,7 @@ TEST(HandbookWindow, NoQuestionMarkLeadsNowhere) {
 
 TEST(HandbookWindow, SearchingShowsWhatIsFoundAndReturnReadsIt) {
   Reader r;
-  r.window->showHandbook("window");
+  r.read("window");
   const auto all = r.contents().listed();
   QTest::keyClick(r.window->handbook(), Qt::Key_L, Qt::ControlModifier);
   QTest::keyClicks(r.field(), "exit codes");
@@ -117,7 +122,7 @@ TEST(HandbookWindow, SearchingShowsWhatIsFoundAndReturnReadsIt) {
 
 TEST(HandbookWindow, GoesBackAndForwardAndFollowsItsLinks) {
   Reader r;
-  r.window->showHandbook("window");
+  r.read("window");
   r.browser().open("parameters-policy#policy.temperature");
   QTest::qWait(30);
   EXPECT_GT(r.browser().verticalScrollBar()->value(), 0) << "at the parameter";
@@ -133,20 +138,24 @@ TEST(HandbookWindow, GoesBackAndForwardAndFollowsItsLinks) {
 
 TEST(HandbookWindow, FindsOnThePage) {
   Reader r;
-  r.window->showHandbook("keys");
-  for (QToolButton* button : r.window->handbook()->findChildren<QToolButton*>())
-    if (button->text() == "Find") button->click();
+  r.read("keys");
+  QTest::keyClick(r.window->handbook(), Qt::Key_F, Qt::ControlModifier);
   auto* find = r.window->handbook()->findChild<QLineEdit*>(QString(), Qt::FindChildrenRecursively);
   for (QLineEdit* each : r.window->handbook()->findChildren<QLineEdit*>())
     if (each->accessibleName() == "Find on this page") find = each;
   ASSERT_TRUE(find && find->isVisible());
   QTest::keyClicks(find, "turbo");
   EXPECT_EQ(r.browser().textCursor().selectedText().toLower(), "turbo");
+  QTest::keyClick(find, Qt::Key_Escape);
+  EXPECT_FALSE(find->isVisible());
+  EXPECT_TRUE(r.window->handbook()->isVisible());
+  QTest::keyClick(r.window->handbook(), Qt::Key_Escape);
+  EXPECT_FALSE(r.window->handbook()->isVisible());
 }
 
 TEST(HandbookWindow, PicturesFitAndFetchNothing) {
   Reader r;
-  r.window->showHandbook("first-steps");
+  r.read("first-steps");
   const QVariant picture =
       r.browser().document()->resource(QTextDocument::ImageResource, QUrl(QStringLiteral("window-light.png")));
   ASSERT_TRUE(picture.isValid());
@@ -161,7 +170,7 @@ TEST(HandbookWindow, PicturesFitAndFetchNothing) {
 TEST(HandbookWindow, IsReadableAtEverySize) {
   const UsualLook usual;
   Reader r;
-  r.window->showHandbook("first-steps");
+  r.read("first-steps");
   atEverySize(kScreens, [&](const Screen& screen, const QString& text) {
     applyTextSize(screen.text);
     r.window->handbook()->resize(screen.size.boundedTo({1280, 900}) * 0.9);
@@ -174,13 +183,18 @@ TEST(HandbookWindow, IsReadableAtEverySize) {
   });
 }
 
-TEST(HandbookWindow, ItsTextSizeIsThePrograms) {
+TEST(HandbookWindow, ItsTextSizeIsTheProgramsAndStaysAtItsPlace) {
   const UsualSize usual;
   Reader r;
-  r.window->showHandbook("plans");
-  QTest::qWait(30);
+  r.read("plans");
+  r.browser().verticalScrollBar()->setValue(r.browser().verticalScrollBar()->maximum() / 2);
+  const auto inSight = [&] { return r.browser().cursorForPosition({0, 0}).position(); };
+  const int before = inSight();
+  ASSERT_GT(before, 1000);
   QTest::keyClick(r.window->handbook(), Qt::Key_Plus, Qt::ControlModifier);
   EXPECT_DOUBLE_EQ(textSize(), 1.1);
+  QTest::qWait(50);
+  EXPECT_NEAR(inSight(), before, 150) << "letters: about a line";
   EXPECT_EQ(r.page(), "plans");
 }
 
