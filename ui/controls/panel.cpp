@@ -70,6 +70,7 @@ void PanelHeader::setNote(const QString& note) {
 void PanelHeader::setHelp(const QString& page) {
   if (!help_) help_ = new HelpButton(title_, this);
   setHelpPage(*this, page);
+  if (extra_) orderTabs();
   resizeEvent(nullptr);
 }
 
@@ -100,7 +101,7 @@ void PanelHeader::orderTabs() {
   QWidgetList order;
   for (QWidget* next = extra_; next == extra_ || extra_->isAncestorOf(next); next = next->nextInFocusChain())
     if (next->focusPolicy() & Qt::TabFocus && next->window() == window()) order << next;
-  for (QAbstractButton* button : {button_, close_})
+  for (QAbstractButton* button : {help_, button_, close_})
     if (button) order << button;
   QWidget* before = close_;  // it stands before the panel's content, and moves behind the others last
   for (QWidget* next : order) {

@@ -10,6 +10,7 @@
 #include "core/handbook/search.h"
 #include "ui/controls/labels.h"
 #include "ui/style/scale.h"
+#include "ui/support/plain_text.h"
 
 namespace surefoot {
 
@@ -63,7 +64,7 @@ void HandbookContents::fill() {
   const QString words = field_->text().trimmed();
   const auto row = [this](const HandbookPage& page) {
     auto* item = new QTreeWidgetItem({QString::fromStdString(page.title)});
-    item->setToolTip(0, QString::fromStdString(page.section));
+    item->setToolTip(0, tipText(QString::fromStdString(page.section)));
     item->setData(0, Qt::UserRole, QString::fromStdString(page.name));
     return item;
   };

@@ -15,6 +15,7 @@
 #include "ui/handbook/handbook_browser.h"
 #include "ui/handbook/handbook_contents.h"
 #include "ui/style/scale.h"
+#include "ui/support/plain_text.h"
 
 namespace surefoot {
 
@@ -108,7 +109,7 @@ void HandbookWindow::showFind(bool shown) {
 
 void HandbookWindow::find(bool backward) {
   const bool there = find_->text().isEmpty() || browser_->findNext(find_->text(), backward);
-  find_->setToolTip(there ? QString() : tr("It does not stand on this page."));
+  find_->setToolTip(there ? QString() : tipText(tr("It does not stand on this page.")));
   find_->setAccessibleDescription(find_->toolTip());
   find_->setForegroundRole(there ? QPalette::Text : QPalette::PlaceholderText);
 }
