@@ -26,6 +26,7 @@ AboutDialog::AboutDialog(AboutFacts facts, QWidget* parent)
       text_(new QTextBrowser) {
   setWindowTitle(tr("About Surefoot"));
   list_->setAccessibleName(tr("Pages"));
+  list_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Expanding);  // as wide as the button below it
   text_->setAccessibleName(tr("The page"));
   text_->setFrameShape(QFrame::NoFrame);
   text_->setOpenLinks(false);
@@ -59,7 +60,7 @@ AboutDialog::AboutDialog(AboutFacts facts, QWidget* parent)
   whenScaled(this, [this] {
     const QFontMetrics metrics(scaledFont(13));
     list_->setFont(scaledFont(13));
-    list_->setFixedWidth(list_->sizeHintForColumn(0) + style()->pixelMetric(QStyle::PM_ScrollBarExtent) + scaled(24));
+    list_->setMinimumWidth(list_->sizeHintForColumn(0) + style()->pixelMetric(QStyle::PM_ScrollBarExtent) + scaled(24));
     text_->setFont(scaledFont(13));
     text_->document()->setDocumentMargin(scaled(8));
     showPage(list_->currentRow());  // sizes of headings follow the font
