@@ -92,6 +92,7 @@ void HandbookBrowser::readAgain() {
   const int first = cursorForPosition({0, 0}).position();  // in sight
   document()->clear();
   reload();
+  document()->setTextWidth(viewport()->width());  // what was laid out before may have been wider
   QTextCursor place(document());
   place.setPosition(std::min(first, document()->characterCount() - 1));
   verticalScrollBar()->setValue(verticalScrollBar()->value() + cursorRect(place).top());
@@ -106,6 +107,7 @@ void HandbookBrowser::changeEvent(QEvent* event) {
 void HandbookBrowser::resizeEvent(QResizeEvent* event) {
   QTextBrowser::resizeEvent(event);
   fit();
+  document()->setTextWidth(viewport()->width());
   if (viewport()->width() != width_) again_.start(0);
 }
 

@@ -179,8 +179,20 @@ TEST(HandbookWindow, IsReadableAtEverySize) {
       QTest::qWait(30);
       expectReadable(*r.window->handbook(), QStringLiteral("%1, %2").arg(page, text));
       EXPECT_EQ(r.browser().document()->defaultFont().pixelSize(), scaledFont(13).pixelSize());
+      EXPECT_EQ(r.browser().document()->textWidth(), r.browser().viewport()->width())
+          << page << ", " << text.toStdString();
     }
   });
+}
+
+// Large text from the beginning on: no part of a line is cut.
+TEST(HandbookWindow, LinesEndWhereThePageDoes) {
+  const UsualSize usual;
+  applyTextSize(1.6);
+  Reader r;
+  r.read("panel-world");
+  EXPECT_EQ(r.browser().horizontalScrollBar()->maximum(), 0);
+  EXPECT_LE(r.browser().document()->idealWidth(), r.browser().viewport()->width());
 }
 
 TEST(HandbookWindow, ItsTextSizeIsTheProgramsAndStaysAtItsPlace) {
