@@ -16,6 +16,7 @@
 #include <QStyle>
 #include <QTabBar>
 #include <QTableView>
+#include <QTest>
 #include <QTreeView>
 
 #include "tests/ui/window/text_recorder.h"
@@ -150,9 +151,12 @@ std::vector<QString> unreadable(QWidget& window) {
 }
 
 void expectReadable(QWidget& window, const QString& where) {
+  std::vector<QString> wrong;  // what changed just now may be laid out by events that are still to come
+  const bool readable = QTest::qWaitFor([&] { return (wrong = unreadable(window)).empty(); }, 2000);
   if (const QString folder = qEnvironmentVariable("SUREFOOT_PICTURES"); !folder.isEmpty())
     window.grab().save(folder + '/' + where + QStringLiteral(".png"));
-  for (const QString& text : unreadable(window)) ADD_FAILURE() << where.toStdString() << ": " << text.toStdString();
+  if (readable) return;
+  for (const QString& text : wrong) ADD_FAILURE() << where.toStdString() << ": " << text.toStdString();
 }
 
 }  // namespace surefoot
