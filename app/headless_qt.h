@@ -4,6 +4,7 @@
 
 #include <QApplication>
 
+#include "ui/language/language.h"
 #include "ui/style/theme.h"
 
 namespace surefoot {
@@ -11,7 +12,11 @@ namespace surefoot {
 /// One at a time.
 class HeadlessQt {
  public:
-  HeadlessQt() { applyAppearance(qt_, Appearance::Light); }
+  /// Pictures are in English, whatever the system's language.
+  HeadlessQt() {
+    useLanguage(qt_, QStringLiteral("en"));
+    applyAppearance(qt_, Appearance::Light);
+  }
 
  private:
   /// Before the application is made.

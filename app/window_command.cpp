@@ -25,6 +25,7 @@
 #include "core/text/words.h"
 #include "core/version.h"
 #include "ui/controls/preferences.h"
+#include "ui/language/language.h"
 #include "ui/lessons/kiosk/kiosk_window.h"
 #include "ui/lessons/lessons_page.h"
 #include "ui/session/session.h"
@@ -56,12 +57,14 @@ void onMessage(QtMsgType type, const QMessageLogContext& context, const QString&
 
 /// The heading of a recipe in the list of experiments.
 std::string groupOf(const ShippedPlan& plan) {
-  if (plan.name.starts_with("walker")) return "Walking robot LEO";
-  if (plan.name.starts_with("beyond") || plan.name == "readings") return "Beyond the thesis";
-  if (plan.name.starts_with("caution")) return "Caution: falling less";
-  if (plan.name.starts_with("2.")) return "Chapter 2: reinforcement learning";
-  if (plan.name.starts_with("4.") || plan.name.starts_with("table-4")) return "Chapter 4: thresholds (TRL)";
-  return plan.name.starts_with("5.") ? "Chapter 5: Softmax" : "Chapter 6: resolution, and two Q-functions";
+  if (plan.name.starts_with("walker")) return QT_TRANSLATE_NOOP("core", "Walking robot LEO");
+  if (plan.name.starts_with("beyond") || plan.name == "readings") return QT_TRANSLATE_NOOP("core", "Beyond the thesis");
+  if (plan.name.starts_with("caution")) return QT_TRANSLATE_NOOP("core", "Caution: falling less");
+  if (plan.name.starts_with("2.")) return QT_TRANSLATE_NOOP("core", "Chapter 2: reinforcement learning");
+  if (plan.name.starts_with("4.") || plan.name.starts_with("table-4"))
+    return QT_TRANSLATE_NOOP("core", "Chapter 4: thresholds (TRL)");
+  return plan.name.starts_with("5.") ? QT_TRANSLATE_NOOP("core", "Chapter 5: Softmax")
+                                     : QT_TRANSLATE_NOOP("core", "Chapter 6: resolution, and two Q-functions");
 }
 
 /// Reports the window's life as `train` does, with the life's configuration at the end. `unanswered`: it stood still,
@@ -172,6 +175,7 @@ int windowCommand(const Registry& registry, const WindowRequest& request, int ar
   QApplication::setWindowIcon(QIcon(QString::fromStdString(resourceFolder("desktop") + "/surefoot.svg")));
   if (request.reuseWindow && handToOpenWindow(QString::fromStdString(request.file.value_or("")))) return kDone;
   const Preferences preferences = readPreferences();
+  useLanguage(application, request.language ? QString::fromStdString(*request.language) : preferences.language);
   if (request.kiosk) return kioskCommand(registry, request, application);
   applyAppearance(application, preferences.appearance);
 

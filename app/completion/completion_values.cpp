@@ -173,6 +173,10 @@ const std::map<std::string, Offer>& offers() {
        [](const UnfinishedLine&, Completions& c) {
          for (const std::string& name : OpenLine::pages()) c.words.push_back({name});
        }},
+      {"--language",
+       [](const UnfinishedLine&, Completions& c) {
+         for (const std::string& code : OpenLine::languages()) c.words.push_back({code});
+       }},
       {"--appearance",
        [](const UnfinishedLine&, Completions& c) {
          c.words.insert(c.words.end(), {{"light"}, {"dark"}});

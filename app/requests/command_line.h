@@ -50,6 +50,7 @@ struct WindowRequest : TrainRequest {
   std::optional<std::string> file{};             ///< opens this file, an absolute path
   bool reuseWindow = false;                      ///< in the window that is there already, if there is one
   std::optional<int> page{};                     ///< begins on this page, from 0
+  std::optional<std::string> language{};         ///< of the window, instead of that in Preferences
   std::optional<std::string> follow{};           ///< looks at this file while another process writes it
   std::optional<std::string> lesson{}, kiosk{};  ///< begins with a lesson, or shows nothing else
   std::string student{}, classFolder{};          ///< answers are appended to a file of the student in a shared folder

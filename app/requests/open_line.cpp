@@ -23,6 +23,8 @@ OpenLine::OpenLine(CLI::App& app) : window(app) {
             "look at results or a checkpoint while another process writes them; nothing is written, and no life begins",
             "FILE");
   addOption(app, "--page", page, fmt::format("begin on this page: {}", joinWords(pages(), "or")), "NAME");
+  addOption(app, "--language", language,
+            fmt::format("the window's language, this time: {}", joinWords(languages(), "or")), "CODE");
   app.add_flag("--new-window", newWindow, "open a window of its own, as without this option");
   app.add_flag("--reuse-window", reuseWindow, "open FILE in the window that is there already, if there is one");
 }
@@ -39,15 +41,18 @@ Status OpenLine::check() const {
   if (newWindow && reuseWindow) return Error{"--new-window and --reuse-window exclude each other."};
   if (page && std::find(pages().begin(), pages().end(), *page) == pages().end())
     return unknownName("--page", *page, pages());
+  if (language && std::find(languages().begin(), languages().end(), *language) == languages().end())
+    return unknownName("--language", *language, languages());
   if (follow) {
     const std::string why = fmt::format("--follow: it only looks at {}", *follow);
-    if (const Status s = nothingBeside({"--follow", "--allow-programs", "--new-window"}, why); !s) return s;
+    if (const Status s = nothingBeside({"--follow", "--allow-programs", "--language", "--new-window"}, why); !s)
+      return s;
     const auto what = followableAt(*follow);
     return what ? Status(Done{}) : Status(what.error());
   }
-  const std::vector<std::string> allowed = {"FILE",         "--allow-programs", "--turbo",
-                                            "--new-window", "--reuse-window",   "--student",
-                                            "--class",      "--json",           "--log"};
+  const std::vector<std::string> allowed = {"FILE",           "--allow-programs", "--turbo", "--new-window",
+                                            "--reuse-window", "--student",        "--class", "--json",
+                                            "--log",          "--language"};
   if (reuseWindow)
     if (const Status s =
             nothingBeside({"FILE", "--reuse-window"}, "--reuse-window: the window that is there stays as it is");
@@ -62,6 +67,7 @@ Status OpenLine::check() const {
 
 void OpenLine::complete(WindowRequest& request) const {
   request.follow = follow;
+  request.language = language;
   std::error_code error;
   if (!file.empty()) request.file = std::filesystem::absolute(file, error).string();
   request.reuseWindow = reuseWindow;
@@ -71,6 +77,11 @@ void OpenLine::complete(WindowRequest& request) const {
 const std::vector<std::string>& OpenLine::pages() {
   static const std::vector<std::string> names = {"live", "experiment", "lessons", "robot"};
   return names;
+}
+
+const std::vector<std::string>& OpenLine::languages() {
+  static const std::vector<std::string> codes = {"en", "nl", "de"};
+  return codes;
 }
 
 bool OpenLine::isFile(const std::string& word) {

@@ -18,12 +18,14 @@ struct OpenLine {
 
   /// The pages of the window by their names, in their order.
   static const std::vector<std::string>& pages();
+  /// The languages of the window by their codes.
+  static const std::vector<std::string>& languages();
   /// Whether a word in the place of a command is a file to open: it is there, or is written like one.
   static bool isFile(const std::string& word);
 
   const CLI::App& window;
   std::string file;
-  std::optional<std::string> follow, page;
+  std::optional<std::string> follow, page, language;
   bool newWindow = false, reuseWindow = false;
 
  private:

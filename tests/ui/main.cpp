@@ -7,6 +7,7 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
+#include "ui/language/language.h"
 #include "ui/style/theme.h"
 
 int main(int argc, char** argv) {
@@ -27,6 +28,7 @@ int main(int argc, char** argv) {
   QApplication::setOrganizationName("Surefoot");
   QSettings::setDefaultFormat(QSettings::IniFormat);
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
+  surefoot::useLanguage(application, QStringLiteral("en"));
   surefoot::applyAppearance(application, surefoot::Appearance::Light);
   if (QFontDatabase::families().isEmpty()) {
     std::fprintf(stderr, "no font is installed: every text would be empty boxes\n");

@@ -16,6 +16,7 @@
 
 #include "ui/controls/combo.h"
 #include "ui/controls/fitted_dialog.h"
+#include "ui/language/language.h"
 #include "ui/style/scale.h"
 
 namespace surefoot {
@@ -33,6 +34,7 @@ Preferences readPreferences() {
   p.autosaveMinutes = std::clamp(settings.value("autosaveMinutes", 1).toInt(), 1, 60);
   const double size = settings.value("textSize", 1.0).toDouble();
   p.textSize = std::isfinite(size) ? std::clamp(size, kSmallestText, kLargestText) : 1.0;
+  p.language = settings.value("language").toString();
   qApp->setProperty(kReduceMotion, p.reduceMotion);
   return p;
 }
@@ -44,6 +46,7 @@ void writePreferences(const Preferences& p) {
   settings.setValue("beginRunning", p.beginRunning);
   settings.setValue("autosaveMinutes", p.autosaveMinutes);
   settings.setValue("textSize", p.textSize);
+  settings.setValue("language", p.language);
   qApp->setProperty(kReduceMotion, p.reduceMotion);
 }
 
@@ -77,6 +80,18 @@ PreferencesDialog::PreferencesDialog(QWidget* parent) : QDialog(parent) {
     connect(button, &QRadioButton::clicked, this,
             [this, appearance = appearance] { change([&](Preferences& p) { p.appearance = appearance; }); });
   }
+  label(tr("Language"));
+  auto* language = new Combo(tr("Language"));
+  language->addItem(tr("that of the system"), QString());
+  for (const Language& one : languages()) language->addItem(one.name, one.code);
+  language->setCurrentIndex(std::max(0, language->findData(now.language)));
+  grid->addWidget(language, row++, 1, Qt::AlignLeft);
+  auto* later =
+      new QLabel(tr("From the next start on. The handbook, the lessons and sentences about errors are English."));
+  later->setWordWrap(true);
+  grid->addWidget(later, row++, 1);
+  connect(language, &QComboBox::activated, this,
+          [this, language] { change([&](Preferences& p) { p.language = language->currentData().toString(); }); });
   label(tr("Text size"));
   auto* sizes = new Combo(tr("Text size"));
   for (const int percent : {80, 90, 100, 110, 120, 130, 140, 150, 160, 170, 180, 190, 200})

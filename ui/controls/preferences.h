@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A person's preferences, kept from one start to the next, and the dialog that sets them. All changes apply at once.
+// A person's preferences, kept from one start to the next, and the dialog that sets them. All changes but that of
+// the language apply at once.
 #pragma once
 
 #include <QDialog>
@@ -15,6 +16,7 @@ struct Preferences {
   bool beginRunning = true;   ///< the window learns as soon as it is open
   int autosaveMinutes = 1;    ///< 1 … 60, between two copies on the disk
   double textSize = 1.0;      ///< 0.8 … 2.0, of everything (ui/scale.h)
+  QString language;           ///< "nl"; empty: the system's. From the next start on
 };
 
 Preferences readPreferences();

@@ -7,10 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/text/text.h"
+#include "ui/language/numbers.h"
 #include "ui/style/policy_look.h"
 #include "ui/style/scale.h"
-#include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
 
 namespace surefoot {
@@ -141,11 +140,11 @@ QString pText(double p) {
   if (std::isnan(p)) return QStringLiteral("–");
   if (p < 1e-10) return QStringLiteral("< 10⁻¹⁰");
   if (p >= 0.995) return QStringLiteral("1.0");
-  if (p >= 0.001) return toText(fixedText(p, p >= 0.0995 ? 2 : 3)).mid(1);
+  if (p >= 0.001) return fixedNumber(p, p >= 0.0995 ? 2 : 3).mid(1);
   int power = static_cast<int>(std::floor(std::log10(p)));
   double digits = p / std::pow(10.0, power);
   if (digits >= 9.95) digits = 1, ++power;
-  return QStringLiteral("%1 · 10%2").arg(toText(fixedText(digits, 1)), superscript(power));
+  return QStringLiteral("%1 · 10%2").arg(fixedNumber(digits, 1), superscript(power));
 }
 
 QString verdictText(Verdict verdict) {

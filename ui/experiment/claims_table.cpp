@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/text/text.h"
 #include "ui/controls/table_parts.h"
 #include "ui/experiment/experiment.h"
 #include "ui/experiment/figures/condition_name.h"
+#include "ui/language/numbers.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
@@ -21,7 +21,7 @@ namespace {
 QString oursText(const Judgement& j, const QString& unit) {
   const double size = std::max(j.ours ? std::abs(*j.ours) : 0.0, j.high ? std::abs(*j.high) : 0.0);
   const int decimals = size < 1 ? 2 : size < 100 ? 1 : 0;
-  const auto text = [&](double v) { return std::isfinite(v) ? toText(fixedText(v, decimals)) : QStringLiteral("–"); };
+  const auto text = [&](double v) { return std::isfinite(v) ? fixedNumber(v, decimals) : QStringLiteral("–"); };
   QString ours = j.ours ? text(*j.ours) + unit : QString();
   if (j.low && j.high && std::isfinite(*j.low) && std::isfinite(*j.high))
     ours += QStringLiteral(" (%1 … %2)").arg(text(*j.low), text(*j.high));
@@ -77,7 +77,7 @@ void ClaimsTable::refresh() {
     const bool percent = experiment_.isInPercent(j.id);
     const QString unit = percent ? QStringLiteral(" %") : QString();
     put(*this, row, Thesis,
-        j.thesis.is_number() ? toText(fixedText(j.thesis.get<double>(), 0)) + unit +
+        j.thesis.is_number() ? fixedNumber(j.thesis.get<double>(), 0) + unit +
                                    (j.thesisP ? tr(", p %1").arg(pText(*j.thesisP)) : QString())
         : j.thesis.is_string() ? shownName(j.thesis.get<std::string>())
                                : QString(),

@@ -4,9 +4,9 @@
 #include <QPainter>
 
 #include "core/plans/plan_time.h"
-#include "core/text/text.h"
 #include "ui/experiment/experiment.h"
 #include "ui/experiment/figures/condition_name.h"
+#include "ui/language/numbers.h"
 #include "ui/style/policy_look.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
@@ -64,7 +64,7 @@ std::vector<std::pair<QString, QString>> ConditionList::design() const {
       list.push_back(
           {tr("Pre-learning"),
            before.until
-               ? tr("scenario %1, to %2").arg(toText(before.names.scenario), toText(fixedText(*before.until, 0)))
+               ? tr("scenario %1, to %2").arg(toText(before.names.scenario), fixedNumber(*before.until, 0))
                : tr("scenario %1, %2 min").arg(toText(before.names.scenario)).arg(before.minutes.value_or(0))});
       list.push_back(
           {tr("Q-functions"), c.preLearning->pool == 0 ? tr("one a life") : QString::number(c.preLearning->pool)});
@@ -78,7 +78,7 @@ std::vector<std::pair<QString, QString>> ConditionList::design() const {
   list.push_back({tr("Test"), testWords()});
   if (!stored.growth.empty()) list.push_back({tr("Lives grow"), tr("until it is decided")});
   if (experiment_.minutes() > 0)
-    list.push_back({tr("Takes"), tr("about %1").arg(toText(roundedTime(experiment_.minutes())))});
+    list.push_back({tr("Takes"), tr("about %1").arg(localNumbers(roundedTime(experiment_.minutes())))});
   return list;
 }
 

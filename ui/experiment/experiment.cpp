@@ -8,7 +8,6 @@
 #include "core/basics/typed_json.h"
 #include "core/files/limited_json.h"
 #include "core/life/life_measures.h"
-#include "ui/style/symbol_text.h"
 
 namespace surefoot {
 
@@ -38,12 +37,12 @@ std::vector<FigureSpec> Experiment::standardFigures(const StoredPlan& plan) cons
                       .state = {}};
   };
   std::vector<FigureSpec> figures = {
-      figure("falls", "Falls during learning", "bars"),
-      figure("average-reward", "Average reward", "learning-curve"),
-      figure("reward-against-falls", "Average reward against falls", "reward-against-falls"),
-      figure("cumulative-falls", "Cumulative falls", "cumulative-falls"),
-      figure("learning-time", "Learning time", "bars", "minutes"),
-      figure("end-performance", "Falls per episode at the end", "bars", "end_performance")};
+      figure("falls", QT_TRANSLATE_NOOP("core", "Falls during learning"), "bars"),
+      figure("average-reward", QT_TRANSLATE_NOOP("core", "Average reward"), "learning-curve"),
+      figure("reward-against-falls", QT_TRANSLATE_NOOP("core", "Average reward against falls"), "reward-against-falls"),
+      figure("cumulative-falls", QT_TRANSLATE_NOOP("core", "Cumulative falls"), "cumulative-falls"),
+      figure("learning-time", QT_TRANSLATE_NOOP("core", "Learning time"), "bars", "minutes"),
+      figure("end-performance", QT_TRANSLATE_NOOP("core", "Falls per episode at the end"), "bars", "end_performance")};
   std::set<std::string> environments;
   for (const StoredCondition& c : plan.conditions) {
     const auto configuration = parseJson(c.configuration);

@@ -6,6 +6,7 @@
 #include "core/plans/plan_time.h"
 #include "core/store/store_lock.h"
 #include "ui/experiment/experiment.h"
+#include "ui/language/numbers.h"
 #include "ui/style/symbol_text.h"
 #include "ui/support/counted.h"
 
@@ -104,9 +105,9 @@ QString Experiment::followingText() const {
                        : following_->isWritten()    ? tr("it is being written")
                                                     : tr("no process writes it now")};
   parts << (livesDone_ == 0 ? tr("no life is over yet")
-                            : tr("%1 of %2").arg(toText(countText(livesDone_)), livesText(livesPlanned())));
+                            : tr("%1 of %2").arg(countNumber(livesDone_), livesText(livesPlanned())));
   parts << tr("last change %1").arg(following_->lastChange());
-  if (const auto rest = left()) parts << tr("about %1 left").arg(toText(roundedTime(*rest / 60)));
+  if (const auto rest = left()) parts << tr("about %1 left").arg(localNumbers(roundedTime(*rest / 60)));
   return parts.join(QStringLiteral(" · "));
 }
 

@@ -11,7 +11,6 @@
 #include <QStackedWidget>
 #include <QVBoxLayout>
 
-#include "core/text/text.h"
 #include "ui/controls/bar_button.h"
 #include "ui/controls/link_button.h"
 #include "ui/controls/notice_strip.h"
@@ -21,6 +20,7 @@
 #include "ui/experiment/figures/condition_name.h"
 #include "ui/experiment/plan_editor.h"
 #include "ui/experiment/plans/plan_chooser.h"
+#include "ui/language/numbers.h"
 #include "ui/running/running_life.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
@@ -256,8 +256,8 @@ void ExperimentPage::refresh() {
   edit_->setEnabled(!experiment_.text().empty());
   summary_->setText(summaryOf(experiment_));
   showLives();
-  const auto count = [](std::int64_t n) { return toText(countText(static_cast<double>(n))); };
-  QString right = tr("%1 falls in %2 lives").arg(count(experiment_.fallsShown()), count(experiment_.livesShown()));
+  const auto count = [](std::int64_t n) { return countNumber(static_cast<double>(n)); };
+  QString right = tr("%1 in %2").arg(fallsText(experiment_.fallsShown()), livesText(experiment_.livesShown()));
   if (const std::int64_t more = experiment_.falls() - experiment_.fallsShown();
       more > 0 && experiment_.state() != Experiment::State::Complete)
     right += tr(", and %1 in lives that are not over").arg(count(more));

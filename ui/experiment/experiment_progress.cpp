@@ -6,9 +6,8 @@
 #include <cmath>
 
 #include "core/plans/plan_time.h"
-#include "core/text/text.h"
 #include "ui/experiment/experiment.h"
-#include "ui/style/symbol_text.h"
+#include "ui/language/numbers.h"
 #include "ui/style/theme.h"
 
 namespace surefoot {
@@ -40,8 +39,9 @@ void ExperimentProgress::paintEvent(QPaintEvent*) {
   const double track = std::min<double>(kTrack, width());
   p.setFont(textFont(13, 500));
   p.setPen(t.ink);
-  p.drawText(QRectF(0, 2, track - 40, 20), Qt::AlignVCenter,
-             tr("%1 of %2 lives").arg(toText(countText(experiment_.livesShown())), toText(countText(planned))));
+  p.drawText(
+      QRectF(0, 2, track - 40, 20), Qt::AlignVCenter,
+      tr("%1 of %2 lives", nullptr, forms(planned)).arg(countNumber(experiment_.livesShown()), countNumber(planned)));
   p.setFont(textFont(13));
   p.drawText(QRectF(0, 2, track, 20), Qt::AlignRight | Qt::AlignVCenter,
              tr("%1 %").arg(static_cast<int>(std::floor(100 * experiment_.share()))));
@@ -64,7 +64,7 @@ void ExperimentProgress::paintEvent(QPaintEvent*) {
     second = tr("paused");
   else if (const double minutes = experiment_.minutes();
            minutes > 0 && experiment_.state() != Experiment::State::Complete && !experiment_.following())
-    second = tr("takes about %1").arg(toText(roundedTime(minutes)));
+    second = tr("takes about %1").arg(localNumbers(roundedTime(minutes)));
   else if (experiment_.state() == Experiment::State::Complete || experiment_.livesDone() >= planned)
     second = tr("complete");
   else if (experiment_.following())

@@ -5,10 +5,10 @@
 #include <QWheelEvent>
 #include <cmath>
 
-#include "core/text/text.h"
 #include "ui/experiment/experiment_page.h"
 #include "ui/experiment/figures/condition_name.h"
 #include "ui/experiment/plan_editor.h"
+#include "ui/language/numbers.h"
 #include "ui/style/symbol_text.h"
 
 namespace surefoot {
@@ -16,14 +16,13 @@ namespace surefoot {
 namespace {
 
 QString percent(double value) {
-  return toText(fixedText(std::abs(value), 0));
+  return fixedNumber(std::abs(value), 0);
 }
 
 /// "(95 % interval 29 to 53 %)"; if falls became fewer, the smaller reduction comes first.
 QString reductionText(const Interval& i) {
   if (!std::isfinite(i.low) || !std::isfinite(i.high)) return {};
-  return ExperimentPage::tr(" (95 % interval %1 to %2 %)")
-      .arg(toText(fixedText(-i.high, 0)), toText(fixedText(-i.low, 0)));
+  return ExperimentPage::tr(" (95 % interval %1 to %2 %)").arg(fixedNumber(-i.high, 0), fixedNumber(-i.low, 0));
 }
 
 const Finding* bestOf(const Findings& findings) {
@@ -47,10 +46,11 @@ QString summaryOf(const Experiment& experiment) {
                ? ExperimentPage::tr("No condition falls significantly less than its reference (p &lt; .01).")
                : ExperimentPage::tr("So far no condition falls significantly less than its reference (p &lt; .01).");
   const Interval& change = best->comparison->change;
-  const QString soFar = experiment.isComplete(best->name) ? QString()
-                                                          : ExperimentPage::tr("So far (%1 of %2 lives) ")
-                                                                .arg(toText(countText(experiment.livesShown())))
-                                                                .arg(toText(countText(experiment.livesPlanned())));
+  const QString soFar = experiment.isComplete(best->name)
+                            ? QString()
+                            : ExperimentPage::tr("So far (%1 of %2 lives) ", nullptr, forms(experiment.livesPlanned()))
+                                  .arg(countNumber(experiment.livesShown()))
+                                  .arg(countNumber(experiment.livesPlanned()));
   QString text = ExperimentPage::tr("%1<b>%2 falls %3 % less than %4</b>%5.")
                      .arg(soFar, shownName(best->name).toHtmlEscaped(), percent(change.value),
                           shownName(best->reference).toHtmlEscaped(), reductionText(change));
@@ -58,7 +58,7 @@ QString summaryOf(const Experiment& experiment) {
     text += ExperimentPage::tr(" The thesis reports %1.").arg(toText(thesis->says).toHtmlEscaped());
   if (best->betweenQFunctions)
     text += ExperimentPage::tr(" Q-functions carry %1 % of the variance.")
-                .arg(toText(fixedText(100 * best->betweenQFunctions->share, 0)));
+                .arg(fixedNumber(100 * best->betweenQFunctions->share, 0));
   return text;
 }
 

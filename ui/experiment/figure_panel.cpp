@@ -10,7 +10,7 @@
 #include "ui/experiment/experiment.h"
 #include "ui/experiment/figures/condition_name.h"
 #include "ui/experiment/figures/figure_view.h"
-#include "ui/style/symbol_text.h"
+#include "ui/language/from_core.h"
 #include "ui/support/plain_text.h"
 
 namespace surefoot {
@@ -52,7 +52,7 @@ FigurePanel::FigurePanel(Experiment& experiment, std::size_t first, QWidget* par
 void FigurePanel::fillMenu() {
   choose_->menu()->clear();
   for (const FigureSpec& spec : experiment_.figures()) {
-    QAction* action = choose_->menu()->addAction(menuText(shownName(spec.title)));
+    QAction* action = choose_->menu()->addAction(menuText(shownName(fromCore(spec.title).toStdString())));
     action->setCheckable(true);
     action->setChecked(spec.name == chosen_);
     connect(action, &QAction::triggered, this, [this, name = spec.name] {
@@ -71,7 +71,7 @@ void FigurePanel::refresh() {
     header_->setTitle(tr("Figure"));
     return view_->setFigure({}, experiment_.whyNoResults());
   }
-  header_->setTitle(shownName(spec->title));
+  header_->setTitle(shownName(fromCore(spec->title).toStdString()));
   const bool soFar = experiment_.view() && !experiment_.view()->findings.complete;
   const QString what = spec->kind == "bars" ? tr("mean and 95 % interval") : tr("mean and 95 % band");
   header_->setNote(soFar ? tr("so far · %1").arg(what) : what);

@@ -8,10 +8,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/text/text.h"
 #include "ui/controls/table_parts.h"
 #include "ui/experiment/experiment.h"
 #include "ui/experiment/figures/condition_name.h"
+#include "ui/language/numbers.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
@@ -23,7 +23,7 @@ namespace {
 
 QString signedText(double value) {
   if (!std::isfinite(value)) return QStringLiteral("–");
-  return (value > 0 ? QStringLiteral("+") : QString()) + toText(fixedText(value, std::abs(value) < 9.95 ? 1 : 0));
+  return (value > 0 ? QStringLiteral("+") : QString()) + fixedNumber(value, std::abs(value) < 9.95 ? 1 : 0);
 }
 
 bool known(const Interval& i) {
@@ -42,7 +42,7 @@ QString rangeText(const Comparison& c) {
 }
 
 QString valueText(double value, int decimals) {
-  return std::isfinite(value) ? toText(fixedText(value, decimals)) : QStringLiteral("–");
+  return std::isfinite(value) ? fixedNumber(value, decimals) : QStringLiteral("–");
 }
 
 }  // namespace
@@ -146,7 +146,7 @@ void FindingsTable::fillRow(int row, const Finding& f) {
   name->setData(kNameRole, toText(f.name));
   name->setData(kPolicyRole, toText(experiment_.policyOf(f.name)));
   name->setToolTip(tipText(shownName(f.name)));
-  auto* lives = put(*this, row, Lives, QString::number(f.lives));
+  auto* lives = put(*this, row, Lives, countNumber(f.lives));
   lives->setData(Qt::ForegroundRole, soFar ? QVariant(QBrush(themeOf(*this).caution)) : QVariant());
   lives->setToolTip(
       tipText(soFar ? tr("So far: not all lives of this condition, or of what it is compared with") : QString()));

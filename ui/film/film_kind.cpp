@@ -37,21 +37,21 @@ Status checkSides(const std::string& name, QSize size) {
 // A GIF has 256 colours: each picture has its own.
 std::span<const FilmKind> filmKinds() {
   static const std::vector<FilmKind> kinds = {
-      {.ending = ".webp", .title = "Animated WebP"},
+      {.ending = ".webp", .title = QT_TRANSLATE_NOOP("core", "Animated WebP")},
       {.ending = ".gif",
-       .title = "Animated GIF",
+       .title = QT_TRANSLATE_NOOP("core", "Animated GIF"),
        .arguments = {"-filter_complex",
                      "split[a][b];[a]palettegen=stats_mode=single[p];[b][p]paletteuse=new=1:dither=none", "-f", "gif"}},
       {.ending = ".apng",
-       .title = "Animated PNG",
+       .title = QT_TRANSLATE_NOOP("core", "Animated PNG"),
        .arguments = {"-c:v", "apng", "-plays", "0", "-pred", "mixed", "-f", "apng"}},
       {.ending = ".mp4",
-       .title = "MP4 video",
+       .title = QT_TRANSLATE_NOOP("core", "MP4 video"),
        .even = true,
        .arguments = {"-c:v", "libx264", "-preset", "medium", "-crf", "18", "-pix_fmt", "yuv420p", "-movflags",
                      "+faststart", "-f", "mp4"}},
       {.ending = ".webm",
-       .title = "WebM video",
+       .title = QT_TRANSLATE_NOOP("core", "WebM video"),
        .arguments = {"-c:v", "libvpx-vp9", "-crf", "24", "-b:v", "0", "-deadline", "good", "-cpu-used", "4", "-row-mt",
                      "1", "-pix_fmt", "yuv420p", "-f", "webm"}}};
   return kinds;

@@ -11,7 +11,7 @@
 #include <QTextDocumentFragment>
 
 #include "core/lessons/verdict.h"
-#include "core/text/text.h"
+#include "ui/language/numbers.h"
 #include "ui/lessons/lesson_picture.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
@@ -23,6 +23,8 @@ namespace {
 constexpr double kText = 10.5, kSmall = 8.5, kHeadline = 13, kTitle = 20;  // [pt]
 
 class Handout {
+  Q_DECLARE_TR_FUNCTIONS(surefoot::Handout)
+
  public:
   Handout(const Registry& registry, const Lesson& lesson, const std::vector<ToldStep>& told)
       : registry_(registry),
@@ -62,7 +64,6 @@ class Handout {
   }
 
  private:
-  static QString tr(const char* text) { return QCoreApplication::translate("Handout", text); }
   bool solved() const { return !told_.empty(); }
 
   void line(const QString& text, double points, bool bold, double below) {
@@ -122,7 +123,7 @@ class Handout {
 
   void predict(const LessonPrediction& p, std::size_t i) {
     line(tr("I say: ____________ %1 (%2 to %3). It came to: ____________")
-             .arg(toText(p.unit), toText(countText(p.low)), toText(countText(p.high))),
+             .arg(toText(p.unit), countNumber(p.low), countNumber(p.high)),
          kText, false, 4);
     if (solved())
       line(tr("It comes to %1.")

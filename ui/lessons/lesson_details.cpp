@@ -12,6 +12,7 @@
 #include "ui/controls/hairline.h"
 #include "ui/controls/labels.h"
 #include "ui/controls/text_button.h"
+#include "ui/language/from_core.h"
 #include "ui/lessons/lesson_picture.h"
 #include "ui/style/painted.h"
 #include "ui/style/scale.h"
@@ -127,7 +128,7 @@ void LessonDetails::showLesson(const ListedLesson& listed, const std::vector<Lis
   column_->addWidget(makeLabel(toText(lesson.about.empty() ? lesson.line : lesson.about), 13, 400, false));
   addLine();
   auto* head = new QHBoxLayout;
-  head->addWidget(makeHead(tr("%1 steps").arg(lesson.steps.size()), this));
+  head->addWidget(makeHead(tr("%n steps", nullptr, static_cast<int>(lesson.steps.size())), this));
   head->addStretch(1);
   head->addWidget(makeLabel(tr("%1 min, level %2").arg(lesson.minutes).arg(lesson.level), 11, 400, true));
   column_->addLayout(head);
@@ -149,8 +150,8 @@ void LessonDetails::addFacts(const Lesson& lesson, const std::vector<ListedLesso
       const auto* entry = lesson.start.parameters.find(name);
       const bool panel = std::find(names.begin(), names.end(), name) != names.end();
       const QString word =
-          entry            ? toText(entry->parameter.symbol.empty() ? entry->parameter.title : entry->parameter.symbol)
-          : name == "maps" ? tr("Q on a map")
+          entry ? fromCore(entry->parameter.symbol.empty() ? entry->parameter.title : entry->parameter.symbol)
+          : name == "maps"    ? tr("Q on a map")
           : name == "actions" ? tr("actions")
           : name == "step"    ? tr("one step")
           : name == "rule"    ? tr("rule of thumb")

@@ -70,8 +70,9 @@ Status LessonStore::add(const Lesson& lesson, const LessonMark& mark) {
     QDir().mkpath(own_);
     return writeWhole("lessons", pathOf(lesson, own_), kept.text);
   }
-  const Status s = QDir(class_).exists() ? writeWhole("lessons", pathOf(lesson, class_), kept.text)
-                                         : Status(Error{"The class's folder is gone: " + class_.toStdString() + "."});
+  const Status s = QDir(class_).exists()
+                       ? writeWhole("lessons", pathOf(lesson, class_), kept.text)
+                       : Status(Error{QObject::tr("The class's folder is gone: %1.").arg(class_).toStdString()});
   if (s) return s;
   QDir().mkpath(own_);
   if (const Status here = writeWhole("lessons", pathOf(lesson, own_), kept.text); !here) return here;
@@ -121,7 +122,7 @@ Status LessonStore::forget(const Lesson& lesson) {
   QFile::remove(QString::fromStdString(draftsOf(lesson)));
   const QString path = QString::fromStdString(pathOf(lesson, class_.isEmpty() ? own_ : class_));
   if (!QFile::exists(path) || QFile::remove(path)) return Done{};
-  return Error{"The file " + path.toStdString() + " cannot be removed."};
+  return Error{QObject::tr("The file %1 cannot be removed.").arg(path).toStdString()};
 }
 
 }  // namespace surefoot

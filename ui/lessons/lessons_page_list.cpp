@@ -15,6 +15,7 @@
 #include "ui/controls/header_button.h"
 #include "ui/controls/labels.h"
 #include "ui/controls/text_button.h"
+#include "ui/language/numbers.h"
 #include "ui/lessons/lesson_details.h"
 #include "ui/lessons/taking/lesson_view.h"
 #include "ui/session/session.h"
@@ -222,8 +223,8 @@ void LessonsPage::refresh() {
     asked_->setText(begun && !question.empty() ? tr("You were asked: %1").arg(toText(question)) : toText(lesson.line));
   }
   continue_->updateGeometry();
-  left_->setText(minutes >= 90   ? tr("about %1 hours left").arg(std::round(minutes / 30) / 2)
-                 : minutes > 0.5 ? tr("about %1 min left").arg(std::round(minutes))
+  left_->setText(minutes >= 90   ? tr("about %1 hours left").arg(fixedNumber(std::round(minutes / 30) / 2, 1))
+                 : minutes > 0.5 ? tr("about %1 min left").arg(countNumber(minutes))
                                  : QString());
   count_->setText(tr("%1 of %2 lessons").arg(done).arg(numbered));
   static_cast<DoneBar*>(progress_)->show(numbered ? static_cast<double>(done) / numbered : 0.0);

@@ -7,8 +7,9 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 
-#include "core/text/text.h"
 #include "ui/controls/combo.h"
+#include "ui/language/from_core.h"
+#include "ui/language/numbers.h"
 #include "ui/live/compared_falls.h"
 #include "ui/live/rival.h"
 #include "ui/running/run_names.h"
@@ -25,7 +26,7 @@ namespace {
 constexpr int kAround = 46, kMarker = 20;  // edges and arrow of a box, marker of a policy [px]
 
 QString count(std::int64_t number) {
-  return toText(countText(static_cast<double>(number)));
+  return countNumber(static_cast<double>(number));
 }
 
 QString beganAs(const RunningLife& life) {
@@ -91,7 +92,7 @@ CompareStrip::CompareStrip(Rival& rival)
 
 void CompareStrip::makeChoices() {
   for (const auto& entry : rival_.first().registry().policies)
-    policies_->addItem(toText(entry.title), toText(entry.name));
+    policies_->addItem(fromCore(entry.title), toText(entry.name));
   policies_->setPolicyMarkers();
   fillAgents();
   starts_->addItem(tr("same start"), static_cast<int>(Rival::Start::Same));
@@ -109,7 +110,7 @@ void CompareStrip::fillAgents() {
   agents_->clear();
   for (const auto& entry : rival_.first().registry().agents)
     if (entry.name != "scripted" || rival_.first().task().handMade)
-      agents_->addItem(toText(entry.title), toText(entry.name));
+      agents_->addItem(fromCore(entry.title), toText(entry.name));
   agents_->choose(rival_.agent());
 }
 
@@ -139,7 +140,7 @@ QString CompareStrip::falls() const {
   const auto steps = fallsAtEqualSteps(a, b);
   if (const auto& stepTime = rival_.first().task().stepTime; stepTime && steps)
     text += tr("; after %1 min %2 : %3")
-                .arg(toText(fixedText(static_cast<double>(steps->at) * *stepTime / 60, 1)), count(steps->first),
+                .arg(fixedNumber(static_cast<double>(steps->at) * *stepTime / 60, 1), count(steps->first),
                      count(steps->second));
   return text;
 }

@@ -10,10 +10,10 @@
 #include <QScrollBar>
 #include <algorithm>
 
-#include "core/text/text.h"
+#include "ui/language/from_core.h"
+#include "ui/language/numbers.h"
 #include "ui/running/looking.h"
 #include "ui/running/running_life.h"
-#include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
 #include "ui/support/keyboard.h"
 
@@ -59,8 +59,9 @@ class FallsModel final : public QAbstractTableModel {
   int rowCount(const QModelIndex&) const override { return static_cast<int>(numbers_.size()); }
   int columnCount(const QModelIndex&) const override { return 5; }
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override {
-    static const char* const kHeads[] = {QT_TR_NOOP("Fall"), QT_TR_NOOP("Episode"), QT_TR_NOOP("Time min"),
-                                         QT_TR_NOOP("Steps"), QT_TR_NOOP("Policy")};
+    static const char* const kHeads[] = {QT_TRANSLATE_NOOP("QObject", "Fall"), QT_TRANSLATE_NOOP("QObject", "Episode"),
+                                         QT_TRANSLATE_NOOP("QObject", "Time min"),
+                                         QT_TRANSLATE_NOOP("QObject", "Steps"), QT_TRANSLATE_NOOP("QObject", "Policy")};
     if (orientation != Qt::Horizontal) return {};
     if (role == Qt::TextAlignmentRole) return QVariant::fromValue(alignmentOf(section));
     return role == Qt::DisplayRole ? QObject::tr(kHeads[section]) : QVariant();
@@ -74,16 +75,16 @@ class FallsModel final : public QAbstractTableModel {
     const double perStep = life_.task().stepTime.value_or(0.0) / 60.0;
     switch (index.column()) {
       case 0:
-        return toText(countText(static_cast<double>(fall.number)));
+        return countNumber(static_cast<double>(fall.number));
       case 1:
-        return toText(countText(static_cast<double>(fall.episode)));
+        return countNumber(static_cast<double>(fall.episode));
       case 2:
-        return perStep > 0 ? toText(fixedText(static_cast<double>(fall.lifeSteps) * perStep, 2)) : QStringLiteral("–");
+        return perStep > 0 ? fixedNumber(static_cast<double>(fall.lifeSteps) * perStep, 2) : QStringLiteral("–");
       case 3:
-        return toText(countText(static_cast<double>(fall.inputs.actions.size())));
+        return countNumber(static_cast<double>(fall.inputs.actions.size()));
       default: {
         const auto entry = findEntry(life_.registry().policies, "policy", fall.policy);
-        const QString policy = toText(entry ? (*entry)->title : fall.policy);
+        const QString policy = fromCore(entry ? (*entry)->title : fall.policy);
         return fall.byHand() ? QObject::tr("%1, %2 by hand").arg(policy, handOf(fall)) : policy;
       }
     }

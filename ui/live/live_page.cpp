@@ -6,10 +6,10 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "core/text/text.h"
 #include "ui/controls/link_button.h"
 #include "ui/controls/panel.h"
 #include "ui/controls/view_menu.h"
+#include "ui/language/numbers.h"
 #include "ui/live/actions/action_key.h"
 #include "ui/live/actions/action_rows.h"
 #include "ui/live/charts/chart_span.h"
@@ -136,12 +136,12 @@ void LivePage::makeCharts() {
 /// The numbers at the curves belong to the end of the shown part; the note says so if this is not the life's end.
 QString LivePage::fallsNote(const ChartSpan& span) const {
   const bool all = span.timeOf(session_.life().latest()) <= span.to();
-  const QString end = toText(countText(span.to()));
+  const QString end = countNumber(span.to());
   const QString counted = all                ? tr("cumulative")
                           : span.inMinutes() ? tr("up to minute %1").arg(end)
                                              : tr("up to episode %1").arg(end);
   const std::int64_t byHand = session_.life().numbers().fallsByHand;
-  const QString hands = toText(countText(static_cast<double>(byHand)));
+  const QString hands = countNumber(static_cast<double>(byHand));
   return byHand > 0 ? tr("%1; %2 after a push or placing by hand").arg(counted, hands)
                     : tr("%1; click a mark to replay it").arg(counted);
 }

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/saved/q_file.h"
-#include "core/text/text.h"
+#include "ui/language/from_core.h"
 #include "ui/live/compare_strip.h"
 #include "ui/live/form/parameter_form.h"
 #include "ui/live/world/world_view.h"
@@ -190,10 +190,9 @@ void Rival::askToStartAgain(const QString& why, std::function<void()> choose) {
   };
   if (!session_->life().learned()) return goOn();
   Q_EMIT changed();  // nothing changes until the question is answered
-  Q_EMIT newTableAsked(
-      tr("%1: the second starts again from the beginning, and what it learned in %2 episodes is given up.")
-          .arg(why, toText(countText(static_cast<double>(session_->life().progress().episodes)))),
-      goOn);
+  Q_EMIT newTableAsked(tr("%1: the second starts again from the beginning, and what it learned in %2 is given up.")
+                           .arg(why, episodesText(session_->life().progress().episodes)),
+                       goOn);
 }
 
 void Rival::choose(const std::string& agent, const std::string& policy) {
@@ -226,7 +225,8 @@ void Rival::startIn(std::shared_ptr<const TensorFile> file, EpisodeInputs until,
 }
 
 void Rival::startWith(const QString& path) {
-  const auto read = std::make_shared<Result<std::shared_ptr<const TensorFile>>>(Error{"cancelled"});
+  const auto read =
+      std::make_shared<Result<std::shared_ptr<const TensorFile>>>(Error{"cancelled"});
   reading_.start([read, name = path.toStdString()](const std::atomic<bool>&) { *read = readQFile(name); },
                  [this, read] {
                    if (!*read) return Q_EMIT refused(toText(read->error().message));
@@ -239,7 +239,7 @@ QString Rival::ownParameters() const {
   for (const auto& entry : session_->life().configuration().parameters.all()) {
     const Parameters::Entry* firsts = first_.configuration().parameters.find(entry.parameter.key);
     if (firsts && firsts->value != entry.value)
-      list << toText(entry.parameter.title + " " + formatValue(entry.parameter, entry.value));
+      list << fromCore(entry.parameter.title) + ' ' + valueText(entry.parameter, entry.value);
   }
   constexpr int kMost = 4;
   if (list.size() > kMost) list = list.mid(0, kMost) << QStringLiteral("…");
@@ -270,7 +270,7 @@ void Rival::showParameters() {
 void Rival::askForNewTable(const QString& key, double value) {
   const auto* entry = session_->life().configuration().parameters.find(key.toStdString());
   Q_EMIT newTableAsked(tr("%1 = %2 needs a new table: the second starts again from the beginning.")
-                           .arg(toText(entry->parameter.title), toText(formatValue(entry->parameter, value))),
+                           .arg(fromCore(entry->parameter.title), valueText(entry->parameter, value)),
                        [this, key = key.toStdString(), value] {
                          own_[key] = value;
                          startAgain();

@@ -8,7 +8,8 @@
 #include <QTextDocument>
 #include <cmath>
 
-#include "core/text/text.h"
+#include "ui/language/from_core.h"
+#include "ui/language/numbers.h"
 #include "ui/running/running_life.h"
 #include "ui/session/editing.h"
 #include "ui/style/symbol_text.h"
@@ -21,7 +22,7 @@ constexpr int kPadding = 12, kGap = 5;   // [px]
 constexpr int kNumber = 24, kText = 11;  // sizes of text [px]
 
 QString oneDecimal(double value) {
-  return toText(fixedText(value, 1));
+  return fixedNumber(value, 1);
 }
 
 /// "γ^n*" and "R_t" with superscripts and subscripts; no line break inside them.
@@ -61,7 +62,7 @@ void RuleView::refresh() {
   use_->setVisible(r != nullptr);
   if (r) {
     const double rounded = std::round(r->threshold);
-    const QString text = tr("Set the threshold to %1").arg(toText(countText(rounded)));
+    const QString text = tr("Set the threshold to %1").arg(countNumber(rounded));
     if (text != use_->text()) {
       use_->setText(text);
       use_->setAccessibleName(text);
@@ -75,20 +76,20 @@ void RuleView::refresh() {
 
 QString RuleView::inForce() const {
   const std::string& policy = life_.configuration().names.policy;
-  const QString threshold = toText(countText(life_.threshold()));
+  const QString threshold = countNumber(life_.threshold());
   if (policy == "trl") return tr("TRL's threshold in force: %1.").arg(threshold);
   const auto entry = findEntry(life_.registry().policies, "policy", policy);
   return tr("TRL's threshold is %1; it is not in force while the policy is %2.")
-      .arg(threshold, toText(entry ? (*entry)->title : policy));
+      .arg(threshold, fromCore(entry ? (*entry)->title : policy));
 }
 
 QStringList RuleView::lines() const {
   const RuleOfThumb* r = rule();
-  if (!r) return {toText(whyNoRule(life_.task(), life_.configuration().parameters))};
+  if (!r) return {fromCore(whyNoRule(life_.task(), life_.configuration().parameters))};
   const RuleText text = textOf(*r);
   const bool timed = r->timeReward != 0;
-  QStringList list = {toText(text.threshold)};
-  list << tr("%1 = %2 = %3").arg(toText(text.symbols), toText(text.formula), toText(text.threshold));
+  QStringList list = {localNumbers(text.threshold)};
+  list << tr("%1 = %2 = %3").arg(toText(text.symbols), localNumbers(text.formula), localNumbers(text.threshold));
   if (r->goal)
     list << tr("R: reward of the goal; n*: mean transitions of the successful episodes while it learned%1 (thesis, "
                "eq. %2).")

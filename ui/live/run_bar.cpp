@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/live/run_bar.h"
+#include "ui/language/from_core.h"
+#include "ui/language/numbers.h"
 #include "ui/support/counted.h"
 
 #include <QAbstractButton>
@@ -11,7 +13,6 @@
 #include <cmath>
 
 #include "core/environment_library.h"
-#include "core/text/text.h"
 #include "ui/controls/bar_button.h"
 #include "ui/controls/combo.h"
 #include "ui/controls/slider.h"
@@ -78,7 +79,7 @@ RunBar::RunBar(RunningLife& life, Editing& editing, const RunActions& actions, Q
   });
   policy_ = new Combo(tr("Policy"), this);
   for (const auto& entry : life.registry().policies) {
-    policy_->addItem(toText(entry.title), toText(entry.name));
+    policy_->addItem(fromCore(entry.title), toText(entry.name));
     policy_->setItemData(policy_->count() - 1, tipOf(entry.name, entry.help), Qt::ToolTipRole);
   }
   connect(policy_, &QComboBox::activated, this,
@@ -109,7 +110,7 @@ RunBar::RunBar(RunningLife& life, Editing& editing, const RunActions& actions, Q
 /// Reads the numbers that the counters show; a screen reader gets them, too.
 void RunBar::readNumbers() {
   const Numbers& now = life_.numbers();
-  texts_ = {toText(countText(static_cast<double>(now.falls))), toText(countText(static_cast<double>(now.episodes))),
+  texts_ = {countNumber(static_cast<double>(now.falls)), countNumber(static_cast<double>(now.episodes)),
             life_.running() ? life_.factorText() : QString()};
   setAccessibleDescription(life_.task().canFall ? tr("%1 in %2").arg(fallsText(now.falls), episodesText(now.episodes))
                                                 : episodesText(now.episodes));
@@ -133,7 +134,7 @@ void RunBar::makeMeaning() {
           scenario ? life_.configuration().names.environment : combo->currentData().toString().toStdString();
       const surefoot::Word* word = wordOf(name);
       if (!word) continue;
-      connect(menu->addAction(menuText(toText(word->title))), &QAction::triggered, this,
+      connect(menu->addAction(menuText(fromCore(word->title))), &QAction::triggered, this,
               [this, name] { Q_EMIT meaningAsked(name); });
     }
     menu->addSeparator();
@@ -155,7 +156,7 @@ void RunBar::fillTasks() {
     task_->setItemData(i, scaledFont(11, 500), Qt::FontRole);
   };
   const auto add = [&](const auto& entry, const std::string& name, bool isEnvironment) {
-    task_->addItem(toText(entry.title), toText(name));
+    task_->addItem(fromCore(entry.title), toText(name));
     task_->setItemData(task_->count() - 1, tipOf(entry.name, entry.help), Qt::ToolTipRole);
     task_->setItemData(task_->count() - 1, isEnvironment, kIsEnvironment);
   };
@@ -167,7 +168,8 @@ void RunBar::fillTasks() {
   for (const AssignmentEntry* entry : scenarios) {
     add(*entry, entry->name, false);
     if (file)  // "Segway: bumpy floor": which robot it is stands nowhere else
-      task_->setItemText(task_->count() - 1, toText(file->entry.title + ": " + entry->title));
+      task_->setItemText(task_->count() - 1,
+                         fromCore(file->entry.title) + QStringLiteral(": ") + fromCore(entry->title));
   }
   addHead(tr("Task"));
   for (const auto& entry : life_.registry().environments)
@@ -187,7 +189,7 @@ void RunBar::addRobots(const std::string& here, bool hasScenarios) {
     task_->addItem(title, name);
     task_->setItemData(task_->count() - 1, isEnvironment, kIsEnvironment);
   };
-  if (const auto file = files->find(here); file && !hasScenarios) add(toText(file->entry.title), QString(), false);
+  if (const auto file = files->find(here); file && !hasScenarios) add(fromCore(file->entry.title), QString(), false);
   for (const std::string& name : files->shelved()) {
     QString title = toText(name);
     title.replace(u'-', u' ').replace(0, 1, title.at(0).toUpper());
@@ -200,7 +202,7 @@ void RunBar::fillAgents() {
   agent_->clear();
   for (const auto& entry : life_.registry().agents) {
     if (entry.name == "scripted" && !life_.task().handMade) continue;  // nothing acts there
-    agent_->addItem(toText(entry.title), toText(entry.name));
+    agent_->addItem(fromCore(entry.title), toText(entry.name));
     agent_->setItemData(agent_->count() - 1, tipOf(entry.name, entry.help), Qt::ToolTipRole);
   }
 }

@@ -8,6 +8,7 @@
 
 #include "ui/controls/combo.h"
 #include "ui/controls/slider.h"
+#include "ui/language/numbers.h"
 #include "ui/live/run_bar.h"
 #include "ui/running/running_life.h"
 #include "ui/session/editing.h"
@@ -113,8 +114,7 @@ void RunBar::paintEvent(QPaintEvent*) {
   const double pace = life_.pace();
   if (paceLabel_ > 0)
     drawSymbol(p, line.adjusted(paceLabel_, 0, 0, 0), Qt::AlignLeft,
-               QStringLiteral("%1×").arg(pace < 9.95 && pace != 1.0 ? QString::number(pace, 'f', 1)
-                                                                    : QString::number(pace, 'f', 0)));
+               QStringLiteral("%1×").arg(pace < 9.95 && pace != 1.0 ? fixedNumber(pace, 1) : fixedNumber(pace, 0)));
   if (factorLabel_ > 0) drawSymbol(p, line.adjusted(factorLabel_, 0, 0, 0), Qt::AlignLeft, texts_.factor);
 
   // Falls large; from the right: "episodes", its number, "falls", its number.

@@ -4,7 +4,7 @@
 #include <QPainter>
 #include <cmath>
 
-#include "core/text/text.h"
+#include "ui/language/numbers.h"
 #include "ui/live/maps/map_choice.h"
 #include "ui/running/looking.h"
 #include "ui/running/running_life.h"
@@ -18,7 +18,7 @@ namespace {
 constexpr int kUpdateEvery = 150;  // [ms]
 
 QString number(double v) {
-  return toText(fixedText(v, std::abs(v) < 99.95 ? 2 : 0));
+  return fixedNumber(v, std::abs(v) < 99.95 ? 2 : 0);
 }
 
 /// The same number after a sign; negative ones in brackets: "(−2.69)".
@@ -62,7 +62,7 @@ QStringList StepView::sentences() const {
   QStringList state;
   for (std::size_t d = 0; d < task.state.size(); ++d)
     state << QStringLiteral("%1 %2").arg(symbolOf(task.state[d]),
-                                         toText(fixedText(shown_.stateBefore[d], task.state[d].whole ? 0 : 2)));
+                                         fixedNumber(shown_.stateBefore[d], task.state[d].whole ? 0 : 2));
   const QString action = actionNameOf(task, static_cast<std::size_t>(shown_.actionBefore)),
                 unit = toText(task.actionUnit);
   list << tr("In S = (%1) it chose A = %2.")
@@ -83,7 +83,7 @@ QStringList StepView::sentences() const {
   const double gamma = life_.configuration().parameters.get("agent.discount");
   if (lambda > 0)
     list << tr("The trace carries the surprise back along the way: each step before gets %1 of it (γ λ = %2 · %3).")
-                .arg(toText(fixedText(gamma * lambda, 2)), toText(fixedText(gamma, 2)), toText(fixedText(lambda, 2)));
+                .arg(fixedNumber(gamma * lambda, 2), fixedNumber(gamma, 2), fixedNumber(lambda, 2));
   else
     list << tr("λ is 0: no step before learns from it.");
   return list;

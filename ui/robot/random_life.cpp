@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/text/text.h"
+#include "ui/language/numbers.h"
 #include "ui/style/round_numbers.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
@@ -47,15 +47,15 @@ void RandomLife::drawTrace(QPainter& p) const {
     p.setPen(QPen(t.hairline, 1));
     p.drawLine(QPointF(r.left(), yAt(v)), QPointF(r.right(), yAt(v)));
     p.setPen(t.quiet);
-    p.drawText(QRectF(0, yAt(v) - 8, r.left() - 6, 16), Qt::AlignRight | Qt::AlignVCenter, toText(fixedText(v, 2)));
+    p.drawText(QRectF(0, yAt(v) - 8, r.left() - 6, 16), Qt::AlignRight | Qt::AlignVCenter, fixedNumber(v, 2));
   }
   p.setPen(QPen(t.quiet, 1));
   p.drawLine(r.bottomLeft(), r.bottomRight());
   for (int step = 0; step <= kShown; step += 250)  // the last one ends where the plot ends
     p.drawText(QRectF(xAt(step) - (step == kShown ? 80 : 40), r.bottom() + 4, 80, 16),
-               step == kShown ? Qt::AlignRight : Qt::AlignHCenter, toText(countText(step)));
+               step == kShown ? Qt::AlignRight : Qt::AlignHCenter, countNumber(step));
   p.drawText(QRectF(r.left(), r.bottom() + 20, r.width(), 16), Qt::AlignHCenter,
-             tr("steps; %1 s in all").arg(toText(fixedText(kShown * inspection_->stepTime, 0))));
+             tr("steps; %1 s in all").arg(fixedNumber(kShown * inspection_->stepTime, 0)));
   p.save();
   p.translate(10, r.center().y());
   p.rotate(-90);
@@ -90,13 +90,13 @@ void RandomLife::drawFacts(QPainter& p) const {
     y += 26;
   };
   const auto falls = static_cast<int>(inspection_->falls.size());
-  fact(tr("Falls in %1 steps").arg(toText(countText(inspection_->steps))), QString::number(falls), {},
+  fact(tr("Falls in %1 steps").arg(countNumber(inspection_->steps)), QString::number(falls), {},
        falls > 0 ? t.fallText : t.ink);
-  if (falls > 0) fact(tr("To a fall, median"), toText(fixedText(inspection_->medianToFall, 1)), tr(" s"), t.ink);
-  if (inspection_->longest > 0) fact(tr("Longest"), toText(fixedText(inspection_->longest, 1)), tr(" s"), t.ink);
+  if (falls > 0) fact(tr("To a fall, median"), fixedNumber(inspection_->medianToFall, 1), tr(" s"), t.ink);
+  if (inspection_->longest > 0) fact(tr("Longest"), fixedNumber(inspection_->longest, 1), tr(" s"), t.ink);
   for (const auto& [joint, share] : inspection_->atLimits)
     if (y < height() - 60)
-      fact(tr("At a limit of %1").arg(toText(joint)), toText(fixedText(100 * share, 0)), tr(" % of steps"), t.ink);
+      fact(tr("At a limit of %1").arg(toText(joint)), fixedNumber(100 * share, 0), tr(" % of steps"), t.ink);
   p.setFont(textFont(11));
   p.setPen(t.quiet);
   p.drawText(QRectF(left, height() - 36.0, right - left, 30), Qt::AlignLeft | Qt::TextWordWrap,

@@ -12,12 +12,12 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "core/text/text.h"
 #include "ui/controls/hairline.h"
 #include "ui/controls/labels.h"
 #include "ui/controls/link_button.h"
 #include "ui/controls/panel.h"
 #include "ui/controls/text_button.h"
+#include "ui/language/numbers.h"
 #include "ui/robot/random_life.h"
 #include "ui/robot/robot_checked.h"
 #include "ui/robot/robot_picture.h"
@@ -165,7 +165,7 @@ void RobotPage::refresh() {
                  : checked_ ? tr("picture and table: as of the last text without an error")
                             : tr("picture and table come when the text has no error"));
   const auto errors = static_cast<int>(text_->complaints().size());
-  errors_->setText(errors == 0 ? QString() : errors == 1 ? tr("1 error") : tr("%1 errors").arg(errors));
+  errors_->setText(errors == 0 ? QString() : tr("%n errors", nullptr, errors));
   QPalette caution = palette();
   caution.setColor(QPalette::WindowText, themeOf(*this).caution);
   errors_->setPalette(caution);
@@ -201,9 +201,8 @@ void RobotPage::refresh() {
   worldHead_->setNote(trial_.isRunning() ? trial_.words()
                                          : tr("names and limits under the pointer; a click goes to the line"));
   worldHead_->layOutExtra();
-  Q_EMIT statusChanged(
-      source_.path().isEmpty() ? tr("a robot that is not saved yet") : shortPath(source_.path()),
-      checked_ ? tr("%1 tiles a tiling").arg(toText(countText(checked_->inspection.tiles))) : QString());
+  Q_EMIT statusChanged(source_.path().isEmpty() ? tr("a robot that is not saved yet") : shortPath(source_.path()),
+                       checked_ ? tr("%1 tiles a tiling").arg(countNumber(checked_->inspection.tiles)) : QString());
 }
 
 void RobotPage::undo() {

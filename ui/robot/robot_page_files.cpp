@@ -8,10 +8,10 @@
 
 #include "core/environment_programs.h"
 #include "core/files/read_file.h"
-#include "core/text/text.h"
 #include "ui/controls/link_button.h"
 #include "ui/controls/panel.h"
 #include "ui/controls/text_button.h"
+#include "ui/language/numbers.h"
 #include "ui/robot/random_life.h"
 #include "ui/robot/robot_checked.h"
 #include "ui/robot/robot_picture.h"
@@ -114,7 +114,7 @@ QString RobotPage::valueAtCaret() const {
   const int line = text_->textCursor().blockNumber() + 1;
   QStringList values;
   for (const FormulaValue& formula : checked_->inspection.formulas)
-    if (formula.at.line == line) values << QString::number(formula.value, 'g', 4);
+    if (formula.at.line == line) values << localNumbers(QString::number(formula.value, 'g', 4));
   if (values.isEmpty()) return {};
   return tr("line %1 comes to %2 at the start of an episode")
       .arg(QString::number(line), values.join(QStringLiteral(", ")));

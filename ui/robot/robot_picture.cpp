@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/text/text.h"
+#include "ui/language/numbers.h"
 #include "ui/style/scene_painter.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
@@ -118,7 +118,7 @@ void RobotPicture::drawFloor(QPainter& painter) const {
   for (double x = std::ceil(left / step) * step; x < right; x += step) {
     const double at = toPixel({x, 0}).x();
     painter.drawLine(QPointF(at, floor_), QPointF(at, floor_ + 5));
-    const QString text = toText(fixedText(x, step < 0.1 ? 2 : step < 1 ? 1 : 0));
+    const QString text = fixedNumber(x, step < 0.1 ? 2 : step < 1 ? 1 : 0);
     painter.drawText(QRectF(at - 40, floor_ + 6, 80, 16), Qt::AlignHCenter, text);
   }
 }
@@ -192,9 +192,8 @@ void RobotPicture::drawHandles(QPainter& painter) const {
       painter.setPen(t.ink);
       painter.setFont(textFont(13, 500));
       const QPointF at = placeOf(all[one]) + QPointF(14, 4);
-      painter.drawText(
-          at, tr("%1°, limit, line %2")
-                  .arg(toText(fixedText(all[one].angle / kDegree, 0)), QString::number(all[one].number->line)));
+      painter.drawText(at, tr("%1°, limit, line %2")
+                               .arg(fixedNumber(all[one].angle / kDegree, 0), QString::number(all[one].number->line)));
     }
   }
 }

@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/text/text.h"
-#include "ui/style/symbol_text.h"
+#include "ui/language/from_core.h"
 
 namespace surefoot {
 
@@ -135,7 +134,7 @@ QString RobotTrial::words() const {
   if (until_ >= 0) return tr("a fall of the random life");
   if (task.actionVariables.empty())
     return tr("keys 1 … %1: %2; ← → push")
-        .arg(QString::number(std::min<std::size_t>(9, task.actions.size())), toText(task.actionTitle));
+        .arg(QString::number(std::min<std::size_t>(9, task.actions.size())), fromCore(task.actionTitle));
   return tr("keys 1 … %1: the next level of each motor; ← → push").arg(task.actionVariables.size());
 }
 

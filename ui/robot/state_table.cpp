@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/text/number_text.h"
-#include "core/text/text.h"
+#include "ui/language/numbers.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
 #include "ui/support/plain_text.h"
@@ -20,7 +20,7 @@ constexpr double kHistogram = 68;
 /// Three digits, as a person reads them.
 QString numberText(double value) {
   const double size = std::abs(value);
-  return toText(fixedText(value, size >= 100 ? 0 : size >= 10 ? 1 : 2));
+  return fixedNumber(value, size >= 100 ? 0 : size >= 10 ? 1 : 2);
 }
 
 }  // namespace
@@ -129,8 +129,8 @@ void StateTable::drawEndings(QPainter& p, double y) const {
     actions = actions.section(QStringLiteral(": "), -1);
   head(tr("ACTIONS"), actions);
   head(tr("ENDINGS"), tr("%1 steps, %2 s at most")
-                          .arg(toText(countText(inspection_->stepLimit)))
-                          .arg(toText(fixedText(inspection_->stepLimit * inspection_->stepTime, 0))));
+                          .arg(countNumber(inspection_->stepLimit))
+                          .arg(fixedNumber(inspection_->stepLimit * inspection_->stepTime, 0)));
   for (const SeenEnding& ending : inspection_->endings) {
     p.setPen(QPen(ending.fall ? t.fall : t.quiet, 1.5));
     p.setBrush(ending.fall ? QBrush(t.fall) : QBrush(Qt::NoBrush));

@@ -10,9 +10,9 @@
 
 #include "core/files/tensor_file.h"
 #include "core/files/whole_file.h"
-#include "core/text/text.h"
 #include "ui/controls/fitted_dialog.h"
 #include "ui/controls/labels.h"
+#include "ui/language/numbers.h"
 #include "ui/robustness/robustness_form.h"
 #include "ui/robustness/robustness_map.h"
 #include "ui/running/running_life.h"
@@ -173,12 +173,12 @@ void RobustnessDialog::refresh() {
 // Of the work, of what was done, of the chosen cell, or what can be done.
 void RobustnessDialog::refreshWords() {
   const QStringList cell = map_->spoken();
-  words_->setText(
-      run_.busy()        ? tr("%1 % is done. The life goes on meanwhile.").arg(toText(fixedText(100 * run_.share(), 0)))
-      : !said_.isEmpty() ? said_
-      : !cell.isEmpty()  ? cell.join('\n')
-      : run_.result()    ? tr("The mouse or the arrow keys choose a cell.")
-                         : tr("Every cell is tried from the same starts: it lives, is pushed once, and is followed."));
+  words_->setText(run_.busy() ? tr("%1 % is done. The life goes on meanwhile.").arg(fixedNumber(100 * run_.share(), 0))
+                  : !said_.isEmpty() ? said_
+                  : !cell.isEmpty()  ? cell.join('\n')
+                  : run_.result()
+                      ? tr("The mouse or the arrow keys choose a cell.")
+                      : tr("Every cell is tried from the same starts: it lives, is pushed once, and is followed."));
 }
 
 // What is in the fields, so that it can be asked elsewhere without being tried here; of what was tried, once it is

@@ -10,6 +10,7 @@
 #include "core/environment_library.h"
 #include "ui/controls/combo.h"
 #include "ui/controls/labels.h"
+#include "ui/language/from_core.h"
 #include "ui/running/running_life.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
@@ -78,7 +79,7 @@ void RobustnessForm::addModels(const RunningLife& life) {
     scenario_ = new Combo(tr("Models"));
     scenario_->addItem(tr("as it is now"));
     scenario_->addItem(tr("all scenarios"), QStringLiteral("all"));
-    for (const AssignmentEntry* entry : scenarios) scenario_->addItem(toText(entry->title), toText(entry->name));
+    for (const AssignmentEntry* entry : scenarios) scenario_->addItem(fromCore(entry->title), toText(entry->name));
     scenario_->setCurrentIndex(1);
     connect(scenario_, &QComboBox::activated, this, &RobustnessForm::edited);
     grid_->addWidget(new QLabel(tr("Models")), 1, 0);
@@ -94,7 +95,7 @@ void RobustnessForm::addModels(const RunningLife& life) {
 
 void RobustnessForm::addPolicy(const RunningLife& life) {
   policy_ = new Combo(tr("Policy"));
-  for (const PolicyEntry& entry : life.registry().policies) policy_->addItem(toText(entry.title), toText(entry.name));
+  for (const PolicyEntry& entry : life.registry().policies) policy_->addItem(fromCore(entry.title), toText(entry.name));
   policy_->setPolicyMarkers();
   policy_->choose("greedy");
   connect(policy_, &QComboBox::activated, this, &RobustnessForm::edited);

@@ -7,8 +7,9 @@
 #include <cmath>
 
 #include "core/robustness/robustness_text.h"
-#include "core/text/text.h"
 #include "ui/controls/view_menu.h"
+#include "ui/language/from_core.h"
+#include "ui/language/numbers.h"
 #include "ui/style/symbol_text.h"
 #include "ui/support/announce.h"
 
@@ -67,7 +68,7 @@ RobustnessMap::Layout RobustnessMap::layOut() const {
   const QFontMetricsF metrics(textFont(13));
   double longest = QFontMetricsF(textFont(11)).horizontalAdvance(tr("push, N s"));
   for (const TriedModel& model : plan.models)
-    longest = std::max(longest, metrics.horizontalAdvance(toText(model.title)));
+    longest = std::max(longest, metrics.horizontalAdvance(fromCore(model.title)));
   l.labels = std::min({std::ceil(longest) + 12, kMostLabels, width() * 0.3});
   const auto maps = static_cast<double>(plan.functions.size());
   l.between = kBetween;
@@ -103,8 +104,8 @@ QStringList RobustnessMap::spoken() const {
   QStringList lines;
   for (std::size_t f = 0; f < plan.functions.size(); ++f) {
     const Tally& tally = robustness_->at(f, model, push);
-    const auto of = [](std::int64_t count) { return toText(countText(static_cast<double>(count))); };
-    QString line = f == 0 ? tr("%1, push %2 N s: ").arg(toText(plan.models[model].title)).arg(plan.pushes[push])
+    const auto of = [](std::int64_t count) { return countNumber(static_cast<double>(count)); };
+    QString line = f == 0 ? tr("%1, push %2 N s: ").arg(fromCore(plan.models[model].title)).arg(plan.pushes[push])
                           : tr("beside it: ");
     line += toText(cellText(plan, tally));
     if (plan.canFall && plan.canSucceed) line += tr("; %1 succeeded").arg(of(tally.successes));

@@ -7,7 +7,8 @@
 #include <cmath>
 
 #include "core/robustness/robustness_text.h"
-#include "core/text/text.h"
+#include "ui/language/from_core.h"
+#include "ui/language/numbers.h"
 #include "ui/robustness/robustness_map.h"
 #include "ui/style/colour_map.h"
 #include "ui/style/symbol_text.h"
@@ -32,7 +33,7 @@ QColor inkOn(const QColor& c) {
 }
 
 QString percent(double share) {
-  return toText(fixedText(100 * share, 0));
+  return fixedNumber(100 * share, 0);
 }
 
 QString elided(const QFont& font, const QString& text, double width, Qt::TextElideMode mode = Qt::ElideRight) {
@@ -71,7 +72,7 @@ void RobustnessMap::paintRows(QPainter& p, const Layout& l) const {
   for (std::size_t m = 0; m < l.rows; ++m) {
     const QRectF cell = l.at(0, m, 0);
     p.drawText(QRectF(0, cell.top(), width, cell.height()), Qt::AlignRight | Qt::AlignVCenter,
-               elided(p.font(), toText(robustness_->plan.models[m].title), width, Qt::ElideMiddle));
+               elided(p.font(), fromCore(robustness_->plan.models[m].title), width, Qt::ElideMiddle));
   }
 }
 
@@ -87,7 +88,7 @@ void RobustnessMap::paintHeads(QPainter& p, const Layout& l, std::size_t functio
   p.setFont(textFont(11));
   p.setPen(t.quiet);
   const auto text = [&](std::size_t push) {
-    return toText(fmt::format("{:.3g}", plan.pushes[push])).replace('-', QChar(0x2212));
+    return localNumbers(fmt::format("{:.3g}", plan.pushes[push])).replace('-', QChar(0x2212));
   };
   double widest = 0;
   for (std::size_t push = 0; push < l.columns; ++push)

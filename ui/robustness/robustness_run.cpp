@@ -91,7 +91,7 @@ void RobustnessRun::tryWith(const RobustnessQuestion& question, const std::strin
         try {
           *outcome = triedOut(registry, function, second, question, interrupted, progress);
         } catch (const std::bad_alloc&) {
-          *outcome = Error{"There is not enough memory to try this Q-function."};
+          *outcome = Error{QObject::tr("There is not enough memory to try this Q-function.").toStdString()};
         }
       },
       [this, function, outcome] {

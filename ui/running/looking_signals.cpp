@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/language/from_core.h"
 #include "ui/running/looking.h"
 
 namespace surefoot {
@@ -49,14 +50,16 @@ void Looking::seekRow(std::size_t row) {
 }
 
 Status Looking::rollOut(double seconds) {
-  if (!hasViewer()) return Error{"A program moves this robot; surefoot rollout lives what its Q-function has learned."};
-  if (!life_.values()) return Error{"Nothing has been learned yet that could be lived."};
+  if (!hasViewer())
+    return Error{QObject::tr("A program moves this robot; surefoot rollout lives what its Q-function has learned.")
+                     .toStdString()};
+  if (!life_.values()) return Error{QObject::tr("Nothing has been learned yet that could be lived.").toStdString()};
   const bool kept = copyable();
   std::shared_ptr<const ActionValueFunction> values =
       kept ? life_.values()->values->clone()
            : std::shared_ptr<const ActionValueFunction>(std::shared_ptr<void>(), life_.values()->values.get());
   Playback playback = rolloutOf(life_.registry(), life_.configuration(), std::move(values), seconds, 1);
-  if (playback.frames.empty()) return Error{"This environment cannot be lived in here."};
+  if (playback.frames.empty()) return Error{QObject::tr("This environment cannot be lived in here.").toStdString()};
   if (!kept) playback.values.reset();
   begin(std::move(playback));
   Q_EMIT playbackChanged();
@@ -110,8 +113,8 @@ Result<EpisodeInputs> Looking::momentShown() const {
   for (const auto& [key, value] : *playback_->start->parameters)
     if (const Parameters::Entry* entry = now.find(key); entry && entry->value != value)
       return Error{tr("%1 was %2 then and is %3 now: the same inputs would lead elsewhere.")
-                       .arg(QString::fromStdString(key), QString::fromStdString(formatValue(entry->parameter, value)),
-                            QString::fromStdString(formatValue(entry->parameter, entry->value)))
+                       .arg(QString::fromStdString(key), valueText(entry->parameter, value),
+                            valueText(entry->parameter, entry->value))
                        .toStdString()};
   EpisodeInputs until = playback_->start->inputs;
   const std::int64_t step = playback_->frames[static_cast<std::size_t>(playback_->position)].row;

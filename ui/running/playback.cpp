@@ -7,7 +7,7 @@
 
 #include "core/environment_library.h"
 #include "core/parameters.h"
-#include "core/text/text.h"
+#include "ui/language/numbers.h"
 
 namespace surefoot {
 
@@ -89,9 +89,9 @@ Playback playbackOf(const Fall& fall, const Registry& registry, const Configurat
   if (!world || !policy) return {};
   Playback playback;
   playback.values = std::move(values);
-  playback.title = QObject::tr("fall %1, episode %2, at half speed")
-                       .arg(QString::fromStdString(countText(static_cast<double>(fall.number))),
-                            QString::fromStdString(countText(static_cast<double>(fall.episode))));
+  playback.title =
+      QObject::tr("fall %1, episode %2, at half speed")
+          .arg(countNumber(static_cast<double>(fall.number)), countNumber(static_cast<double>(fall.episode)));
   playback.signals =
       relive(*world, fall.inputs, playback.values.get(), **policy, discountOf(configuration), filming(playback));
   if (playback.signals.rows() == 0 || playback.frames.empty()) return {};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/running/run_names.h"
+#include "ui/language/from_core.h"
 
 #include <vector>
 
@@ -10,7 +11,7 @@ namespace {
 template <class Entry>
 std::string titleOf(const std::vector<Entry>& entries, const std::string& name) {
   for (const Entry& entry : entries)
-    if (entry.name == name) return entry.title;
+    if (entry.name == name) return fromCore(entry.title).toStdString();
   return name;
 }
 

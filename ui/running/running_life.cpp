@@ -8,6 +8,7 @@
 #include "core/basics/expects.h"
 #include "core/schedule.h"
 #include "core/text/text.h"
+#include "ui/language/numbers.h"
 #include "ui/running/beginning.h"
 
 namespace surefoot {
@@ -23,7 +24,7 @@ Result<std::unique_ptr<Life>> makeLifeToRun(const Registry& registry, const Conf
     if (life) (*life)->keepInputs();  // so that it can be saved in the middle of an episode
     return life;
   } catch (const std::bad_alloc&) {
-    return Error{"There is not enough memory for this; take fewer tiles or tilings."};
+    return Error{QObject::tr("There is not enough memory for this; take fewer tiles or tilings.").toStdString()};
   }
 }
 
@@ -80,7 +81,7 @@ QString RunningLife::factorText() const {
   if (factor <= 0) return {};
   const double unit = factor >= 1000 ? 100 : factor >= 100 ? 10 : 1;
   return QStringLiteral("×") +
-         QString::fromStdString(factor < 9.95 ? fixedText(factor, 1) : countText(std::round(factor / unit) * unit));
+         localNumbers(factor < 9.95 ? fixedText(factor, 1) : countText(std::round(factor / unit) * unit));
 }
 
 std::optional<std::int64_t> RunningLife::changedAt(const std::string& key) const {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of RunningLife that takes data from the learner's thread, and measures how fast it is.
-#include "core/text/text.h"
 #include "ui/running/running_life.h"
 
 namespace surefoot {

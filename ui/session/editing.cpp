@@ -5,6 +5,7 @@
 
 #include "core/environment_library.h"
 #include "core/saved/q_file.h"
+#include "ui/language/from_core.h"
 
 namespace surefoot {
 
@@ -14,7 +15,7 @@ namespace {
 class Edit final : public QUndoCommand {
  public:
   Edit(RunningLife& life, History& history, const Parameter& parameter, double before, double after)
-      : QUndoCommand(QString::fromStdString(parameter.title)),
+      : QUndoCommand(fromCore(parameter.title)),
         life_(life),
         history_(history),
         of_(life.lineage()),
@@ -83,7 +84,7 @@ Status Editing::guardBy(const std::string& path) {
 void Editing::setScenario(const std::string& name) {
   const auto entry = findScenario(life_.registry(), life_.configuration().names.environment, name);
   if (!entry) return;
-  history_.beginMacro(QString::fromStdString((*entry)->title));
+  history_.beginMacro(fromCore((*entry)->title));
   for (const auto& [key, value] : (*entry)->values)
     if (!setParameter(key, value)) break;
   history_.endMacro();

@@ -46,9 +46,9 @@ std::string bytesOf(const Life& life, const Configuration& began, const Configur
 Status write(const Life& life, const Configuration& began, const Configuration& now, SavedAs what,
              const std::string& path) {
   if (life.changesLeftOut() && what == SavedAs::Journal)
-    return Error{"More was changed than a journal holds; save the session instead."};
+    return Error{QObject::tr("More was changed than a journal holds; save the session instead.").toStdString()};
   if (life.diverged() && what != SavedAs::Journal)
-    return Error{"The action values diverged; there is nothing worth keeping."};
+    return Error{QObject::tr("The action values diverged; there is nothing worth keeping.").toStdString()};
   try {
     if (what == SavedAs::PolicyInC) {
       const auto text = policyOf(life, now, path);
@@ -78,11 +78,12 @@ void LifeFiles::save(SavedAs what, const std::string& path, Then then) {
 
 void LifeFiles::copyFunction(std::function<void(const Function&)> then) {
   life_.visit([this, then = std::move(then), now = life_.configuration()](const Life& life) {
-    Function function = Error{"The action values diverged; there is nothing to try."};
+    Function function = Error{QObject::tr("The action values diverged; there is nothing to try.").toStdString()};
     try {
       if (!life.diverged()) function = std::make_shared<const TensorFile>(qFileOf(life, now));
     } catch (const std::bad_alloc&) {
-      function = Error{"There is not enough memory for a copy of the action values; nothing is lost."};
+      function = Error{
+          QObject::tr("There is not enough memory for a copy of the action values; nothing is lost.").toStdString()};
     }
     calls_.post([then, function] { then(function); });
   });
@@ -91,8 +92,9 @@ void LifeFiles::copyFunction(std::function<void(const Function&)> then) {
 void LifeFiles::saveKept(const KeptLife& kept, const std::string& path, Then then) {
   life_.visit([this, path, then = std::move(then), aside = kept.aside, began = kept.known.began,
                now = kept.known.configuration](const Life&) {
-    const Status status = aside && aside->life ? write(*aside->life, began, now, SavedAs::Session, path)
-                                               : Status(Error{"The life is not kept any more."});
+    const Status status = aside && aside->life
+                              ? write(*aside->life, began, now, SavedAs::Session, path)
+                              : Status(Error{QObject::tr("The life is not kept any more.").toStdString()});
     calls_.post([then, status] { then(status); });
   });
 }

@@ -5,7 +5,6 @@
 #include <tuple>
 
 #include "core/saved/q_file.h"
-#include "ui/style/symbol_text.h"
 #include "ui/support/counted.h"
 
 namespace surefoot {
@@ -21,7 +20,7 @@ Result<NewLives::Made> readLife(const Registry& registry, const std::string& pat
     if (made) made->file->followed = true;
     return made;
   } catch (const std::bad_alloc&) {
-    return fileError(path, "there is not enough memory for what it holds.");
+    return fileError(path, QObject::tr("there is not enough memory for what it holds.").toStdString());
   }
 }
 

@@ -147,7 +147,7 @@ Result<TensorFile> fitted(const Registry& registry, const CarriedOver& work, con
     carryOver(*work.from, **agent, task, &interrupted);
     return qFileOf(**agent, task, work.to, Json{{"carried_over", true}});
   } catch (const std::bad_alloc&) {
-    return Error{"There is not enough memory for this; take fewer tiles or tilings."};
+    return Error{QObject::tr("There is not enough memory for this; take fewer tiles or tilings.").toStdString()};
   }
 }
 

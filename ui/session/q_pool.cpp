@@ -30,7 +30,7 @@ Result<PreLearned> preLearn(const Registry& registry, const Configuration& simul
     one.reached = !simulation.until || one.averageReward >= *simulation.until;
     return one;
   } catch (const std::bad_alloc&) {
-    return Error{"There is not enough memory for this; take fewer tiles or tilings."};
+    return Error{QObject::tr("There is not enough memory for this; take fewer tiles or tilings.").toStdString()};
   }
 }
 

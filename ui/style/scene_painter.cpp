@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/language/from_core.h"
+#include "ui/language/numbers.h"
 #include "ui/style/symbol_text.h"
 
 namespace surefoot {
@@ -110,7 +112,7 @@ void ScenePainter::operator()(const Arrow& arrow) const {
   p_.drawPolygon(QPolygonF({to, to + QPointF(-head * side, -0.46 * head), to + QPointF(-head * side, 0.46 * head)}));
   p_.setFont(textFont(11));
   p_.setPen(t_.ink);
-  const QString text = QString::fromStdString(arrow.text);
+  const QString text = localNumbers(fromCore(arrow.text));
   const double width = symbolWidth(p_.font(), text), height = QFontMetricsF(p_.font()).height();
   // Above the arrow, but not over what the arrow begins at.
   const double middle = (from.x() + to.x() - width) / 2;
@@ -126,7 +128,7 @@ QFont ScenePainter::fontOf(const Label& label) {
 void ScenePainter::operator()(const Label& label) const {
   constexpr int kSmallest = 7;  // [px]
   QFont font = fontOf(label);
-  const QString text = QString::fromStdString(label.text);
+  const QString text = localNumbers(fromCore(label.text));
   double width = symbolWidth(font, text);
   if (const double room = label.room * scale_; room > 0 && width > room) {
     font.setPixelSize(static_cast<int>(font.pixelSize() * room / width));

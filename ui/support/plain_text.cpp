@@ -5,6 +5,8 @@
 
 #include "core/formulas.h"
 #include "core/text/number_text.h"
+#include "ui/language/from_core.h"
+#include "ui/language/numbers.h"
 #include "ui/style/symbol_text.h"
 
 namespace surefoot {
@@ -20,18 +22,18 @@ QString menuText(QString text) {
 }
 
 QStringList linesOf(const Parameter& p) {
-  QString head = toText(p.title);
+  QString head = fromCore(p.title);
   if (!p.symbol.empty()) head += QStringLiteral(" ") + toText(p.symbol);
   if (!p.unit.empty()) head += QStringLiteral(" [%1]").arg(toText(p.unit));
-  const QString fallback = p.kind == Kind::Choice ? toText(formatValue(p, p.fallback)) : toText(boundText(p.fallback));
-  return {head, toText(p.help), toText(formulaOf(p)),
-          QObject::tr("It takes %1. Default: %2 (%3).").arg(toText(allowedValues(p)), fallback, toText(p.origin))};
+  const QString fallback = p.kind == Kind::Choice ? valueText(p, p.fallback) : localNumbers(boundText(p.fallback));
+  return {head, fromCore(p.help), toText(formulaOf(p)),
+          QObject::tr("It takes %1. Default: %2 (%3).").arg(allowedText(p), fallback, sourceText(p.origin))};
 }
 
 QStringList linesOf(const Word& word) {
-  QStringList lines = {toText(word.title), toText(word.text)};
+  QStringList lines = {fromCore(word.title), fromCore(word.text)};
   if (!word.formula.empty()) lines << toText(word.formula);
-  if (!word.source.empty()) lines << QObject::tr("Source: %1.").arg(toText(word.source));
+  if (!word.source.empty()) lines << QObject::tr("Source: %1.").arg(sourceText(word.source));
   return lines;
 }
 

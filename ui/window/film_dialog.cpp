@@ -12,10 +12,11 @@
 #include <optional>
 
 #include "core/experiment/configuration.h"
-#include "core/text/text.h"
 #include "ui/controls/combo.h"
 #include "ui/controls/fitted_dialog.h"
 #include "ui/film/film_writer.h"
+#include "ui/language/from_core.h"
+#include "ui/language/numbers.h"
 #include "ui/running/looking.h"
 #include "ui/running/running_life.h"
 #include "ui/style/scale.h"
@@ -58,6 +59,10 @@ void addRow(QGridLayout* grid, const QString& title, QWidget* field) {
   const int row = grid->rowCount();
   grid->addWidget(new QLabel(title), row, 0);
   grid->addWidget(field, row, 1);
+}
+
+QString picturesText(std::int64_t number) {
+  return counted(number, FilmDialog::tr("%1 pictures", nullptr, forms(number)));
 }
 
 }  // namespace
@@ -212,19 +217,19 @@ void FilmDialog::refresh() {
     return words_->setText(sources_.empty() ? tr("There is nothing to film yet: nothing has moved in the window.")
                                             : tr("A film ends after it begins."));
   const double seconds = (to_->value() - from_->value()) / kShares[speed_->currentIndex()];
-  words_->setText(
-      tr("A film of %1 s, in %2.%3")
-          .arg(toText(fixedText(seconds, 1)), counted(filmFrames(seconds), tr("%1 picture"), tr("%1 pictures")),
-               ffmpegProgram().empty() ? tr(" WebP only: all others are made by the program ffmpeg, which is "
-                                            "not installed.")
-                                       : QString()));
+  words_->setText(tr("A film of %1 s, in %2.%3")
+                      .arg(fixedNumber(seconds, 1), picturesText(filmFrames(seconds)),
+                           ffmpegProgram().empty()
+                               ? tr(" WebP only: all others are made by the program ffmpeg, which is "
+                                    "not installed.")
+                               : QString()));
 }
 
 void FilmDialog::askForPath() {
   QStringList filters;
   for (const FilmKind& kind : filmKinds())
     if (!kind.byFfmpeg() || !ffmpegProgram().empty())
-      filters << QStringLiteral("%1 (*%2)").arg(toText(kind.title), toText(kind.ending));
+      filters << QStringLiteral("%1 (*%2)").arg(fromCore(kind.title), toText(kind.ending));
   askForNewFile(this, tr("Make the film"), "film.webp", filters.join(";;"), "webp",
                 [this](const QString& path) { make(path); });
 }
@@ -260,7 +265,7 @@ void FilmDialog::paint(const Film& film, const FilmKind& kind, WholeFile file, c
 
 void FilmDialog::finished(const Status& status, std::int64_t frames, const QString& path) {
   if (!status) return words_->setText(toText(status.error().message));
-  Q_EMIT made(tr("The film is in %1 (%2).").arg(path, counted(frames, tr("%1 picture"), tr("%1 pictures"))));
+  Q_EMIT made(tr("The film is in %1 (%2).").arg(path, picturesText(frames)));
   accept();
 }
 

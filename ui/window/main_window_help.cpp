@@ -41,7 +41,9 @@ void MainWindow::makeHelpMenu() {
 
 void MainWindow::showHandbook(const QString& page) {
   if (!handbook_) {
-    const auto handbook = makeHandbook_ ? makeHandbook_() : Result<Handbook>(Error{"The handbook is not there."});
+    const auto handbook = makeHandbook_
+                              ? makeHandbook_()
+                              : Result<Handbook>(Error{QObject::tr("The handbook is not there.").toStdString()});
     if (!handbook) return messages_->say(toText(handbook.error().message));
     handbook_ = new HandbookWindow(*handbook, pictures_, this);
     connect(handbook_, &HandbookWindow::textSizeAsked, this,

@@ -8,8 +8,9 @@
 
 #include "core/environment_library.h"
 #include "core/environment_programs.h"
-#include "core/text/text.h"
 #include "ui/controls/message_bar.h"
+#include "ui/language/from_core.h"
+#include "ui/language/numbers.h"
 #include "ui/live/live_page.h"
 #include "ui/live/rival.h"
 #include "ui/session/life_follower.h"
@@ -87,7 +88,7 @@ void MainWindow::askForNewTable(const QString& key, double value) {
   messages_->ask(
       tr("%1 = %2 needs a new table. Start again from the beginning, with the same seed, or carry what "
          "is learned over into it?")
-          .arg(toText(entry->parameter.title), toText(formatValue(entry->parameter, value))),
+          .arg(fromCore(entry->parameter.title), valueText(entry->parameter, value)),
       {{tr("Start again"),
         [this, key, value, told] { told(session_.newLives().setParameterAndRestart(key.toStdString(), value)); }},
        {tr("Carry over"),
@@ -128,9 +129,9 @@ void MainWindow::refreshTitle() {
 void MainWindow::refreshName() {
   const bool unsaved = session_.life().unsaved();
   const QString& path = session_.life().file().path;
-  const QString since = unsaved ? counted(session_.life().progress().episodes - session_.life().file().saved.episodes,
-                                          tr("%1 episode is not saved"), tr("%1 episodes are not saved"))
-                                : tr("everything is saved");
+  const std::int64_t more = session_.life().progress().episodes - session_.life().file().saved.episodes;
+  const QString since =
+      unsaved ? counted(more, tr("%1 episodes are not saved", nullptr, forms(more))) : tr("everything is saved");
   name_->say(sessionName(), unsaved, path.isEmpty() ? since : path + '\n' + since);
 }
 
@@ -150,7 +151,7 @@ QString MainWindow::whatIsNotSaved() const {
   const auto before = session_.history().unsavedBefore();
   QStringList others;
   for (auto life = before.rbegin(); life != before.rend() && others.size() < 4; ++life)
-    others << toText(countText(static_cast<double>((*life)->known.progress.episodes)));
+    others << countNumber(static_cast<double>((*life)->known.progress.episodes));
   if (before.size() > 4) others << tr("…");
   const QString kept =
       before.size() == 1

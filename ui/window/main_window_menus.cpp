@@ -7,10 +7,10 @@
 #include <QPainter>
 #include <QUndoGroup>
 
-#include "core/text/text.h"
 #include "ui/controls/message_bar.h"
 #include "ui/controls/panel.h"
 #include "ui/experiment/experiment_page.h"
+#include "ui/language/from_core.h"
 #include "ui/lessons/lessons_page.h"
 #include "ui/live/live_page.h"
 #include "ui/live/world/world_view.h"
@@ -106,7 +106,7 @@ void MainWindow::makeFileMenu() {
   QMenu* file = menuBar()->addMenu(tr("&File"));
   QMenu* fresh = file->addMenu(tr("&New session in"));
   for (const EnvironmentEntry& entry : session_.life().registry().environments)
-    connect(addAction(fresh, toText(entry.title), toText(entry.help), {}), &QAction::triggered, this,
+    connect(addAction(fresh, fromCore(entry.title), fromCore(entry.help), {}), &QAction::triggered, this,
             [this, name = entry.name] { begin([this, name] { return session_.newLives().beginEnvironment(name); }); });
   const auto item = [&](QMenu* menu, const QString& text, const QString& tip, const QKeySequence& key, auto slot) {
     connect(addAction(menu, text, tip, key), &QAction::triggered, this, slot);
@@ -272,10 +272,10 @@ void MainWindow::fillWhatIf(QMenu& menu) {
   add(tr("&Nothing else: the same again"), now.agent, now.policy);
   menu.addSection(tr("Another policy"));
   for (const auto& entry : session_.life().registry().policies)
-    if (entry.name != now.policy) add(plainSymbols(toText(entry.title)), now.agent, entry.name);
+    if (entry.name != now.policy) add(plainSymbols(fromCore(entry.title)), now.agent, entry.name);
   menu.addSection(tr("Another learning rule"));
   for (const auto& entry : session_.life().registry().agents)
-    if (entry.name != now.agent) add(plainSymbols(toText(entry.title)), entry.name, now.policy);
+    if (entry.name != now.agent) add(plainSymbols(fromCore(entry.title)), entry.name, now.policy);
 }
 
 }  // namespace surefoot

@@ -6,6 +6,7 @@
 
 #include "core/life/rule_of_thumb.h"
 #include "core/text/text.h"
+#include "ui/language/numbers.h"
 #include "ui/running/running_life.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
@@ -28,33 +29,33 @@ QStringList StatusLine::segments() {
   QStringList list;
   if (!std::isnan(s.simulatedSeconds))
     list << tr("%1 min simulated")
-                .arg(toText(s.simulatedSeconds < 6e4 ? fixedText(s.simulatedSeconds / 60, 2)
-                                                     : countText(s.simulatedSeconds / 60)));
-  list << tr("%1 steps").arg(toText(countText(static_cast<double>(s.steps))));
+                .arg(localNumbers(s.simulatedSeconds < 6e4 ? fixedText(s.simulatedSeconds / 60, 2)
+                                                           : countText(s.simulatedSeconds / 60)));
+  list << stepsText(s.steps);
   const double speed = s.stepsPerSecond;
   if (life_.running() && speed > 0)
-    list << (speed >= 1e5 ? tr("%1 M steps/s").arg(toText(fixedText(speed / 1e6, 2)))
-                          : tr("%1 steps/s").arg(toText(countText(speed))));
+    list << (speed >= 1e5 ? tr("%1 M steps/s").arg(fixedNumber(speed / 1e6, 2))
+                          : tr("%1 steps/s").arg(countNumber(speed)));
   const ValueSnapshot* v = life_.values();
   if (v && v->rule) {
     const RuleText rule = textOf(*v->rule);
-    list << tr("n* %1 → rule-of-thumb threshold %2").arg(toText(rule.transitions), toText(rule.threshold));
+    list << tr("n* %1 → rule-of-thumb threshold %2").arg(localNumbers(rule.transitions), localNumbers(rule.threshold));
   } else if (!life_.task().goalReward) {
     list << tr("rule-of-thumb threshold: not defined here");
   }
   if (v && !v->memory.empty() && v->memory[0].occupied && v->memory[0].slots > 0)
     list << tr("table %1 % full")
-                .arg(toText(fixedText(
-                    100.0 * static_cast<double>(*v->memory[0].occupied) / static_cast<double>(v->memory[0].slots), 0)));
+                .arg(fixedNumber(
+                    100.0 * static_cast<double>(*v->memory[0].occupied) / static_cast<double>(v->memory[0].slots), 0));
   if (v && v->guarded > 0 && v->steps > 0)
     list << tr("the guardian acted in %1 % of the steps")
-                .arg(toText(fixedText(100.0 * static_cast<double>(v->guarded) / static_cast<double>(v->steps), 1)));
-  if (v && v->priceOfFall) list << tr("a fall costs %1 more").arg(toText(countText(*v->priceOfFall)));
+                .arg(fixedNumber(100.0 * static_cast<double>(v->guarded) / static_cast<double>(v->steps), 1));
+  if (v && v->priceOfFall) list << tr("a fall costs %1 more").arg(countNumber(*v->priceOfFall));
   if (v && v->totals.rewinds > 0)
-    list << tr("%1 falls taken back").arg(toText(countText(static_cast<double>(v->totals.rewinds))));
+    list << counted(v->totals.rewinds, tr("%1 falls taken back", nullptr, forms(v->totals.rewinds)));
   cautious_ = -1;
   if (v && v->calibration && v->calibration->all.count >= kLeastActions) {
-    const auto percent = [](double share) { return toText(fixedText(100 * share, share < 0.0995 ? 1 : 0)); };
+    const auto percent = [](double share) { return fixedNumber(100 * share, share < 0.0995 ? 1 : 0); };
     const auto& risk = *v->calibration;
     const auto verdict = risk.verdict();
     if (verdict == Calibration::Verdict::Errs) cautious_ = static_cast<int>(list.size());
@@ -71,11 +72,11 @@ QStringList StatusLine::segments() {
 QString StatusLine::state() const {
   const ValueSnapshot* v = life_.values();
   QString text = v && v->endOfLearning > 0
-                     ? tr("learning ended at episode %1").arg(toText(countText(static_cast<double>(v->endOfLearning))))
+                     ? tr("learning ended at episode %1").arg(countNumber(static_cast<double>(v->endOfLearning)))
                      : QString();
-  if (v && v->walksSince) text = tr("walks since minute %1").arg(toText(fixedText(*v->walksSince, 0)));
+  if (v && v->walksSince) text = tr("walks since minute %1").arg(fixedNumber(*v->walksSince, 0));
   if (const auto apart = life_.snapshot().flewApart; apart > 0)
-    text = counted(apart, tr("the robot flew apart once"), tr("the robot flew apart %1 times")) +
+    text = counted(apart, tr("the robot flew apart %1 times", nullptr, forms(apart))) +
            (text.isEmpty() ? "" : "; " + text);
   if (life_.snapshot().finished)
     text = tr("the life is complete") + (text.isEmpty() ? "" : "; " + text);

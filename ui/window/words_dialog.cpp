@@ -13,9 +13,11 @@
 #include <algorithm>
 
 #include "core/glossary.h"
+#include "ui/language/from_core.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
+#include "ui/support/plain_text.h"
 
 namespace surefoot {
 
@@ -40,7 +42,7 @@ WordsDialog::WordsDialog(QWidget* parent) : QDialog(parent), search_(new QLineEd
   search_->setAccessibleName(tr("Search the words"));
   search_->setClearButtonEnabled(true);
   list_->setAccessibleName(tr("Words"));
-  for (const Word& word : glossary()) list_->addItem(toText(word.title));
+  for (const Word& word : glossary()) list_->addItem(fromCore(word.title));
   auto* left = new QVBoxLayout;
   left->addWidget(search_);
   left->addWidget(list_, 1);
@@ -91,7 +93,9 @@ void WordsDialog::showWord(const std::string& name) {
 void WordsDialog::search(const QString& text) {
   int first = -1;
   for (int i = 0; i < list_->count(); ++i) {
-    const bool shown = mentions(glossary()[static_cast<std::size_t>(i)], text.trimmed().toStdString());
+    const Word& word = glossary()[static_cast<std::size_t>(i)];
+    const bool shown = mentions(word, text.trimmed().toStdString()) ||
+                       linesOf(word).join('\n').contains(text.trimmed(), Qt::CaseInsensitive);
     list_->item(i)->setHidden(!shown);
     if (shown && first < 0) first = i;
   }
@@ -103,10 +107,10 @@ void WordsDialog::showRow(int row) {
   const Word none{
       .name = {}, .title = tr("No word has this in it.").toStdString(), .formula = {}, .text = {}, .source = {}};
   const Word& word = row < 0 ? none : glossary()[static_cast<std::size_t>(row)];
-  title_->setText(toText(word.title));
-  text_->setText(toText(word.text));
+  title_->setText(fromCore(word.title));
+  text_->setText(fromCore(word.text));
   formula_->setText(toText(word.formula));
-  source_->setText(word.source.empty() ? QString() : tr("Source: %1.").arg(toText(word.source)));
+  source_->setText(word.source.empty() ? QString() : tr("Source: %1.").arg(sourceText(word.source)));
   for (QLabel* label : {title_, text_, formula_, source_}) label->setVisible(!label->text().isEmpty());
 }
 

@@ -7,6 +7,7 @@
 
 #include "core/files/whole_file.h"
 #include "ui/experiment/figures/figure_painter.h"
+#include "ui/language/from_core.h"
 #include "ui/style/scene_painter.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
@@ -42,7 +43,7 @@ void FigurePainter::paintScene(QPainter& p, const Theme& t, QSizeF size) const {
   p.setPen(t.quiet);
   p.setFont(textFont(11));
   drawSymbol(p, QRectF(plot.left(), plot.bottom() + line, plot.width(), line), Qt::AlignHCenter,
-             toText(figure_.xTitle));
+             fromCore(figure_.xTitle));
   paintYTitle(p, t, plot);
 }
 
@@ -64,7 +65,7 @@ void asSvg(QBuffer& buffer, const FigurePainter& figure, const Theme& t, QSize s
   generator.setOutputDevice(&buffer);
   generator.setSize(size);
   generator.setViewBox(QRect({0, 0}, size));
-  generator.setTitle(toText(figure.figure().title));
+  generator.setTitle(fromCore(figure.figure().title));
   generator.setResolution(kPixelsPerInch);
   QPainter p(&generator);
   figure.paint(p, t, size);
@@ -75,7 +76,7 @@ void asPdf(QBuffer& buffer, const FigurePainter& figure, const Theme& t, QSize s
   writer.setResolution(kPixelsPerInch);
   writer.setPageSize(QPageSize(QSizeF(size) * kPointsPerInch / kPixelsPerInch, QPageSize::Point));
   writer.setPageMargins({});
-  writer.setTitle(toText(figure.figure().title));
+  writer.setTitle(fromCore(figure.figure().title));
   QPainter p(&writer);
   figure.paint(p, t, size);
 }

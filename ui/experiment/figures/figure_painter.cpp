@@ -8,6 +8,8 @@
 #include <numeric>
 
 #include "core/text/text.h"
+#include "ui/language/from_core.h"
+#include "ui/language/numbers.h"
 #include "ui/style/round_numbers.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
@@ -21,10 +23,10 @@ constexpr std::size_t kFew = 3;  // up to this number, all curves are drawn in f
 
 /// A value on an axis; `step` is the distance between two ticks.
 QString tickText(double value, double step) {
-  return toText(step < 0.01  ? fixedText(value, 3)
-                : step < 0.1 ? fixedText(value, 2)
-                : step < 1   ? fixedText(value, 1)
-                             : countText(value));
+  return localNumbers(step < 0.01  ? fixedText(value, 3)
+                      : step < 0.1 ? fixedText(value, 2)
+                      : step < 1   ? fixedText(value, 1)
+                                   : countText(value));
 }
 
 double lineHeight() {
@@ -161,7 +163,7 @@ void FigurePainter::paint(QPainter& p, const Theme& t, QSizeF size, double scrol
   p.setPen(t.ink);
   if (titleShown_)
     drawSymbol(p, QRectF(16, 8, size.width() - 32, QFontMetricsF(p.font()).height()), Qt::AlignLeft,
-               shownName(figure_.title));
+               shownName(fromCore(figure_.title).toStdString()));
   if (figure_.scene) return paintScene(p, t, size);
   if (figure_.bars) return paintBars(p, t, size, scroll);
   const QRectF plot = curvePlot(size);
@@ -200,7 +202,7 @@ void FigurePainter::paintTimeAxis(QPainter& p, const Theme& t, const QRectF& plo
     p.setPen(t.quiet);
     drawSymbol(p, QRectF(tick - 60, base + 5, 120, line), Qt::AlignHCenter, tickText(x, step));
   }
-  drawSymbol(p, QRectF(plot.left(), base + 8 + line, plot.width(), line), Qt::AlignHCenter, toText(figure_.xTitle));
+  drawSymbol(p, QRectF(plot.left(), base + 8 + line, plot.width(), line), Qt::AlignHCenter, fromCore(figure_.xTitle));
 }
 
 void FigurePainter::paintYTitle(QPainter& p, const Theme& t, const QRectF& plot) const {
@@ -210,7 +212,7 @@ void FigurePainter::paintYTitle(QPainter& p, const Theme& t, const QRectF& plot)
   p.translate(10 + lineHeight() / 2, plot.center().y());
   p.rotate(-90);
   const double room = plot.height() + 2 * std::min(plot.top(), 40.0);
-  const QString title = p.fontMetrics().elidedText(toText(figure_.yTitle), Qt::ElideRight, static_cast<int>(room));
+  const QString title = p.fontMetrics().elidedText(fromCore(figure_.yTitle), Qt::ElideRight, static_cast<int>(room));
   p.drawText(QRectF(-room / 2, -lineHeight() / 2, room, lineHeight()), Qt::AlignCenter, title);
   p.restore();
 }
@@ -225,8 +227,9 @@ QString FigurePainter::textAt(QPointF point, QSizeF size, double scroll) const {
   if (k && *k < s.y.size() && std::isfinite(s.y[*k].value)) text += QStringLiteral(": ") + intervalText(s.y[*k]);
   if (s.thesis) text += QObject::tr(", thesis %1").arg(intervalText({*s.thesis, NAN, NAN}));
   if (s.planned > 0)
-    text += s.complete() ? QStringLiteral(", ") + livesText(s.lives)
-                         : QObject::tr(", %1 of %2 lives so far").arg(s.lives).arg(s.planned);
+    text += s.complete()
+                ? QStringLiteral(", ") + livesText(s.lives)
+                : QObject::tr(", %1 of %2 lives so far", nullptr, forms(s.planned)).arg(s.lives).arg(s.planned);
   return text;
 }
 

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/text/text.h"
 #include "ui/experiment/figures/figure_painter.h"
+#include "ui/language/from_core.h"
+#include "ui/language/numbers.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
 
@@ -16,7 +17,7 @@ constexpr double kLeastPart = 1e-3;   // the smallest share of the time axis tha
 }  // namespace
 
 QString intervalText(const Interval& v) {
-  const auto number = [](double x) { return toText(fixedText(x, std::abs(x) < 10 ? 2 : 1)); };
+  const auto number = [](double x) { return fixedNumber(x, std::abs(x) < 10 ? 2 : 1); };
   const bool known = std::isfinite(v.low) && std::isfinite(v.high) && v.low < v.high;
   return number(v.value) + (known ? QObject::tr(" (95 %: %1 … %2)").arg(number(v.low), number(v.high)) : QString());
 }
@@ -65,7 +66,7 @@ void FigurePainter::paintReading(QPainter& p, const Theme& t, QSizeF size) const
     widest = std::max(widest, symbolWidth(p.font(), texts.back()));
   }
   const QString head =
-      QStringLiteral("%1: %2").arg(toText(figure_.xTitle), toText(fixedText(*time, xMost_ - xLeast_ < 20 ? 2 : 0)));
+      QStringLiteral("%1: %2").arg(fromCore(figure_.xTitle), fixedNumber(*time, xMost_ - xLeast_ < 20 ? 2 : 0));
   widest = std::max(widest + stroke, symbolWidth(p.font(), head));
   const QSizeF box(std::min(widest + 16, plot.width()), row * static_cast<double>(read.size() + 1) + 8);
   const bool right = x < plot.center().x();

@@ -7,7 +7,7 @@
 #include <QToolTip>
 #include <QWheelEvent>
 
-#include "ui/style/symbol_text.h"
+#include "ui/language/from_core.h"
 #include "ui/style/theme.h"
 #include "ui/support/plain_text.h"
 
@@ -18,7 +18,7 @@ FigureView::FigureView(Figure figure, QWidget* parent)
       painter_(std::move(figure)),
       scroll_(new QScrollBar(Qt::Horizontal, this)) {
   setMouseTracking(true);
-  setAccessibleName(shownName(painter_.figure().title));
+  setAccessibleName(shownName(fromCore(painter_.figure().title).toStdString()));
   scroll_->setAccessibleName(tr("Bars that have no room"));
   connect(scroll_, &QScrollBar::valueChanged, this, qOverload<>(&QWidget::update));
   layOut();
@@ -33,7 +33,8 @@ void FigureView::setFigure(Figure figure, const QString& words) {
   if (same) painter_.setTime(part);
   painter_.setReading(reading_);
   words_ = words;
-  setAccessibleName(painter_.figure().title.empty() ? words : shownName(painter_.figure().title));
+  setAccessibleName(painter_.figure().title.empty() ? words
+                                                    : shownName(fromCore(painter_.figure().title).toStdString()));
   layOut();
   update();
 }

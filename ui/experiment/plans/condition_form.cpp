@@ -10,6 +10,8 @@
 #include "core/environment_library.h"
 #include "core/experiment/configuration.h"
 #include "ui/controls/combo.h"
+#include "ui/language/from_core.h"
+#include "ui/language/numbers.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
 
@@ -19,7 +21,7 @@ namespace {
 
 template <class Entries>
 void fill(Combo* combo, const Entries& entries) {
-  for (const auto& entry : entries) combo->addItem(toText(entry.title), toText(entry.name));
+  for (const auto& entry : entries) combo->addItem(fromCore(entry.title), toText(entry.name));
 }
 
 /// The box takes the width that is free, even if its longest entry is wider.
@@ -113,13 +115,13 @@ void ConditionForm::beginAs(const Condition& condition) {
   if (episodes_)
     length_->setText(QString::number(*c.episodes));
   else if (c.minutes)
-    length_->setText(toText(fmt::format("{}", *c.minutes)));
+    length_->setText(localNumbers(fmt::format("{}", *c.minutes)));
   fillForEnvironment();
   scenario_->choose(c.names.scenario);
   if (!condition.preLearning) return;
   preLearned_->choose(condition.preLearning->configuration.names.scenario);
   if (const auto& until = condition.preLearning->configuration.until)
-    until_->setText(toText(fmt::format("{}", *until)));
+    until_->setText(localNumbers(fmt::format("{}", *until)));
   pool_->setText(QString::number(condition.preLearning->pool));
 }
 
@@ -153,8 +155,8 @@ void ConditionForm::fillForEnvironment() {
   preLearned_->clear();
   preLearned_->addItem(tr("nothing"));
   for (const AssignmentEntry* entry : scenariosOf(registry_, environment_->chosen())) {
-    scenario_->addItem(toText(entry->title), toText(entry->name));
-    preLearned_->addItem(toText(entry->title), toText(entry->name));
+    scenario_->addItem(fromCore(entry->title), toText(entry->name));
+    preLearned_->addItem(fromCore(entry->title), toText(entry->name));
   }
   scenario_->setEnabled(scenario_->count() > 0);
   preLearned_->setEnabled(preLearned_->count() > 1);
@@ -183,7 +185,7 @@ void ConditionForm::fillKeys() {
     for (const auto& entry : c->parameters.all()) {
       const std::string& key = entry.parameter.key;
       if (key.starts_with("policy.") && std::find(own.begin(), own.end(), key) == own.end()) continue;
-      sweep.key->addItem(toText(fmt::format("{} ({})", entry.parameter.title, key)), toText(key));
+      sweep.key->addItem(QStringLiteral("%1 (%2)").arg(fromCore(entry.parameter.title), toText(key)), toText(key));
     }
     sweep.key->choose(before);
   }

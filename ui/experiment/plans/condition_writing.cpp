@@ -6,9 +6,9 @@
 
 #include "core/plans/plan_writing.h"
 #include "core/text/number_text.h"
-#include "core/text/text.h"
 #include "ui/controls/combo.h"
 #include "ui/experiment/plans/condition_form.h"
+#include "ui/language/numbers.h"
 
 namespace surefoot {
 
@@ -35,7 +35,8 @@ Result<std::string> valuesOf(const Parameter& parameter, const std::string& text
 /// The name of the policy, and in braces the varied parameters.
 std::string ConditionForm::name() const {
   if (const QString name = name_->text().simplified(); !name.isEmpty()) return name.toStdString();
-  std::string name = policy_->currentText().toStdString();
+  const auto policy = findEntry(registry_.policies, "policy", policy_->chosen());  // in every language the same
+  std::string name = policy ? (*policy)->title : policy_->chosen();
   if (const std::string on = preLearned_->chosen(); !on.empty()) name = fmt::format("pre({}): {}", on, name);
   for (const Sweep& sweep : sweeps_) {
     const std::string key = sweep.key->chosen();
@@ -65,7 +66,7 @@ Result<std::string> ConditionForm::toml() const {
   for (const Sweep& sweep : sweeps_) {
     const Parameters::Entry* entry = c->parameters.find(sweep.key->chosen());
     if (!entry) continue;
-    const auto values = valuesOf(entry->parameter, sweep.values->text().trimmed().toStdString());
+    const auto values = valuesOf(entry->parameter, typedNumbers(sweep.values->text().trimmed()));
     if (!values) return values.error();
     toml += fmt::format("set.{} = {}\n", entry->parameter.key, *values);
   }
@@ -81,7 +82,7 @@ Result<std::string> ConditionForm::length() const {
                                   .low = episodes_ ? 1 : 0.001,
                                   .high = 1e6,
                                   .kind = episodes_ ? Kind::Integer : Kind::Real},
-                                 length_->text().trimmed().toStdString());
+                                 typedNumber(length_->text().trimmed()));
   if (!length) return length.error();
   return fmt::format("{} = {}\n", key, *length);
 }
@@ -90,7 +91,7 @@ Result<std::string> ConditionForm::preLearning() const {
   const std::string on = preLearned_->chosen();
   if (on.empty()) return std::string();
   const auto until =
-      parseValue({.key = "pre-learning.until", .low = -1e9, .high = 1e9}, until_->text().trimmed().toStdString());
+      parseValue({.key = "pre-learning.until", .low = -1e9, .high = 1e9}, typedNumber(until_->text().trimmed()));
   if (!until) return until.error();
   const auto pool = parseValue({.key = "pre-learning.pool", .low = 1, .high = 1000, .kind = Kind::Integer},
                                pool_->text().trimmed().toStdString());

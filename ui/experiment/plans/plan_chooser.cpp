@@ -16,6 +16,8 @@
 
 #include "core/plans/plan_time.h"
 #include "ui/experiment/figures/condition_name.h"
+#include "ui/language/from_core.h"
+#include "ui/language/numbers.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
@@ -30,7 +32,7 @@ constexpr int kSource = Qt::UserRole;  // an item's index in the list of sources
 
 /// Everything that a search looks through.
 QString haystack(const PlanSource& s) {
-  QString text = toText(s.name + ' ' + s.title + ' ' + s.answers + ' ' + s.group);
+  QString text = toText(s.name + ' ' + s.title + ' ' + s.answers + ' ') + fromCore(s.group);
   for (const std::string& shown : s.shows) text += ' ' + toText(shown);
   return text.toLower();
 }
@@ -130,14 +132,14 @@ void PlanChooser::fill() {
   for (const PlanSource& s : sources_)
     if (std::find(groups.begin(), groups.end(), s.group) == groups.end()) groups.push_back(s.group);
   for (const std::string& group : groups) {
-    auto* head = new QTreeWidgetItem(list_, {group.empty() ? tr("Plans") : toText(group)});
+    auto* head = new QTreeWidgetItem(list_, {group.empty() ? tr("Plans") : fromCore(group)});
     head->setFirstColumnSpanned(true);
     head->setFlags(Qt::ItemIsEnabled);
     head->setFont(0, scaledFont(11, 500));
     for (std::size_t i = 0; i < sources_.size(); ++i) {
       const PlanSource& s = sources_[i];
       if (s.group != group) continue;
-      const QString time = s.minutes > 0 ? tr("about %1").arg(toText(roundedTime(s.minutes))) : QString();
+      const QString time = s.minutes > 0 ? tr("about %1").arg(localNumbers(roundedTime(s.minutes))) : QString();
       auto* item = new QTreeWidgetItem(head, {numbersOf(s), toText(s.title), time});
       item->setData(0, kSource, static_cast<int>(i));
       item->setToolTip(Title, tipText(toText(s.title)));

@@ -102,7 +102,7 @@ void LessonDriver::point(const PointedAt& place) {
   visit(
       [verdict, given, accept = question->accept, place, record = recorder()](const Life& life, Knowledge& k) {
         verdict->right = k.values.accepts(accept, life, place);
-        verdict->remark = verdict->right ? "" : "Not there. Try another place.";
+        verdict->remark = verdict->right ? "" : tr("Not there. Try another place.").toStdString();
         record(life, k, *given);
       },
       [this, verdict, given] { judge(*verdict, std::move(*given)); });

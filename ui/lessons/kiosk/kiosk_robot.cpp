@@ -5,13 +5,12 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include "core/text/text.h"
 #include "ui/controls/labels.h"
+#include "ui/language/numbers.h"
 #include "ui/live/world/world_view.h"
 #include "ui/style/painted.h"
 #include "ui/style/policy_look.h"
 #include "ui/style/scale.h"
-#include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
 
 namespace surefoot {
@@ -133,7 +132,7 @@ Status KioskRobot::begin(const std::string& key, double value) {
 
 void KioskRobot::refresh() {
   const Theme& t = themeOf(*this);
-  falls_->setText(toText(countText(static_cast<double>(session_->life().numbers().falls))));
+  falls_->setText(countNumber(static_cast<double>(session_->life().numbers().falls)));
   QPalette own = this->palette();
   if (own.color(QPalette::Window) == t.paper) return;
   own.setColor(QPalette::Window, t.paper);

@@ -9,10 +9,10 @@
 #include <cmath>
 
 #include "core/lessons/lesson_life.h"
-#include "core/text/text.h"
 #include "ui/controls/hairline.h"
 #include "ui/controls/labels.h"
 #include "ui/controls/text_button.h"
+#include "ui/language/numbers.h"
 #include "ui/lessons/kiosk/kiosk_robot.h"
 #include "ui/lessons/kiosk/share_slider.h"
 #include "ui/style/scale.h"
@@ -226,9 +226,9 @@ void KioskWindow::refresh() {
   const std::int64_t both = std::min(a.episodes, b.episodes);
   const QString explain = toText(kiosk_.explain);
   if (shares_.empty()) return foot_->show(explain, tr("It is being made ready …"));
-  const QString facts = tr("ε = %1 against τ = %2, %3 episodes each")
-                            .arg(toText(fixedText(epsilon_, 3)), toText(fixedText(temperature_, 2)),
-                                 toText(countText(static_cast<double>(both))));
+  const QString facts =
+      tr("ε = %1 against τ = %2, %3 episodes each")
+          .arg(fixedNumber(epsilon_, 3), fixedNumber(temperature_, 2), countNumber(static_cast<double>(both)));
   const QString counted = tr("After %1 episodes: %2 falls against %3.").arg(both).arg(a.falls).arg(b.falls);
   foot_->show(slider().share() == 0    ? tr("Now neither tries anything: both always take what they think is best.")
               : both < kiosk_.episodes ? explain

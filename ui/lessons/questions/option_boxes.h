@@ -2,6 +2,7 @@
 // The questions with a few options, of which one is chosen.
 #pragma once
 
+#include <QCoreApplication>
 #include <functional>
 
 #include "ui/lessons/questions/question_box.h"
@@ -13,6 +14,8 @@ namespace surefoot {
 
 /// One of a few options. A key 1, 2, 3 … chooses one, Enter gives the answer.
 class OptionsBox : public QuestionBox {
+  Q_DECLARE_TR_FUNCTIONS(surefoot::OptionsBox)
+
  protected:
   using QuestionBox::QuestionBox;
   void addOptions(const QStringList& options);
@@ -27,6 +30,8 @@ class OptionsBox : public QuestionBox {
 
 /// "Because" is kept, never marked.
 class ChoiceBox final : public OptionsBox {
+  Q_DECLARE_TR_FUNCTIONS(surefoot::ChoiceBox)
+
  public:
   ChoiceBox(LessonDriver& driver, const ChoiceQuestion& question, QWidget* parent);
   void check() override;
@@ -38,6 +43,8 @@ class ChoiceBox final : public OptionsBox {
 
 /// Which of two ways fell less, by their lives.
 class CompareBox final : public OptionsBox {
+  Q_DECLARE_TR_FUNCTIONS(surefoot::CompareBox)
+
  public:
   CompareBox(LessonDriver& driver, const CompareQuestion& question, QWidget* parent);
   void check() override;

@@ -12,6 +12,7 @@
 #include "ui/controls/labels.h"
 #include "ui/controls/slider.h"
 #include "ui/controls/text_button.h"
+#include "ui/language/numbers.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
 
@@ -49,15 +50,15 @@ PredictionBox::PredictionBox(LessonDriver& driver, QWidget* parent)
   for (int i = 0; i <= parts; ++i) {
     const double at = p.low + (p.high - p.low) * i / parts;
     if (i > 0) ends->addStretch(1);
-    ends->addWidget(makeText(toText(whole ? countText(at) : fixedText(at, 2)), 11, 400, true, this));
+    ends->addWidget(makeText(localNumbers(whole ? countText(at) : fixedText(at, 2)), 11, 400, true, this));
   }
   column().addLayout(ends);
   commit_ = new TextButton({}, TextButton::Look::Main, this);
   whenScaled(commit_, [this] { commit_->setMinimumHeight(scaled(32)); });
   column().addWidget(commit_);
   note_ = addNote(tr("%1 to %2; type it, or drag the mark. Once given it stays. Wrong is fine.")
-                      .arg(toText(whole ? countText(p.low) : fixedText(p.low, 2)),
-                           toText(whole ? countText(p.high) : fixedText(p.high, 2))));
+                      .arg(localNumbers(whole ? countText(p.low) : fixedText(p.low, 2)),
+                           localNumbers(whole ? countText(p.high) : fixedText(p.high, 2))));
   connect(number_, &QDoubleSpinBox::valueChanged, this, [this](double value) {
     const LessonPrediction& asked = *driver_.step().predict;
     const QSignalBlocker blocker(slider_);
@@ -98,7 +99,7 @@ void PredictionBox::setValue(double value) {
 
 QString PredictionBox::said() const {
   const double value = number_->value();
-  const QString number = toText(number_->decimals() == 0 ? countText(value) : fixedText(value, 2));
+  const QString number = localNumbers(number_->decimals() == 0 ? countText(value) : fixedText(value, 2));
   return tr("%1 %2").arg(number, toText(driver_.step().predict->unit)).trimmed();
 }
 

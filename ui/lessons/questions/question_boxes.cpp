@@ -16,6 +16,8 @@
 #include "core/text/number_text.h"
 #include "ui/controls/labels.h"
 #include "ui/controls/text_button.h"
+#include "ui/language/from_core.h"
+#include "ui/language/numbers.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
 
@@ -37,7 +39,7 @@ QString plainCondition(const std::string& condition, const Parameters& parameter
   QString text = toText(condition);
   for (const auto& entry : parameters.all()) {
     const std::string& symbol = entry.parameter.symbol;
-    text.replace(toText(entry.parameter.key), toText(symbol.empty() ? entry.parameter.title : symbol));
+    text.replace(toText(entry.parameter.key), fromCore(symbol.empty() ? entry.parameter.title : symbol));
   }
   return text.replace(QStringLiteral(">="), QStringLiteral("≥")).replace(QStringLiteral("<="), QStringLiteral("≤"));
 }
@@ -59,7 +61,7 @@ NumberBox::NumberBox(LessonDriver& driver, const NumberQuestion& question, QWidg
   row->addStretch(1);
   column().addLayout(row);
   column().addWidget(verdict_);
-  number_->setText(toText(driver.draft().answer));
+  number_->setText(localNumbers(driver.draft().answer));
   connect(number_, &QLineEdit::returnPressed, this, [this] { check(); });
   connect(number_, &QLineEdit::textChanged, this, [this](const QString& text) {
     driver_.keepDraft({text.toStdString(), {}});
@@ -70,7 +72,7 @@ NumberBox::NumberBox(LessonDriver& driver, const NumberQuestion& question, QWidg
 }
 
 void NumberBox::check() {
-  const auto value = parseNumber("the answer", number_->text().toStdString());
+  const auto value = parseNumber("the answer", typedNumber(number_->text()));
   if (!value) return tell({false, tr("Type a number, such as −4.5.").toStdString()});
   driver_.number(*value);
 }
@@ -160,8 +162,9 @@ PointBox::PointBox(LessonDriver& driver, const PointQuestion& question, QWidget*
     const Task& task = driver.session().life().task();
     auto* group = new QButtonGroup(this);
     for (std::size_t a = 0; a < task.actions.size(); ++a) {
-      const QString name = a < task.actionNames.size() ? toText(task.actionNames[a])
-                                                       : QString::number(task.actions[a]).replace('-', QChar(0x2212));
+      const QString name = a < task.actionNames.size()
+                               ? fromCore(task.actionNames[a])
+                               : localNumbers(QString::number(task.actions[a]).replace('-', QChar(0x2212)));
       auto* button = new QRadioButton(name, this);
       group->addButton(button);
       column().addWidget(button);

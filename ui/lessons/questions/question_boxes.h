@@ -2,6 +2,7 @@
 // The kinds of questions but the prediction and the options, each with its controls.
 #pragma once
 
+#include <QCoreApplication>
 #include "ui/lessons/questions/question_box.h"
 
 class QLineEdit;
@@ -11,6 +12,8 @@ class QPlainTextEdit;
 namespace surefoot {
 
 class NumberBox final : public QuestionBox {
+  Q_DECLARE_TR_FUNCTIONS(surefoot::NumberBox)
+
  public:
   NumberBox(LessonDriver& driver, const NumberQuestion& question, QWidget* parent);
   void check() override;
@@ -21,6 +24,8 @@ class NumberBox final : public QuestionBox {
 
 /// The options in an order of one's own: ↑ and ↓ with Alt, the buttons, or a drag move one.
 class OrderBox final : public QuestionBox {
+  Q_DECLARE_TR_FUNCTIONS(surefoot::OrderBox)
+
  public:
   OrderBox(LessonDriver& driver, const OrderQuestion& question, QWidget* parent);
   void check() override;
@@ -37,12 +42,16 @@ class OrderBox final : public QuestionBox {
 
 /// A place on the map, a fall or an action: answered by a click there.
 class PointBox final : public QuestionBox {
+  Q_DECLARE_TR_FUNCTIONS(surefoot::PointBox)
+
  public:
   PointBox(LessonDriver& driver, const PointQuestion& question, QWidget* parent);
 };
 
 /// Own words, and then a model answer beside them.
 class WordsBox final : public QuestionBox {
+  Q_DECLARE_TR_FUNCTIONS(surefoot::WordsBox)
+
  public:
   WordsBox(LessonDriver& driver, const WordsQuestion& question, QWidget* parent);
   void check() override;
@@ -54,6 +63,8 @@ class WordsBox final : public QuestionBox {
 
 /// A task that ticks itself.
 class TaskBox final : public QuestionBox {
+  Q_DECLARE_TR_FUNCTIONS(surefoot::TaskBox)
+
  public:
   TaskBox(LessonDriver& driver, QWidget* parent);
 

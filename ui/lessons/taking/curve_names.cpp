@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/environment_library.h"
-#include "core/text/text.h"
+#include "ui/language/from_core.h"
 #include "ui/lessons/driver/lesson_driver.h"
 #include "ui/running/run_names.h"
 #include "ui/style/symbol_text.h"
@@ -18,7 +18,7 @@ constexpr qsizetype kMostWords = 2;
 template <class Entries>
 QString titleOf(const Entries& entries, const std::string& kind, const std::string& name) {
   const auto entry = findEntry(entries, kind, name);
-  return entry ? toText((*entry)->title) : toText(name);
+  return entry ? fromCore((*entry)->title) : toText(name);
 }
 
 }  // namespace
@@ -72,7 +72,7 @@ QStringList CurveNames::words() const {
   QStringList words;
   if (!now.names.scenario.empty() && now.names.scenario != "actual")
     if (const auto entry = findScenario(registry, now.names.environment, now.names.scenario))
-      words << toText((*entry)->title);
+      words << fromCore((*entry)->title);
   if (rules_) words << titleOf(registry.agents, "agent", now.names.agent);
   // The knobs of the step first, then what the lesson turns by itself.
   const LessonStep& step = driver_.step();
@@ -86,14 +86,14 @@ QStringList CurveNames::words() const {
     // A symbol is known from its knob.
     const bool known = std::find(step.show.begin(), step.show.end(), key) != step.show.end();
     const std::string symbol = known || key.starts_with("policy.") ? entry->parameter.symbol : std::string();
-    QString value = toText(formatValue(entry->parameter, entry->value));
+    QString value = valueText(entry->parameter, entry->value);
     // A knob that was turned at rest says nothing of what was lived before.
     const std::int64_t steps = life.progress().steps, changed = life.changedAt(key).value_or(steps);
     if (before && before->value != entry->value && steps > 0 && changed > 0) {
-      const QString old = toText(formatValue(before->parameter, before->value));
+      const QString old = valueText(before->parameter, before->value);
       value = changed < steps ? old + QStringLiteral(" → ") + value : old;
     }
-    words << QStringLiteral("%1 %2").arg(toText(symbol.empty() ? entry->parameter.title : symbol), value);
+    words << QStringLiteral("%1 %2").arg(fromCore(symbol.empty() ? entry->parameter.title : symbol), value);
   }
   return words;
 }

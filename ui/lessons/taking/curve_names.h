@@ -15,7 +15,7 @@ class LessonDriver;
 struct RunCurve;
 
 class CurveNames {
-  Q_DECLARE_TR_FUNCTIONS(CurveNames)
+  Q_DECLARE_TR_FUNCTIONS(surefoot::CurveNames)
 
  public:
   explicit CurveNames(LessonDriver& driver);

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "core/environment_library.h"
-#include "core/text/text.h"
 #include "ui/controls/combo.h"
+#include "ui/language/from_core.h"
 #include "ui/live/form/parameter_row.h"
 #include "ui/session/session.h"
 #include "ui/style/scale.h"
@@ -81,16 +81,16 @@ void KnobRows::addChoice(const std::string& what) {
   const QString name = what == "policy" ? tr("Policy") : what == "agent" ? tr("Learning rule") : tr("Scenario");
   auto* combo = new Combo(name, this);
   const auto add = [combo](const auto& entries) {
-    for (const auto& entry : entries) combo->addItem(toText(entry.title), toText(entry.name));
+    for (const auto& entry : entries) combo->addItem(fromCore(entry.title), toText(entry.name));
   };
   const Registry& registry = session_.life().registry();
   if (what == "policy") add(registry.policies);
   if (what == "scenario")
     for (const AssignmentEntry* entry : scenariosOf(registry, session_.life().configuration().names.environment))
-      combo->addItem(toText(entry->title), toText(entry->name));
+      combo->addItem(fromCore(entry->title), toText(entry->name));
   if (what == "agent")
     for (const AgentEntry& entry : registry.agents)
-      if (entry.name != "scripted") combo->addItem(toText(entry.title), toText(entry.name));
+      if (entry.name != "scripted") combo->addItem(fromCore(entry.title), toText(entry.name));
   if (what == "policy") combo->setPolicyMarkers();
   auto* row = new QHBoxLayout;
   row->addWidget(new QLabel(name, this));

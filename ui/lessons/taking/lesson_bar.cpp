@@ -5,11 +5,11 @@
 #include <QHBoxLayout>
 #include <algorithm>
 
-#include "core/text/text.h"
 #include "ui/controls/bar_button.h"
 #include "ui/controls/labels.h"
 #include "ui/controls/link_button.h"
 #include "ui/controls/slider.h"
+#include "ui/language/numbers.h"
 #include "ui/lessons/driver/lesson_driver.h"
 #include "ui/live/run_bar.h"
 #include "ui/style/scale.h"
@@ -113,11 +113,11 @@ void LessonBar::refresh() {
   turbo_->setChecked(life.turbo());
   for (const auto& [name, part] : parts_) part->setVisible(shows(name));
   const Numbers& numbers = life.numbers();
-  falls_->setText(life.task().canFall ? toText(countText(static_cast<double>(numbers.falls))) : QString());
-  episodes_->setText(toText(countText(static_cast<double>(numbers.episodes))));
+  falls_->setText(life.task().canFall ? countNumber(static_cast<double>(numbers.falls)) : QString());
+  episodes_->setText(countNumber(static_cast<double>(numbers.episodes)));
   constexpr double kSeconds = 60;  // in a minute
   const double minutes = static_cast<double>(numbers.steps) * life.task().stepTime.value_or(0) / kSeconds;
-  minutes_->setText(toText(fixedText(minutes, 1)));
+  minutes_->setText(fixedNumber(minutes, 1));
 }
 
 }  // namespace surefoot

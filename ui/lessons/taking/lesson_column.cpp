@@ -12,11 +12,11 @@
 #include <algorithm>
 #include <map>
 
-#include "core/text/text.h"
 #include "ui/controls/hairline.h"
 #include "ui/controls/labels.h"
 #include "ui/controls/link_button.h"
 #include "ui/controls/text_button.h"
+#include "ui/language/from_core.h"
 #include "ui/lessons/questions/question_box.h"
 #include "ui/lessons/taking/knob_rows.h"
 #include "ui/lessons/taking/lesson_end.h"
@@ -205,7 +205,7 @@ QString LessonColumn::willMove() const {
         toText(formatValue(entry->parameter, entry->value)) == toText(value))
       continue;
     const std::string& symbol = entry->parameter.symbol;
-    words << tr("%1 becomes %2").arg(toText(symbol.empty() ? entry->parameter.title : symbol), toText(value));
+    words << tr("%1 becomes %2").arg(fromCore(symbol.empty() ? entry->parameter.title : symbol), toText(value));
   }
   return words.isEmpty() ? QString() : tr("%1 when you commit").arg(words.join(QStringLiteral(", ")));
 }

@@ -8,6 +8,7 @@
 
 #include "core/lessons/verdict.h"
 #include "core/text/text.h"
+#include "ui/language/numbers.h"
 #include "ui/style/round_numbers.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
@@ -17,7 +18,7 @@ namespace surefoot {
 namespace {
 
 QString shortText(double value) {
-  return toText(lessonNumber(value));
+  return localNumbers(lessonNumber(value));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "ui/controls/labels.h"
+#include "ui/language/numbers.h"
 #include "ui/lessons/driver/lesson_driver.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
@@ -18,7 +19,7 @@ namespace {
 constexpr double kVeryClose = 0.02;  // of the range that could be said
 
 QString numberText(double value) {
-  return toText(lessonNumber(value));
+  return localNumbers(lessonNumber(value));
 }
 
 }  // namespace

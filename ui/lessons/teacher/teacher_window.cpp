@@ -190,7 +190,7 @@ void TeacherWindow::show(const ClassTable& table) {
   if (folder_.isEmpty()) return most_->setVisible(false);
   const bool gone = !QDir(folder_).exists();
   state_->setText(gone ? tr("The class's folder is gone: %1").arg(folder_)
-                       : tr("%1 students, %2").arg(table.students.size()).arg(folder_));
+                       : tr("%n students, %1", nullptr, static_cast<int>(table.students.size())).arg(folder_));
   table_->setRowCount(static_cast<int>(table.students.size()));
   for (std::size_t row = 0; row < table.students.size(); ++row) {
     table_->setVerticalHeaderItem(static_cast<int>(row), new QTableWidgetItem(toText(table.students[row])));

@@ -3,6 +3,7 @@
 
 #include <QPainter>
 
+#include "ui/language/from_core.h"
 #include "ui/running/looking.h"
 #include "ui/running/running_life.h"
 #include "ui/style/colour_map.h"
@@ -32,7 +33,7 @@ void ActionKey::refresh() {
     const std::string& now = life_.configuration().names.policy;
     for (const auto& entry : life_.registry().policies)
       if (entry.name == now || (entry.name != "greedy" && entry.name != "mellowmax"))
-        items.push_back({toText(entry.title), entry.name, entry.name == now});
+        items.push_back({fromCore(entry.title), entry.name, entry.name == now});
   } else if (!looking_.shown().qPositive.empty()) {
     items = {{kNegative, "", false}, {kPositive, "", false}, {QStringLiteral("Q"), "", false}};
   }

@@ -8,7 +8,8 @@
 #include <cmath>
 #include <utility>
 
-#include "core/text/text.h"
+#include "ui/language/from_core.h"
+#include "ui/language/numbers.h"
 #include "ui/live/maps/map_choice.h"
 #include "ui/running/looking.h"
 #include "ui/running/running_life.h"
@@ -63,7 +64,7 @@ void ActionRows::rebuild() {
     auto policy = makePolicy(life_.registry(), name, life_.configuration().parameters);
     if (!policy) continue;
     const auto entry = findEntry(life_.registry().policies, "policy", name);
-    columns_.push_back({name, toText((*entry)->title), std::move(*policy), {}, {}});
+    columns_.push_back({name, fromCore((*entry)->title), std::move(*policy), {}, {}});
   }
   q_.clear();
   positive_.clear();
@@ -102,7 +103,7 @@ void ActionRows::nextFrame() {
 }
 
 QString ActionRows::valueText(double q) {
-  return toText(fixedText(q, std::abs(q) < 99.95 ? 1 : 0));
+  return fixedNumber(q, std::abs(q) < 99.95 ? 1 : 0);
 }
 
 /// Takes the values of the live state, or of the state that is examined on the map.

@@ -6,7 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/text/text.h"
+#include "ui/language/from_core.h"
+#include "ui/language/numbers.h"
 #include "ui/live/actions/action_rows.h"
 #include "ui/live/maps/map_choice.h"
 #include "ui/running/looking.h"
@@ -23,16 +24,16 @@ namespace {
 constexpr double kTop = 34, kUnder = 26, kBetween = 4;  // [px], with texts of the usual size
 
 /// The word that ends every variable's title, such as "voltage"; else nothing.
-QString commonEnd(const std::vector<ActionVariable>& variables) {
-  const QString end = toText(variables[0].title).section(' ', -1);
-  const auto ends = [&](const ActionVariable& v) { return toText(v.title).endsWith(' ' + end); };
-  return std::all_of(variables.begin(), variables.end(), ends) ? end : QString();
+std::string commonEnd(const std::vector<ActionVariable>& variables) {
+  const std::string& title = variables[0].title;
+  const std::string end = title.substr(title.rfind(' ') + 1);
+  const auto ends = [&](const ActionVariable& v) { return v.title.ends_with(' ' + end); };
+  return std::all_of(variables.begin(), variables.end(), ends) ? end : std::string();
 }
 
 /// "Stance hip" from "stance hip voltage".
-QString headOf(const ActionVariable& v, const QString& end) {
-  QString title = toText(v.title);
-  if (!end.isEmpty()) title.chop(end.size() + 1);
+QString headOf(const ActionVariable& v, const std::string& end) {
+  QString title = fromCore(end.empty() ? v.title : v.title.substr(0, v.title.size() - end.size() - 1));
   title[0] = title[0].toUpper();
   return title;
 }
@@ -60,11 +61,11 @@ void ActionRows::drawLevels(QPainter& p, const Theme& t) const {
   const auto& variables = life_.task().actionVariables;
   const double k = textScale(), labels = k * 66;
   const double pitch = (width() - labels) / static_cast<double>(levels_.size());
-  const QString end = commonEnd(variables);
+  const std::string end = commonEnd(variables);
   if (!risk_.empty()) drawSentence(p, t, height() - 20 * k);
   p.setFont(textFont(11));
   p.setPen(t.quiet);
-  drawSymbol(p, 12, k * (kTop - 12), end.isEmpty() ? toText(life_.task().actionTitle) : end);
+  drawSymbol(p, 12, k * (kTop - 12), fromCore(end.empty() ? life_.task().actionTitle : end));
   for (std::size_t j = 0; j < levels_.size(); ++j) {
     const double left = labels + pitch * static_cast<double>(j);
     p.setFont(textFont(13, 500));
@@ -100,7 +101,7 @@ void ActionRows::drawLevelsOf(QPainter& p, const Theme& t, std::size_t variable,
       p.setPen(t.ink);
       p.setFont(rowFont(row, 400));
       drawSymbol(p, QRectF(0, at.middle - row / 2, end, row), Qt::AlignRight,
-                 toText(fixedText(task.actionVariables[0].levels[l], 1)));
+                 fixedNumber(task.actionVariables[0].levels[l], 1));
       p.setPen(t.quiet);
       p.setFont(textFont(11));
       if (l + 1 == levels.size())
@@ -123,7 +124,7 @@ void ActionRows::drawLevelScale(QPainter& p, const Theme& t, const LevelPlace& a
     p.setPen(QPen(share == 0 ? t.outline : t.hairline, 1));
     p.drawLine(QPointF(x, textScale() * kTop), QPointF(x, bottom));
     p.setPen(t.quiet);
-    const QString text = QString::number(share);
+    const QString text = localNumbers(QString::number(share));
     const double half = symbolWidth(p.font(), text) / 2;
     if (share == 0 || x - half < last + 4) continue;
     last = x + half;
@@ -158,11 +159,11 @@ void ActionRows::drawLevelNumbers(QPainter& p, const Theme& t, const Level& leve
   p.setFont(rowFont(at.row, chosen ? 500 : 400));
   p.setPen(t.ink);
   for (std::size_t i = 0; i < columns_.size(); ++i)
-    if (inForce(i)) write(at.percent, toText(fixedText(100 * level.chance[i], 1)));
+    if (inForce(i)) write(at.percent, fixedNumber(100 * level.chance[i], 1));
   if (at.best <= 0) return;
   p.setPen(chosen ? t.ink : t.quiet);
   const double size = std::abs(level.best);
-  write(at.best, toText(fixedText(level.best, size < 0.0005 ? 1 : size < 0.095 ? 3 : size < 9.95 ? 1 : 0)));
+  write(at.best, fixedNumber(level.best, size < 0.0005 ? 1 : size < 0.095 ? 3 : size < 9.95 ? 1 : 0));
 }
 
 }  // namespace surefoot

@@ -6,6 +6,8 @@
 #include <optional>
 
 #include "core/text/text.h"
+#include "ui/language/from_core.h"
+#include "ui/language/numbers.h"
 #include "ui/live/actions/action_rows.h"
 #include "ui/live/maps/map_choice.h"
 #include "ui/running/looking.h"
@@ -29,11 +31,11 @@ double widthOf(const QString& text, int pixels, int weight = 400) {
 
 QString percentText(double chance) {
   const double percent = 100 * chance;
-  return toText(fixedText(percent, percent >= 0.005 && percent < 0.095 ? 2 : 1));
+  return fixedNumber(percent, percent >= 0.005 && percent < 0.095 ? 2 : 1);
 }
 
 QString headOf(const Task& task) {
-  const QString unit = toText(task.actionUnit), title = toText(task.actionTitle);
+  const QString unit = toText(task.actionUnit), title = fromCore(task.actionTitle);
   return unit.isEmpty() ? title : QStringLiteral("%1, %2").arg(title, unit);
 }
 
@@ -171,7 +173,7 @@ void ActionRows::drawScales(QPainter& p, const Theme& t, const Geometry& g) cons
     p.setPen(QPen(v == 0 ? t.outline : t.hairline, 1));
     p.drawLine(QPointF(x, g.top), QPointF(x, g.bottom));
     p.setPen(t.quiet);
-    numbers.draw(x, toText(step < 1 ? fixedText(v, step < 0.1 ? 2 : 1) : countText(v)));
+    numbers.draw(x, localNumbers(step < 1 ? fixedText(v, step < 0.1 ? 2 : 1) : countText(v)));
   }
   for (std::size_t i = 0; i < g.columns.size(); ++i) {
     const double x0 = g.first + g.pitch * static_cast<double>(i);
@@ -181,7 +183,7 @@ void ActionRows::drawScales(QPainter& p, const Theme& t, const Geometry& g) cons
       p.setPen(QPen(percent == 0 ? t.outline : t.hairline, 1));
       p.drawLine(QPointF(x, g.top), QPointF(x, g.bottom));
       p.setPen(t.quiet);
-      percents.draw(x, QString::number(percent));
+      percents.draw(x, localNumbers(QString::number(percent)));
     }
     const QRectF unit(x0 + g.number - 20, g.bottom + 4, 20, height);
     if (percents.last() + 2 < unit.right() - symbolWidth(p.font(), QStringLiteral("%")))
@@ -245,7 +247,7 @@ void ActionRows::drawThreshold(QPainter& p, const Theme& t, const Geometry& g) c
   const QString beyond = life_.threshold() > high_  ? QStringLiteral(" ›")
                          : life_.threshold() < low_ ? QStringLiteral(" ‹")
                                                     : QString();
-  const QString text = tr("threshold %1").arg(toText(countText(life_.threshold()))) + beyond;
+  const QString text = tr("threshold %1").arg(countNumber(life_.threshold())) + beyond;
   p.setFont(textFont(11, 500));
   const double w = symbolWidth(p.font(), text) + 10 * k;
   const double right = g.qNumber - symbolWidth(textFont(13, 500), QStringLiteral("Q")) - 6 * k;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/text/text.h"
+#include "ui/language/numbers.h"
 #include "ui/live/actions/action_rows.h"
 #include "ui/live/maps/map_choice.h"
 #include "ui/running/running_life.h"
@@ -23,7 +23,7 @@ constexpr double kFoot = 34, kWithSentence = 52;  // [px] below the rows, with t
 
 QString riskText(double risk) {
   const double percent = 100 * std::clamp(risk, 0.0, 1.0);
-  return toText(fixedText(percent, percent < 9.95 ? 1 : 0));
+  return fixedNumber(percent, percent < 9.95 ? 1 : 0);
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ QString ActionRows::sentenceOfMany(std::optional<double> limit) const {
     parts << tr("%1 of %2 actions are below the limit of %3 %")
                  .arg(below)
                  .arg(risk_.size())
-                 .arg(QString::number(100 * *limit, 'g', 3));
+                 .arg(localNumbers(QString::number(100 * *limit, 'g', 3)));
   return parts.join(QStringLiteral("; "));
 }
 
@@ -91,7 +91,7 @@ QString ActionRows::sentence() const {
     const double price = caution.weight() * std::max(0.0, risk_[best]);
     if (price < 0.05 * (high_ - low_)) return {};
     return tr("%1 is worth most, but its risk of %2 % counts as −%3.")
-        .arg(name(best), riskText(risk_[best]), toText(countText(price)));
+        .arg(name(best), riskText(risk_[best]), countNumber(price));
   }
   const auto limit = caution.limit();
   if (!limit) return {};
@@ -157,7 +157,7 @@ void ActionRows::drawRiskScale(QPainter& p, const Theme& t, const Geometry& g) c
     const double x = std::round(xOfRisk(percent / 100, g)) + 0.5;
     p.setPen(QPen(percent == 0.1 ? t.outline : t.hairline, 1));
     p.drawLine(QPointF(x, g.top), QPointF(x, g.bottom));
-    const QString text = QString::number(percent);
+    const QString text = localNumbers(QString::number(percent));
     const double half = symbolWidth(p.font(), text) / 2;
     if (x - half < last + 4) continue;
     last = x + half;
@@ -176,7 +176,7 @@ void ActionRows::drawRiskLimit(QPainter& p, const Theme& t, const Geometry& g) c
   pen.setDashPattern({3, 1.5});
   p.setPen(pen);
   p.drawLine(QPointF(x, g.top - 4), QPointF(x, g.bottom));
-  const QString text = tr("limit %1 %").arg(QString::number(100 * *limit, 'g', 3));
+  const QString text = tr("limit %1 %").arg(localNumbers(QString::number(100 * *limit, 'g', 3)));
   p.setFont(textFont(11, 500));
   const double w = symbolWidth(p.font(), text) + 10 * k;
   const double right = g.riskNumber - symbolWidth(textFont(13, 500), tr("Risk")) - 4 * k;

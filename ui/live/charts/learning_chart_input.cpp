@@ -7,12 +7,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/text/text.h"
+#include "ui/language/numbers.h"
 #include "ui/live/charts/learning_charts.h"
 #include "ui/running/looking.h"
 #include "ui/running/running_life.h"
 #include "ui/session/history.h"
-#include "ui/style/symbol_text.h"
 
 namespace surefoot {
 
@@ -24,8 +23,8 @@ constexpr double kKeyZoom = 0.7;
 
 QString LearningChart::timeText(double time) const {
   const double span = span_.to() - span_.from();
-  if (!span_.inMinutes()) return tr("episode %1").arg(toText(countText(time)));
-  return tr("%1 min").arg(toText(fixedText(time, span > 200 ? 0 : span > 20 ? 1 : 2)));
+  if (!span_.inMinutes()) return tr("episode %1").arg(countNumber(time));
+  return tr("%1 min").arg(fixedNumber(time, span > 200 ? 0 : span > 20 ? 1 : 2));
 }
 
 std::optional<LearningChart::Read> LearningChart::read() const {
@@ -54,7 +53,9 @@ QString LearningChart::reading() const {
   if (!at) return {};
   const QString value = valueText(yOf(at->point));
   return tr("%1: %2, %3")
-      .arg(timeText(xOf(at->point)), shows_ == Shows::Falls ? tr("%1 falls").arg(value) : value, nameOf(at->run));
+      .arg(timeText(xOf(at->point)),
+           shows_ == Shows::Falls ? tr("%1 falls", nullptr, static_cast<int>(yOf(at->point))).arg(value) : value,
+           nameOf(at->run));
 }
 
 void LearningChart::mousePressEvent(QMouseEvent* event) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/language/from_core.h"
 #include "ui/live/charts/learning_charts.h"
 #include "ui/running/looking.h"
 #include "ui/running/running_life.h"
@@ -20,7 +21,7 @@ QString LearningChart::textOf(const Change& change) const {
   if (change.key == "policy") {
     const auto title = [&](const std::string& name) {
       const auto entry = findEntry(life_.registry().policies, "policy", name);
-      return toText(entry ? (*entry)->title : name);
+      return fromCore(entry ? (*entry)->title : name);
     };
     return values.arg(title(change.before), title(change.after));
   }
@@ -28,7 +29,7 @@ QString LearningChart::textOf(const Change& change) const {
   if (change.key == "place") return tr("placed by hand");
   if (change.key == "go_on") return tr("gone on from an earlier moment");
   const auto* entry = life_.configuration().parameters.find(change.key);
-  const QString title = toText(entry ? entry->parameter.title : change.key).toLower();
+  const QString title = fromCore(entry ? entry->parameter.title : change.key).toLower();
   return title + ' ' + values.arg(toText(change.before), toText(change.after)).replace('-', QChar(0x2212));
 }
 

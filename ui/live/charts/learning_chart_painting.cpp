@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/text/text.h"
+#include "ui/language/numbers.h"
 #include "ui/live/charts/learning_charts.h"
 #include "ui/running/looking.h"
 #include "ui/running/run_names.h"
@@ -29,7 +30,7 @@ double lineHeight(const QFont& font) {
 /// A number with as many decimals as the step between two numbers needs.
 QString axisText(double value, double step) {
   const int decimals = step >= 1 ? 0 : static_cast<int>(std::ceil(-std::log10(step) - 1e-9));
-  return toText(decimals == 0 ? countText(value) : fixedText(value, decimals));
+  return localNumbers(decimals == 0 ? countText(value) : fixedText(value, decimals));
 }
 
 /// A small diamond, the marker of the greedy policy.
@@ -174,7 +175,7 @@ double LearningChart::listWidth() const {
 }
 
 QString LearningChart::valueText(double value) const {
-  return toText(shows_ == Shows::Falls ? countText(value) : fixedText(value, 1));
+  return localNumbers(shows_ == Shows::Falls ? countText(value) : fixedText(value, 1));
 }
 
 bool LearningChart::hasTests() const {

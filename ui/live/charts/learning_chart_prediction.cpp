@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/text/text.h"
 #include "ui/live/charts/learning_charts.h"
 #include "ui/running/looking.h"
 #include "ui/running/running_life.h"

@@ -8,8 +8,9 @@
 #include <QLineEdit>
 #include <cmath>
 
-#include "core/text/text.h"
 #include "ui/controls/combo.h"
+#include "ui/language/from_core.h"
+#include "ui/language/numbers.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
 #include "ui/support/plain_text.h"
@@ -33,8 +34,8 @@ std::vector<Parameter> modelParameters(const RunningLife& life) {
 /// The value, exact to a thousandth, with a true minus.
 QString shownText(double value) {
   QString text = QString::number(value, 'g', 4);
-  if (!text.contains('e') && std::abs(value) >= 1000) text = toText(fixedText(value, 0));
-  return text.replace('-', QChar(0x2212));
+  if (!text.contains('e') && std::abs(value) >= 1000) text = fixedNumber(value, 0);
+  return localNumbers(text.replace('-', QChar(0x2212)));
 }
 
 }  // namespace
@@ -81,8 +82,8 @@ ModelRows::ModelRows(const RunningLife& life, QWidget* parent)
 QLineEdit* ModelRows::makeField(const Row& row, double value, const QString& where) {
   auto* field = new QLineEdit(shownText(value));
   field->setAlignment(Qt::AlignRight);
-  field->setAccessibleName(toText(row.parameter.title) + ' ' + where);
-  field->setToolTip(tipText(tr("Allowed: %1").arg(toText(allowedValues(row.parameter)).replace('-', QChar(0x2212)))));
+  field->setAccessibleName(fromCore(row.parameter.title) + ' ' + where);
+  field->setToolTip(tipText(tr("Allowed: %1").arg(allowedText(row.parameter))));
   whenScaled(field, [field] { field->setFixedWidth(scaled(kField)); });
   return field;
 }
@@ -91,7 +92,8 @@ void ModelRows::show(Row& row) {
   if (!row.name) {
     const int at = static_cast<int>(&row - rows_.data()) + 1;
     const Parameter& p = row.parameter;
-    row.name = new QLabel(toText(p.title + (p.unit.empty() ? "" : " [" + p.unit + "]")));
+    row.name =
+        new QLabel(fromCore(p.title) + (p.unit.empty() ? QString() : QStringLiteral(" [%1]").arg(toText(p.unit))));
     row.name->setTextFormat(Qt::PlainText);
     row.name->setWordWrap(true);
     row.name->setToolTip(tipText(linesOf(p).join('\n')));
@@ -124,7 +126,7 @@ void ModelRows::fillChoices() {
   const QSignalBlocker blocker(add_);
   add_->clear();
   for (std::size_t i = 0; i < rows_.size(); ++i)
-    if (!rows_[i].name) add_->addItem(toText(rows_[i].parameter.title), static_cast<int>(i));
+    if (!rows_[i].name) add_->addItem(fromCore(rows_[i].parameter.title), static_cast<int>(i));
   add_->setCurrentIndex(-1);
   add_->clearEditText();
   add_->setVisible(add_->count() > 0);
@@ -148,7 +150,7 @@ Result<Configuration> ModelRows::model(Side side) const {
     const double exact = simulation ? row.simulation : row.reality;
     const bool typed = field && field->text() != shownText(exact);
     Result<double> value = exact;
-    if (typed) value = parseValue(row.parameter, field->text().trimmed().toStdString());
+    if (typed) value = parseValue(row.parameter, typedNumber(field->text().trimmed()));
     if (!value) return value.error();
     if (const Status s = c.parameters.set(row.parameter.key, *value); !s) return s.error();
   }

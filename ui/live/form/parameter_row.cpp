@@ -8,9 +8,10 @@
 #include <cmath>
 
 #include "core/text/number_text.h"
-#include "core/text/text.h"
 #include "ui/controls/combo.h"
 #include "ui/controls/slider.h"
+#include "ui/language/from_core.h"
+#include "ui/language/numbers.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
 #include "ui/support/plain_text.h"
@@ -34,10 +35,10 @@ ParameterRow::ParameterRow(const Parameter& parameter, const std::string& policy
       parameter_(parameter),
       policy_(policy),
       value_(parameter.fallback) {
-  const QString name = toText(parameter_.title);
+  const QString name = fromCore(parameter_.title);
   if (parameter_.kind == Kind::Choice) {
     choice_ = new Combo(name, this);
-    for (const std::string& c : parameter_.choices) choice_->addItem(toText(c));
+    for (const std::string& c : parameter_.choices) choice_->addItem(fromCore(c));
     connect(choice_, &QComboBox::activated, this, [this](int index) { Q_EMIT edited(toText(parameter_.key), index); });
   } else {
     slider_ = new Slider(this);
@@ -109,16 +110,16 @@ QString ParameterRow::textOf(double value) const {
   while (parameter_.kind == Kind::Real && decimals < 4 && !exact()) ++decimals;
   const auto written = [&](char format, int precision) {
     QString text = QString::number(value, format, precision);
-    return text.replace(QStringLiteral("e-0"), QStringLiteral("e-"))
-        .replace(QStringLiteral("e+0"), QStringLiteral("e"))
-        .replace('-', QChar(0x2212));
+    return localNumbers(text.replace(QStringLiteral("e-0"), QStringLiteral("e-"))
+                            .replace(QStringLiteral("e+0"), QStringLiteral("e"))
+                            .replace('-', QChar(0x2212)));
   };
   const auto fits = [&](const QString& text) {
     return !number_ || number_->fontMetrics().horizontalAdvance(text) <= scaled(kNumberRoom) - 4;
   };
   const double shown = QString::number(value, 'f', decimals).toDouble();
   const bool precise = value == 0.0 || std::abs(shown / value - 1.0) < 0.01;
-  const QString plain = decimals == 0 ? toText(countText(value)) : written('f', decimals);
+  const QString plain = decimals == 0 ? countNumber(value) : written('f', decimals);
   if (precise && fits(plain)) return plain;
   const QString text = written('g', 3);
   return fits(text) ? text : written('e', 1);
@@ -152,8 +153,8 @@ void ParameterRow::show(double value, double base, std::optional<std::int64_t> c
 void ParameterRow::showTips() {
   QStringList lines = linesOf(parameter_);
   if (value_ != base_ && shown_) {
-    const QString usual = parameter_.kind == Kind::Choice ? toText(formatValue(parameter_, base_)) : textOf(base_);
-    const QString step = changedAt_ ? toText(countText(static_cast<double>(*changedAt_))) : QString();
+    const QString usual = parameter_.kind == Kind::Choice ? valueText(parameter_, base_) : textOf(base_);
+    const QString step = changedAt_ ? countNumber(static_cast<double>(*changedAt_)) : QString();
     const QString since = changedAt_ ? tr("Set at step %1; Reset goes back to %2.").arg(step, usual)
                                      : tr("Changed; Reset goes back to %1.").arg(usual);
     lines << since;
@@ -181,9 +182,9 @@ void ParameterRow::sliderMoved(int position) {
 void ParameterRow::numberTyped() {
   if (!number_->isModified()) return;
   number_->setModified(false);
-  const std::string text = number_->text().trimmed().toStdString();
+  const std::string text = typedNumber(number_->text().trimmed());
   Parameter named = parameter_;  // the form says "Exploration", not policy.epsilon
-  named.key = parameter_.title;
+  named.key = fromCore(parameter_.title).toStdString();
   const Result<double> value = parseValue(named, text);
   if (value) {
     forgetRefusal();
@@ -191,9 +192,10 @@ void ParameterRow::numberTyped() {
   } else {
     const NumberText number = readNumberText(text, parameter_.unit);
     QStringList readings;
-    for (const std::string& reading : number.readings) readings << toText(reading);
+    for (const std::string& reading : number.readings) readings << localNumbers(reading);
     const bool whole = parameter_.kind == Kind::Integer && number.good && number.value != std::floor(number.value);
-    const QString range = tr("%1 to %2").arg(toText(boundText(parameter_.low)), toText(boundText(parameter_.high)));
+    const QString range =
+        tr("%1 to %2").arg(localNumbers(boundText(parameter_.low)), localNumbers(boundText(parameter_.high)));
     tellRefused(!readings.isEmpty() ? readings.join(tr(" or ")) + '?'
                 : !number.good      ? tr("no number")
                 : whole             ? tr("a whole number")

@@ -10,6 +10,7 @@
 
 #include "ui/controls/combo.h"
 #include "ui/controls/slider.h"
+#include "ui/language/from_core.h"
 #include "ui/live/form/parameter_row.h"
 #include "ui/style/icons.h"
 #include "ui/style/policy_look.h"
@@ -118,7 +119,7 @@ void ParameterRow::paintName(QPainter& p) const {
   const double left = kName, room = end - left;
   const QString symbol = toText(parameter_.symbol);
   QFont font = textFont(13);
-  QString title = toText(parameter_.label.empty() ? parameter_.title : parameter_.label);
+  QString title = fromCore(parameter_.label.empty() ? parameter_.title : parameter_.label);
   const auto width = [&] { return QFontMetricsF(font).horizontalAdvance(title); };
   // "Stance knee k̇" rather than "Stance knee ra…": the symbol stands for the last word.
   if (!symbol.isEmpty() && width() > room && title.contains(' ')) title = title.section(' ', 0, -2);

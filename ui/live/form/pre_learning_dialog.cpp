@@ -14,8 +14,9 @@
 
 #include "core/environment_library.h"
 #include "core/saved/q_file.h"
-#include "core/text/text.h"
 #include "ui/controls/combo.h"
+#include "ui/language/from_core.h"
+#include "ui/language/numbers.h"
 #include "ui/live/form/model_rows.h"
 #include "ui/running/running_life.h"
 #include "ui/session/new_lives.h"
@@ -77,7 +78,7 @@ void PreLearningDialog::makeModel(QGridLayout* grid) {
   scenario_ = new Combo(tr("Scenario of the simulation"));
   scenario_->addItem(tr("a model of your own"));
   for (const AssignmentEntry* entry : scenariosOf(life_.registry(), life_.configuration().names.environment))
-    scenario_->addItem(toText(entry->title), toText(entry->name));
+    scenario_->addItem(fromCore(entry->title), toText(entry->name));
   grid->setColumnStretch(0, 1);
   if (scenario_->count() > 1) {
     grid->addWidget(new QLabel(tr("The simulation is scenario")), 0, 0);
@@ -106,7 +107,7 @@ void PreLearningDialog::makeLearning(QGridLayout* grid) {
   until_->setAlignment(Qt::AlignRight);
   until_->setAccessibleName(tr("Average reward that ends the pre-learning"));
   const auto goal = life_.task().goalReward;
-  if (goal) until_->setText(toText(fixedText(0.99 * *goal, 0)));
+  if (goal) until_->setText(fixedNumber(0.99 * *goal, 0));
   const bool clock = life_.task().stepTime.has_value();
   size_ = new QSpinBox;
   size_->setRange(1, 20);
@@ -122,9 +123,9 @@ void PreLearningDialog::makeLearning(QGridLayout* grid) {
   grid->addWidget(words, row, 0);
   grid->addWidget(until_, row, 1);
   if (goal)
-    grid->addWidget(new QLabel(tr("%1 has converged, %2 has not")
-                                   .arg(toText(fixedText(0.99 * *goal, 0)), toText(fixedText(0.8 * *goal, 0)))),
-                    row, 2);
+    grid->addWidget(
+        new QLabel(tr("%1 has converged, %2 has not").arg(fixedNumber(0.99 * *goal, 0), fixedNumber(0.8 * *goal, 0))),
+        row, 2);
   else
     grid->addWidget(new QLabel(clock ? tr("or, left empty, for %1 simulated min").arg(kMinutes)
                                      : tr("or, left empty, for %1").arg(episodesText(kEpisodes))),
@@ -184,8 +185,8 @@ void PreLearningDialog::startOrStop() {
   auto simulation = model_->model(ModelRows::Side::Simulation);
   if (!simulation) return words_->setText(toText(simulation.error().message));
   simulation->until.reset(), simulation->minutes.reset(), simulation->episodes.reset();
-  if (const std::string typed = until_->text().trimmed().toStdString(); !typed.empty()) {
-    const auto value = parseValue({.key = "average reward", .low = -1e9, .high = 1e9}, typed);
+  if (const std::string typed = typedNumber(until_->text().trimmed()); !typed.empty()) {
+    const auto value = parseValue({.key = tr("Average reward").toStdString(), .low = -1e9, .high = 1e9}, typed);
     if (!value) return words_->setText(toText(value.error().message));
     simulation->until = *value;
   } else if (life_.task().stepTime) {
@@ -208,17 +209,17 @@ void PreLearningDialog::transfer() {
   beginWith(*reality, one.file);
   static_cast<void>(static_cast<bool>(reality->parameters.set("life.rewind", 0.0)));  // no robot goes back in time
   if (const Status s = newLives_.begin(std::move(*reality)); !s) return words_->setText(toText(s.error().message));
-  Q_EMIT transferred(tr("A life has begun with Q-function %1: %2 episodes and %3 falls of simulation are behind it.")
-                         .arg(row + 1)
-                         .arg(toText(countText(static_cast<double>(one.episodes))),
-                              toText(countText(static_cast<double>(one.falls)))));
+  Q_EMIT transferred(
+      tr("A life has begun with Q-function %1: %2 episodes and %3 falls of simulation are behind it.")
+          .arg(row + 1)
+          .arg(countNumber(static_cast<double>(one.episodes)), countNumber(static_cast<double>(one.falls))));
 }
 
 void PreLearningDialog::refreshRow(int row) {
   const PreLearned& one = pool_.pool()[static_cast<std::size_t>(row)];
-  const QStringList cells = {QString::number(row + 1), toText(countText(static_cast<double>(one.episodes))),
-                             toText(countText(static_cast<double>(one.falls))),
-                             toText(fixedText(one.averageReward, 1)) + (one.reached ? "" : tr(" (not reached)"))};
+  const QStringList cells = {QString::number(row + 1), countNumber(static_cast<double>(one.episodes)),
+                             countNumber(static_cast<double>(one.falls)),
+                             fixedNumber(one.averageReward, 1) + (one.reached ? "" : tr(" (not reached)"))};
   for (int column = 0; column < cells.size(); ++column) {
     auto* item = new QTableWidgetItem(cells[column]);
     item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);

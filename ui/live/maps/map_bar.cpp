@@ -7,10 +7,10 @@
 #include <QWidgetAction>
 #include <cmath>
 
-#include "core/text/text.h"
 #include "ui/controls/link_button.h"
 #include "ui/controls/panel.h"
 #include "ui/controls/slider.h"
+#include "ui/language/from_core.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
 #include "ui/support/plain_text.h"
@@ -134,7 +134,7 @@ void MapBar::fillAxes(QMenu& menu) {
       int& other = horizontal ? next.y : next.x;
       if (other == static_cast<int>(d)) other = axis;  // they change places
       axis = static_cast<int>(d);
-      addChoice(menu, toText(task_.state[d].title), (horizontal ? choice_.x : choice_.y) == static_cast<int>(d),
+      addChoice(menu, fromCore(task_.state[d].title), (horizontal ? choice_.x : choice_.y) == static_cast<int>(d),
                 [this, next] { choose(next); });
     }
   }
@@ -146,7 +146,7 @@ void MapBar::fillOthers(QMenu& menu) {
   for (std::size_t d = 0; d < task_.state.size(); ++d)
     if (!choice_.isAxis(d)) others.push_back(d);
   for (const std::size_t d : others) {
-    QMenu* own = others.size() == 1 ? &menu : menu.addMenu(toText(task_.state[d].title));
+    QMenu* own = others.size() == 1 ? &menu : menu.addMenu(fromCore(task_.state[d].title));
     addOther(*own, d);
   }
 }
@@ -170,7 +170,7 @@ void MapBar::addOther(QMenu& menu, std::size_t d) {
   const StateVariable v = task_.state[d];
   auto* slider = new Slider(&menu);
   slider->setMinimumWidth(scaled(180));
-  slider->setAccessibleName(tr("Fixed %1").arg(toText(v.title)));
+  slider->setAccessibleName(tr("Fixed %1").arg(fromCore(v.title)));
   const auto whole = [v](double value) { return v.whole ? std::round(value) : value; };
   const double now = choice_.across[d] == Across::Fixed ? choice_.fixed[d] : d < live_.size() ? live_[d] : 0.0;
   slider->setValue(static_cast<int>(Slider::kSteps * (now - v.viewLow) / (v.viewHigh - v.viewLow)));

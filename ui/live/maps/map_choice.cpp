@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "core/text/text.h"
-#include "ui/style/symbol_text.h"
+#include "ui/language/from_core.h"
+#include "ui/language/numbers.h"
 
 namespace surefoot {
 
@@ -84,7 +84,7 @@ std::size_t greedyValues(const MapChoice& choice, const Task& task) {
 
 QString greedyNameOf(const MapChoice& choice, const Task& task, std::size_t value) {
   if (task.actionVariables.empty()) return actionNameOf(task, value);
-  return toText(fixedText(task.actionVariables[static_cast<std::size_t>(choice.action)].levels[value], 1));
+  return fixedNumber(task.actionVariables[static_cast<std::size_t>(choice.action)].levels[value], 1);
 }
 
 QString quantityText(const MapChoice& choice, const Task& task) {
@@ -92,12 +92,12 @@ QString quantityText(const MapChoice& choice, const Task& task) {
     case MapQuantity::BestAction:
       return QObject::tr("best action");
     case MapQuantity::OneAction:
-      return toText(task.actionTitle) + ' ' + actionNameOf(task, static_cast<std::size_t>(choice.action));
+      return fromCore(task.actionTitle) + ' ' + actionNameOf(task, static_cast<std::size_t>(choice.action));
     case MapQuantity::GreedyAction:
       return task.actionVariables.empty()
                  ? QObject::tr("greedy action")
                  : QObject::tr("greedy %1")
-                       .arg(toText(task.actionVariables[static_cast<std::size_t>(choice.action)].title));
+                       .arg(fromCore(task.actionVariables[static_cast<std::size_t>(choice.action)].title));
     case MapQuantity::Risk:
       return QObject::tr("risk of a fall");
     case MapQuantity::Visits:
@@ -122,7 +122,7 @@ QString othersText(const MapChoice& choice, const Task& task, std::span<const do
   if (others.size() > 1) return QObject::tr("%1 others").arg(others.size());
   const std::size_t d = others[0];
   const QString symbol = symbolOf(task.state[d]);
-  const auto number = [](double v) { return toText(fixedText(v, 1)); };
+  const auto number = [](double v) { return fixedNumber(v, 1); };
   switch (choice.across[d]) {
     case Across::Live:
       return d < live.size() ? QObject::tr("%1 live %2").arg(symbol, number(live[d]))

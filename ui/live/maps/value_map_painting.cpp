@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/text/text.h"
+#include "ui/language/numbers.h"
 #include "ui/live/maps/value_map.h"
 #include "ui/style/symbol_text.h"
 
@@ -61,11 +62,11 @@ namespace {
 QString numberText(double value, const MapScale& scale) {
   if (scale.kind != MapScale::Kind::Viridis || value < 100) {
     const double size = std::abs(value);
-    if (value == std::floor(value) || size >= 100) return toText(fixedText(value, 0));
-    if (size >= 1) return toText(fixedText(value, 1));
-    if (size < 0.1) return toText(fixedText(value, 3));
+    if (value == std::floor(value) || size >= 100) return fixedNumber(value, 0);
+    if (size >= 1) return fixedNumber(value, 1);
+    if (size < 0.1) return fixedNumber(value, 3);
     const std::string text = fixedText(value, 2);
-    return toText(text.ends_with('0') ? fixedText(value, 1) : text);
+    return localNumbers(text.ends_with('0') ? fixedText(value, 1) : text);
   }
   constexpr std::array<const char*, 10> kSuperscripts = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
   return QStringLiteral("10") + kSuperscripts[static_cast<std::size_t>(std::lround(std::log10(value))) % 10];

@@ -8,7 +8,6 @@
 #include <map>
 #include <tuple>
 
-#include "core/text/text.h"
 #include "ui/running/looking.h"
 #include "ui/running/running_life.h"
 #include "ui/style/round_numbers.h"

@@ -7,8 +7,8 @@
 #include <tuple>
 
 #include "core/features/tile_layout.h"
-#include "core/text/text.h"
 #include "core/values_of_state.h"
+#include "ui/language/numbers.h"
 #include "ui/live/maps/value_maps.h"
 #include "ui/running/looking.h"
 #include "ui/running/running_life.h"
@@ -70,8 +70,7 @@ QString ValueMaps::spoken() const {
   if (state.size() != task.state.size() || !v) return {};
   QStringList words;
   for (std::size_t d = 0; d < state.size(); ++d)
-    words << QStringLiteral("%1 %2").arg(symbolOf(task.state[d]),
-                                         toText(fixedText(state[d], task.state[d].whole ? 0 : 2)));
+    words << QStringLiteral("%1 %2").arg(symbolOf(task.state[d]), fixedNumber(state[d], task.state[d].whole ? 0 : 2));
   if (looking_.valuesShown()->familiarity(state) < kFamiliar)
     return words.join(QStringLiteral("  ")) + tr(", never visited");
   ValuesOfState here;
@@ -80,14 +79,13 @@ QString ValueMaps::spoken() const {
   policy_->greedy(here.view(), greedy);  // as the maps: under the caution in force
   const auto best = static_cast<std::size_t>(std::max_element(greedy.begin(), greedy.end()) - greedy.begin());
   QString risk;
-  if (!here.risk.empty())
-    risk = tr(",  risk %1 %").arg(toText(fixedText(100 * std::clamp(here.risk[best], 0.0, 1.0), 1)));
+  if (!here.risk.empty()) risk = tr(",  risk %1 %").arg(fixedNumber(100 * std::clamp(here.risk[best], 0.0, 1.0), 1));
   const bool cautious = here.q[best] < *std::max_element(here.q.begin(), here.q.end());
   const QString action = actionNameOf(task, best);
   return tr("%1:  Q %2 for %3%5,  %4 visits")
-      .arg(words.join(QStringLiteral("  ")), toText(fixedText(here.q[best], 1)),
-           cautious ? tr("%1, under caution").arg(action) : action,
-           toText(countText(looking_.valuesShown()->visits(state))), risk);
+      .arg(words.join(QStringLiteral("  ")), fixedNumber(here.q[best], 1),
+           cautious ? tr("%1, under caution").arg(action) : action, countNumber(looking_.valuesShown()->visits(state)),
+           risk);
 }
 
 QString ValueMaps::reached() const {

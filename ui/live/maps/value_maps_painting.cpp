@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/text/text.h"
+#include "ui/language/from_core.h"
+#include "ui/language/numbers.h"
 #include "ui/live/maps/value_maps.h"
 #include "ui/running/looking.h"
 #include "ui/running/running_life.h"
@@ -30,7 +31,7 @@ Ticks ticksOf(const StateVariable& v, double length, double room) {
 
 /// The same text, shorter by whole parts, so that it fits.
 QString fitted(const QFont& font, const StateVariable& v, double room) {
-  for (const QString& text : {axisTitleOf(v), toText(v.title), symbolOf(v)})
+  for (const QString& text : {axisTitleOf(v), fromCore(v.title), symbolOf(v)})
     if (symbolWidth(font, text) <= room) return text;
   return {};
 }
@@ -125,7 +126,7 @@ void ValueMaps::drawThresholdNote(QPainter& p, const Geometry& g, const Theme& t
                             : below ? QStringList{tr("all values below threshold %1"), tr("all below %1"), "< %1"}
                                     : QStringList{tr("all values above threshold %1"), tr("all above %1"), "> %1"};
   for (const QString& text : texts) {
-    const QString words = text.arg(toText(countText(life_.threshold())));
+    const QString words = text.arg(countNumber(life_.threshold()));
     const double x = g.square.right() - symbolWidth(p.font(), words);
     if (x < from) continue;
     return drawSymbol(p, x, g.square.top() - 8 * textScale(), words);
@@ -139,7 +140,7 @@ void ValueMaps::drawLimitNote(QPainter& p, const Geometry& g, const Theme& t) co
   if (valued() && life_.configuration().names.policy == "trl") return;  // the threshold's note stands there
   p.setFont(textFont(11));
   p.setPen(t.quiet);
-  const QString percent = QString::number(100 * *limit, 'g', 3) + QStringLiteral(" %");
+  const QString percent = localNumbers(QString::number(100 * *limit, 'g', 3)) + QStringLiteral(" %");
   const double from = g.square.left() + symbolWidth(textFont(13, 500), title()) + 8;
   for (const QString& text : {tr("contour: risk %1"), tr("risk %1"), QStringLiteral("%1")}) {
     const double x = g.square.right() - symbolWidth(p.font(), text.arg(percent));
@@ -257,7 +258,7 @@ void ValueMaps::drawNumbers(QPainter& p, const QRectF& m, const Theme& t, bool h
   const Ticks ticks = ticksOf(v, length, v.whole && horizontal ? 1.6 * height : least);
   for (double value = ticks.first; value <= v.viewHigh + 1e-9; value += ticks.step) {
     const double share = (value - v.viewLow) / (v.viewHigh - v.viewLow);
-    const QString text = toText(fixedText(value, ticks.decimals));
+    const QString text = fixedNumber(value, ticks.decimals);
     p.setPen(QPen(t.outline, 1));
     if (horizontal) {
       const double at = m.left() + share * m.width();

@@ -8,6 +8,8 @@
 #include <cmath>
 
 #include "core/text/text.h"
+#include "ui/language/from_core.h"
+#include "ui/language/numbers.h"
 #include "ui/live/signals/signals_shown.h"
 #include "ui/running/looking.h"
 #include "ui/style/round_numbers.h"
@@ -22,11 +24,11 @@ constexpr int kAxisText = 11;  // [px]
 
 QString tickText(double value, double step) {
   const int decimals = step >= 1 ? 0 : static_cast<int>(std::ceil(-std::log10(step) - 1e-9));
-  return toText(decimals == 0 ? countText(value) : fixedText(std::abs(value) < step / 2 ? 0.0 : value, decimals));
+  return localNumbers(decimals == 0 ? countText(value) : fixedText(std::abs(value) < step / 2 ? 0.0 : value, decimals));
 }
 
 QString axisTitle(const Signal& s) {
-  QString title = toText(s.title);
+  QString title = fromCore(s.title);
   if (!s.symbol.empty()) title += ' ' + toText(s.symbol);
   return s.unit.empty() ? title : QStringLiteral("%1 [%2]").arg(title, toText(s.unit));
 }
@@ -238,7 +240,7 @@ QString PhasePortrait::axesText() const {
   const auto [x, y] = shown_.axes();
   const auto& signals = shown_.table().signals();
   const auto name = [&](std::size_t at) {
-    return toText(signals[at].symbol.empty() ? signals[at].title : signals[at].symbol);
+    return fromCore(signals[at].symbol.empty() ? signals[at].title : signals[at].symbol);
   };
   return QStringLiteral("%1 × %2").arg(name(x), name(y));
 }
@@ -249,7 +251,7 @@ void PhasePortrait::fillAxis(QMenu& menu, bool horizontal) {
   const auto [x, y] = shown_.axes();
   for (std::size_t i = 0; i < signals.size(); ++i) {
     if (signals[i].kind == Signal::Kind::OnOff) continue;
-    QAction* action = menu.addAction(toText(signals[i].title));
+    QAction* action = menu.addAction(fromCore(signals[i].title));
     action->setCheckable(true);
     action->setChecked(i == (horizontal ? x : y));
     connect(action, &QAction::triggered, this,

@@ -11,6 +11,7 @@
 #include <set>
 
 #include "ui/controls/link_button.h"
+#include "ui/language/from_core.h"
 #include "ui/live/signals/signals_shown.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
@@ -93,10 +94,10 @@ void SignalChooser::name(QListWidgetItem& item) {
   const auto& signals = shown_.table().signals();
   const std::size_t at = signalAt(signals, item.data(kKey).toString().toStdString());
   if (at == signals.size()) return item.setText(item.data(kKey).toString());
-  QString text = plainSymbols(toText(signals[at].title));
+  QString text = plainSymbols(fromCore(signals[at].title));
   if (!signals[at].unit.empty()) text += QStringLiteral("  [%1]").arg(toText(signals[at].unit));
   item.setText(item.data(kWithAbove).toBool() ? QStringLiteral("    + ") + text : text);
-  item.setToolTip(tipText(tr("%1, of the group %2").arg(item.data(kKey).toString(), toText(signals[at].group))));
+  item.setToolTip(tipText(tr("%1, of the group %2").arg(item.data(kKey).toString(), fromCore(signals[at].group))));
 }
 
 void SignalChooser::fill() {

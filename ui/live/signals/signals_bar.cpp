@@ -8,14 +8,15 @@
 
 #include "core/experiment/configuration.h"
 #include "core/saved/q_file.h"
-#include "core/text/text.h"
 #include "ui/controls/link_button.h"
+#include "ui/language/numbers.h"
 #include "ui/live/signals/signal_chooser.h"
 #include "ui/live/signals/signals_shown.h"
 #include "ui/running/looking.h"
 #include "ui/running/running_life.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
+#include "ui/support/counted.h"
 #include "ui/support/ask_for_file.h"
 #include "ui/support/plain_text.h"
 
@@ -109,11 +110,11 @@ QString SignalsBar::whatHappened() const {
   const std::vector<double>& fall = *table.column("fall");
   const auto falls = std::count(fall.begin(), fall.end(), 1.0);
   const double seconds = static_cast<double>(table.rows()) * table.stepTime();
-  QString text = tr("%1 s, ").arg(toText(fixedText(seconds, 1)));
-  text += falls == 0 ? tr("no fall") : falls == 1 ? tr("1 fall") : tr("%1 falls").arg(falls);
+  QString text = tr("%1 s, ").arg(fixedNumber(seconds, 1));
+  text += falls == 0 ? tr("no fall") : fallsText(falls);
   if (const std::vector<double>* way = table.column("distance"))
     if (table.column("episode")->front() == table.column("episode")->back())
-      text += tr(", %1 m").arg(toText(fixedText(way->back() - way->front(), 1)));
+      text += tr(", %1 m").arg(fixedNumber(way->back() - way->front(), 1));
   return text;
 }
 
@@ -138,7 +139,8 @@ void SignalsBar::fillSecond(QMenu& menu) {
 
 void SignalsBar::compareWithNow() {
   if (!life_.values()) return;
-  looking_.setSecond(life_.values()->values->clone(), tr("after %1 episodes").arg(life_.values()->totals.episodes));
+  looking_.setSecond(life_.values()->values->clone(),
+                     tr("after %1").arg(episodesText(life_.values()->totals.episodes)));
 }
 
 void SignalsBar::askForSecond() {
@@ -147,7 +149,8 @@ void SignalsBar::askForSecond() {
 }
 
 void SignalsBar::setSecond(const QString& path, bool rollsOut) {
-  const auto file = std::make_shared<Result<std::shared_ptr<const TensorFile>>>(Error{"cancelled"});
+  const auto file =
+      std::make_shared<Result<std::shared_ptr<const TensorFile>>>(Error{"cancelled"});
   reading_.start([file, name = path.toStdString()](const std::atomic<bool>&) { *file = readQFile(name); },
                  [this, file, path, rollsOut] {
                    if (!*file) return Q_EMIT refused(toText(file->error().message));

@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/language/from_core.h"
 #include "ui/running/looking.h"
 #include "ui/running/running_life.h"
 #include "ui/style/policy_look.h"
-#include "ui/style/symbol_text.h"
 
 namespace surefoot {
 
@@ -22,8 +22,8 @@ QString titleOf(const RunningLife& life) {
   const Names& names = life.configuration().names;
   const auto policy = findEntry(life.registry().policies, "policy", names.policy);
   const auto agent = findEntry(life.registry().agents, "agent", names.agent);
-  return toText(policy ? (*policy)->title : names.policy) + QStringLiteral(", ") +
-         toText(agent ? (*agent)->title : names.agent);
+  return fromCore(policy ? (*policy)->title : names.policy) + QStringLiteral(", ") +
+         fromCore(agent ? (*agent)->title : names.agent);
 }
 
 }  // namespace

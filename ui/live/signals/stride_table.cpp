@@ -8,11 +8,10 @@
 #include <QPainter>
 #include <cmath>
 
-#include "core/text/text.h"
 #include "ui/controls/table_parts.h"
+#include "ui/language/numbers.h"
 #include "ui/live/signals/signals_shown.h"
 #include "ui/running/looking.h"
-#include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
 #include "ui/support/keyboard.h"
 
@@ -28,17 +27,20 @@ struct StrideColumn {
   int decimals;
 };
 const StrideColumn kColumns[] = {
-    {QT_TR_NOOP("Begins s"), "begins", [](const Stride& s) { return s.begins; }, 2},
-    {QT_TR_NOOP("Length m"), "length", [](const Stride& s) { return s.length; }, 3},
-    {QT_TR_NOOP("Duration s"), "duration", [](const Stride& s) { return s.duration; }, 2},
-    {QT_TR_NOOP("Speed m/s"), "speed", [](const Stride& s) { return s.speed(); }, 2},
-    {QT_TR_NOOP("Energy J"), "energy", [](const Stride& s) { return s.energy; }, 1},
-    {QT_TR_NOOP("Energy a metre J/m"), "energy_a_metre", [](const Stride& s) { return s.perMetre(); }, 1},
-    {QT_TR_NOOP("Both feet down %"), "both_down", [](const Stride& s) { return 100 * s.bothDown; }, 0},
+    {QT_TRANSLATE_NOOP("surefoot::StrideTable", "Begins s"), "begins", [](const Stride& s) { return s.begins; }, 2},
+    {QT_TRANSLATE_NOOP("surefoot::StrideTable", "Length m"), "length", [](const Stride& s) { return s.length; }, 3},
+    {QT_TRANSLATE_NOOP("surefoot::StrideTable", "Duration s"), "duration", [](const Stride& s) { return s.duration; },
+     2},
+    {QT_TRANSLATE_NOOP("surefoot::StrideTable", "Speed m/s"), "speed", [](const Stride& s) { return s.speed(); }, 2},
+    {QT_TRANSLATE_NOOP("surefoot::StrideTable", "Energy J"), "energy", [](const Stride& s) { return s.energy; }, 1},
+    {QT_TRANSLATE_NOOP("surefoot::StrideTable", "Energy a metre J/m"), "energy_a_metre",
+     [](const Stride& s) { return s.perMetre(); }, 1},
+    {QT_TRANSLATE_NOOP("surefoot::StrideTable", "Both feet down %"), "both_down",
+     [](const Stride& s) { return 100 * s.bothDown; }, 0},
 };
 
 QString numberOr(double value, int decimals) {
-  return std::isfinite(value) ? toText(fixedText(value, decimals)) : QStringLiteral("–");
+  return std::isfinite(value) ? fixedNumber(value, decimals) : QStringLiteral("–");
 }
 
 }  // namespace

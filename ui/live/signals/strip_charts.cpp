@@ -9,7 +9,8 @@
 #include <cmath>
 #include <iterator>
 
-#include "core/text/text.h"
+#include "ui/language/from_core.h"
+#include "ui/language/numbers.h"
 #include "ui/live/signals/signals_shown.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
@@ -215,11 +216,10 @@ void StripCharts::say() {
     for (const std::size_t at : signalsIn(strip, signals).places) {
       const double value = shown_.table().columns()[at][*row];
       if (!std::isnan(value))
-        all << tr("%1 %2 %3").arg(toText(signals[at].title), toText(fixedText(value, 2)), toText(signals[at].unit));
+        all << tr("%1 %2 %3").arg(fromCore(signals[at].title), fixedNumber(value, 2), toText(signals[at].unit));
     }
   setAccessibleDescription(
-      tr("At %1 seconds: %2.")
-          .arg(toText(fixedText(shown_.table().columns()[0][*row], 2)), all.join(QStringLiteral("; "))));
+      tr("At %1 seconds: %2.").arg(fixedNumber(shown_.table().columns()[0][*row], 2), all.join(QStringLiteral("; "))));
 }
 
 void StripCharts::fillMenu(QMenu& menu) {

@@ -5,9 +5,7 @@
 #include <cmath>
 
 #include "core/signals/strides.h"
-#include "core/text/text.h"
 #include "ui/style/round_numbers.h"
-#include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
 
 namespace surefoot {

@@ -5,6 +5,7 @@
 
 #include "core/signals/strides.h"
 #include "core/text/text.h"
+#include "ui/language/numbers.h"
 #include "ui/live/signals/strip_painter.h"
 #include "ui/style/round_numbers.h"
 #include "ui/style/symbol_text.h"
@@ -19,12 +20,12 @@ constexpr int kText = 11, kName = 12;  // sizes of texts [px]
 QString numberText(double value, double step) {
   if (std::isnan(value)) return QStringLiteral("–");
   const int decimals = step >= 10 ? 0 : std::clamp(static_cast<int>(std::ceil(-std::log10(step))) + 1, 0, 6);
-  return toText(decimals == 0 ? countText(std::round(value)) : fixedText(value, decimals));
+  return localNumbers(decimals == 0 ? countText(std::round(value)) : fixedText(value, decimals));
 }
 
 QString axisText(double value, double step) {
   const int decimals = step >= 1 ? 0 : static_cast<int>(std::ceil(-std::log10(step) - 1e-9));
-  return toText(decimals == 0 || value == 0.0 ? countText(value) : fixedText(value, decimals));
+  return localNumbers(decimals == 0 || value == 0.0 ? countText(value) : fixedText(value, decimals));
 }
 
 }  // namespace
@@ -167,8 +168,8 @@ void StripPainter::drawMoment(QPainter& p) const {
   if (x < plot_.left() - 1 || x > plot_.right() + 1) return;
   p.setPen(QPen(theme_.ink, 1));
   p.drawLine(QPointF(x, plot_.top() - 6), QPointF(x, plot_.bottom()));
-  const QString text = picture_.clock ? QObject::tr("%1 s").arg(toText(fixedText(time, 2)))
-                                      : QObject::tr("step %1").arg(toText(countText(time)));
+  const QString text =
+      picture_.clock ? QObject::tr("%1 s").arg(fixedNumber(time, 2)) : QObject::tr("step %1").arg(countNumber(time));
   p.setFont(textFont(kText, 500));
   const double w = symbolWidth(p.font(), text) + 12;
   const QRectF box(std::clamp(x - w / 2, plot_.left() - 20, plot_.right() + 20 - w), plot_.bottom() + 3, w, 19);

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "core/signals/strides.h"
+#include "ui/language/from_core.h"
 #include "ui/style/symbol_text.h"
 
 namespace surefoot {
@@ -92,7 +93,7 @@ QString titleOf(const StripSignals& strip, const std::vector<Signal>& signals) {
   if (strip.places.empty()) return {};
   if (strip.places.size() == 1) {
     const Signal& s = signals[strip.places[0]];
-    QString title = toText(s.title);
+    QString title = fromCore(s.title);
     title[0] = title[0].toUpper();
     constexpr int kLong = 16;  // [letters]: there is no room for the symbol, too
     return s.symbol.empty() || title.size() > kLong ? title : title + ' ' + toText(s.symbol);
@@ -104,7 +105,7 @@ QString titleOf(const StripSignals& strip, const std::vector<Signal>& signals) {
     return feet ? QObject::tr("Feet") : QObject::tr("On and off");
   }
   QStringList titles;
-  for (const std::size_t at : strip.places) titles << toText(signals[at].title);
+  for (const std::size_t at : strip.places) titles << fromCore(signals[at].title);
   titles[0][0] = titles[0][0].toUpper();
   return titles.join(QStringLiteral(", "));
 }
@@ -118,11 +119,13 @@ QString unitOf(const StripSignals& strip, const std::vector<Signal>& signals) {
 }
 
 QString nameIn(const StripSignals& strip, const Signal& signal) {
-  QString name = toText(signal.title);
-  if (strip.look == StripLook::Stacked) name.remove(QStringLiteral("reward: "));
+  constexpr std::string_view kReward = "reward: ", kTails[] = {" on the floor", " touches"};
+  std::string name = signal.title;
+  if (strip.look == StripLook::Stacked && name.starts_with(kReward)) name.erase(0, kReward.size());
   if (strip.look == StripLook::OnOff)
-    for (const char* tail : {" on the floor", " touches"}) name.remove(QLatin1String(tail));
-  return name;
+    for (const std::string_view tail : kTails)
+      if (name.ends_with(tail)) name.resize(name.size() - tail.size());
+  return fromCore(name);
 }
 
 std::vector<Strip> chosenStrips(const std::string& environment, const std::vector<Signal>& signals) {

@@ -9,7 +9,6 @@
 #include "ui/controls/slider.h"
 #include "ui/running/looking.h"
 #include "ui/style/scale.h"
-#include "ui/style/symbol_text.h"
 #include "ui/support/plain_text.h"
 
 namespace surefoot {

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/text/text.h"
+#include "ui/language/from_core.h"
+#include "ui/language/numbers.h"
 #include "ui/style/round_numbers.h"
 #include "ui/style/scene_painter.h"
 #include "ui/style/symbol_text.h"
@@ -30,7 +31,7 @@ constexpr double kGap = 6;             // between symbol, value and unit [px]
 double valueWidth(const ReadOut& r) {
   const QString widest = r.decimals > 0 ? QStringLiteral("−00.") + QString(r.decimals, '0') : QStringLiteral("−000");
   return std::max(symbolWidth(textFont(13, 500), widest),
-                  symbolWidth(textFont(13, 500), toText(fixedText(r.value, r.decimals))));
+                  symbolWidth(textFont(13, 500), fixedNumber(r.value, r.decimals)));
 }
 
 /// The distance from the left end of a read-out to the right edge of its number.
@@ -75,7 +76,8 @@ void WorldPicture::measure(QSize size, double caption, WorldPicture* beside) {
   for (const Shape& shape : scene.shapes) {
     const auto* label = std::get_if<Label>(&shape);
     if (!label || label->align == 0 || label->halo) continue;
-    const double words = symbolWidth(ScenePainter::fontOf(*label), toText(label->text)) + k * std::abs(label->dx) + 4;
+    const double words =
+        symbolWidth(ScenePainter::fontOf(*label), localNumbers(fromCore(label->text))) + k * std::abs(label->dx) + 4;
     if (const double reach = std::abs(label->at.x - scene.focus.x); reach > 0)
       fit_ = std::min(fit_, (size.width() / 2.0 - words) / reach);
   }
@@ -139,7 +141,7 @@ void WorldPicture::paintFloor(QPainter& p, const Theme& t) const {
   const double left = camera - (size_.width() / 2.0 + pan.x()) / scale, right = left + size_.width() / scale;
   const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
   const auto first = static_cast<std::int64_t>(std::ceil(left / step * parts));
-  const double edge = symbolWidth(p.font(), toText(fixedText(0, decimals)) + QStringLiteral(" m")) / 2 + 4;
+  const double edge = symbolWidth(p.font(), fixedNumber(0, decimals) + QStringLiteral(" m")) / 2 + 4;
   const bool zero = left + edge / scale <= 0 && right - edge / scale >= 0;
   const double middle = zero ? 0.0 : std::round((left + right) / 2 / step);  // bears the unit
   for (auto i = first; static_cast<double>(i) * step / parts <= right; ++i) {
@@ -149,7 +151,7 @@ void WorldPicture::paintFloor(QPainter& p, const Theme& t) const {
     p.drawLine(QPointF(x, y), QPointF(x, y + k * (number ? 9 : i % 5 == 0 ? 6 : 4)));
     if (!number || !hasNumbers_) continue;
     const double value = static_cast<double>(i / parts);  // in steps
-    QString text = toText(fixedText(value * step, decimals));
+    QString text = fixedNumber(value * step, decimals);
     if (value == middle) text += QStringLiteral(" m");
     const double half = symbolWidth(p.font(), text) / 2;
     if (x - half < 4 || x + half > size_.width() - 4) continue;
@@ -186,7 +188,7 @@ void WorldPicture::paintReadOuts(QPainter& p, const Theme& t) const {
     const double right = x + std::max(numberEdge(r), std::min(edge, most));
     p.setFont(textFont(13, 500));
     p.setPen(t.ink);
-    const QString value = toText(fixedText(r.value, r.decimals));
+    const QString value = fixedNumber(r.value, r.decimals);
     drawSymbol(p, right - symbolWidth(p.font(), value), y, value);
     p.setFont(textFont(11));
     p.setPen(t.quiet);

@@ -8,7 +8,6 @@
 #include "ui/controls/preferences.h"
 #include "ui/running/looking.h"
 #include "ui/running/running_life.h"
-#include "ui/style/symbol_text.h"
 #include "ui/support/keyboard.h"
 
 namespace surefoot {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/controls/preferences.h"
+#include "ui/language/from_core.h"
 #include "ui/live/world/world_view.h"
 #include "ui/running/looking.h"
 #include "ui/running/running_life.h"
@@ -89,7 +90,9 @@ void WorldView::drawCaption(QPainter& p, const Theme& t) const {
   const double k = textScale(), baseline = 18 * k;
   const Names& names = life_.configuration().names;
   const auto& registry = life_.registry();
-  const auto title = [](const auto& entry, const std::string& name) { return toText(entry ? (*entry)->title : name); };
+  const auto title = [](const auto& entry, const std::string& name) {
+    return fromCore(entry ? (*entry)->title : name);
+  };
   p.setFont(textFont(13, 500));
   p.setPen(t.ink);
   double x = 12;
