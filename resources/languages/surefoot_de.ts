@@ -3874,6 +3874,446 @@
         <source>the whole range</source>
         <translation>den ganzen Bereich</translation>
     </message>
+    <message>
+        <source>343 actions = 7³: three voltages of seven levels</source>
+        <translation>343 Aktionen = 7³: drei Spannungen mit sieben Stufen</translation>
+    </message>
+    <message>
+        <source>A⁺ = {a: Q(s, a) &gt; threshold}</source>
+        <translation>A⁺ = {a: Q(s, a) &gt; Schwelle}</translation>
+    </message>
+    <message>
+        <source>A⁺ = {a: Q(s, a) &gt; threshold}; exploring steps pick from A⁺</source>
+        <translation>A⁺ = {a: Q(s, a) &gt; Schwelle}; explorierende Schritte wählen aus A⁺</translation>
+    </message>
+    <message>
+        <source>F = m·a of the cart, its wheel besides</source>
+        <translation>F = m·a des Wagens, dazu sein Rad</translation>
+    </message>
+    <message>
+        <source>F = γ·V(s′) − V(s) is added to the reward</source>
+        <translation>F = γ·V(s′) − V(s) kommt zur Belohnung hinzu</translation>
+    </message>
+    <message>
+        <source>F_y = boom force at the boom point</source>
+        <translation>F_y = Auslegerkraft am Auslegerpunkt</translation>
+    </message>
+    <message>
+        <source>I = m·l²/12 about its centre of mass</source>
+        <translation>I = m·l²/12 um ihren Schwerpunkt</translation>
+    </message>
+    <message>
+        <source>I = m·l²/12, centre of mass at l/2</source>
+        <translation>I = m·l²/12, Schwerpunkt bei l/2</translation>
+    </message>
+    <message>
+        <source>Q(s, a) = 0 where s &lt; from or s &gt; to</source>
+        <translation>Q(s, a) = 0, wo s &lt; von oder s &gt; bis</translation>
+    </message>
+    <message>
+        <source>Q(s, a) = Σ of n weights, one a tiling;  tile i = ⌊(x/width·n + i·(2d + 1))/n⌋</source>
+        <translation>Q(s, a) = Σ von n Gewichten, eines je Kachelung;  Kachel i = ⌊(x/Breite·n + i·(2d + 1))/n⌋</translation>
+    </message>
+    <message>
+        <source>Q(s, a) = Σ of n weights, one of each tiling; tiling i is displaced by i/n of a tile and more</source>
+        <translation>Q(s, a) = Σ von n Gewichten, eines je Kachelung; Kachelung i ist um i/n einer Kachel und mehr verschoben</translation>
+    </message>
+    <message>
+        <source>Q(s, a) has a weight of its own for every pair</source>
+        <translation>Q(s, a) hat für jedes Paar ein eigenes Gewicht</translation>
+    </message>
+    <message>
+        <source>T = scale·T(a)</source>
+        <translation>T = Faktor·T(a)</translation>
+    </message>
+    <message>
+        <source>T in v = start + (end − start)·min(t/T, 1) and v = end + (start − end)·2^(−t/T)</source>
+        <translation>T in v = Anfang + (Ende − Anfang)·min(t/T, 1) und v = Ende + (Anfang − Ende)·2^(−t/T)</translation>
+    </message>
+    <message>
+        <source>T_hinge = −μ·sign(α̇)</source>
+        <translation>T_Gelenk = −μ·sign(α̇)</translation>
+    </message>
+    <message>
+        <source>T_wheel = T(a) − c·β̇</source>
+        <translation>T_Rad = T(a) − c·β̇</translation>
+    </message>
+    <message>
+        <source>U = gain·(0 − knee angle)</source>
+        <translation>U = Verstärkung·(0 − Kniewinkel)</translation>
+    </message>
+    <message>
+        <source>U = gain·(target − ankle angle)</source>
+        <translation>U = Verstärkung·(Ziel − Knöchelwinkel)</translation>
+    </message>
+    <message>
+        <source>U = −U_max … U_max, in equal steps</source>
+        <translation>U = −U_max … U_max, in gleichen Schritten</translation>
+    </message>
+    <message>
+        <source>a circle |p − centre| = r meets the floor</source>
+        <translation>ein Kreis |p − Mittelpunkt| = r berührt den Boden</translation>
+    </message>
+    <message>
+        <source>a test after the episodes k, 2k, 3k, …</source>
+        <translation>ein Test nach den Episoden k, 2k, 3k, …</translation>
+    </message>
+    <message>
+        <source>actions = levels³, each of three voltages U_i = U_max·(2i/(levels − 1) − 1)</source>
+        <translation>Aktionen = Stufen³, jede aus drei Spannungen U_i = U_max·(2i/(Stufen − 1) − 1)</translation>
+    </message>
+    <message>
+        <source>after a fall s ← s of N steps before, and a new action there</source>
+        <translation>nach einem Sturz s ← s von N Schritten zuvor, und dort eine neue Aktion</translation>
+    </message>
+    <message>
+        <source>an episode ends with the fall after so many that were taken back</source>
+        <translation>eine Episode endet mit dem Sturz nach so vielen zurückgenommenen</translation>
+    </message>
+    <message>
+        <source>an episode that ends in a failure state</source>
+        <translation>eine Episode, die in einem Fehlerzustand endet</translation>
+    </message>
+    <message>
+        <source>an episode under the greedy policy, which is not counted</source>
+        <translation>eine Episode unter der Greedy-Policy, die nicht mitzählt</translation>
+    </message>
+    <message>
+        <source>angle(0) = this, ω(0) = 0</source>
+        <translation>Winkel(0) = dies, ω(0) = 0</translation>
+    </message>
+    <message>
+        <source>balanced: |α| ≤ 0.005π, |α̇| ≤ 0.005π rad/s; fallen: |α| ≥ 0.45π</source>
+        <translation>balanciert: |α| ≤ 0,005π, |α̇| ≤ 0,005π rad/s; gestürzt: |α| ≥ 0,45π</translation>
+    </message>
+    <message>
+        <source>clear: z(s, b) ← 0 for all b ≠ a</source>
+        <translation>löschen: z(s, b) ← 0 für alle b ≠ a</translation>
+    </message>
+    <message>
+        <source>damping c, friction μ, torque scaling</source>
+        <translation>Dämpfung c, Reibung μ, Skalierung des Drehmoments</translation>
+    </message>
+    <message>
+        <source>first k ≥ 330 with |A(k) − A(k − 250)| &lt; 0.015·R_goal and A(k) &gt; 0.75·R_goal</source>
+        <translation>erstes k ≥ 330 mit |A(k) − A(k − 250)| &lt; 0,015·R_Ziel und A(k) &gt; 0,75·R_Ziel</translation>
+    </message>
+    <message>
+        <source>g = (g·sin slope, −g·cos slope)</source>
+        <translation>g = (g·sin Neigung, −g·cos Neigung)</translation>
+    </message>
+    <message>
+        <source>half of it on each leg: F = m·a</source>
+        <translation>die Hälfte auf jedem Bein: F = m·a</translation>
+    </message>
+    <message>
+        <source>hand-made: hip angle → target in every step</source>
+        <translation>fester Regler: Hüftwinkel → Ziel in jedem Schritt</translation>
+    </message>
+    <message>
+        <source>height of the hip = l·cos(stance angle)</source>
+        <translation>Höhe der Hüfte = l·cos(Winkel Standbein)</translation>
+    </message>
+    <message>
+        <source>it acts from ρ(s, a) &gt; limit until ρ(s, a) ≤ limit/2, a drawn by the policy</source>
+        <translation>er greift ein ab ρ(s, a) &gt; Grenze bis ρ(s, a) ≤ Grenze/2, a von der Policy gezogen</translation>
+    </message>
+    <message>
+        <source>learn on a model until the average reward is R, then go on in reality</source>
+        <translation>an einem Modell lernen, bis die mittlere Belohnung R ist, dann in der Wirklichkeit weiter</translation>
+    </message>
+    <message>
+        <source>linear: v = start + (end − start)·min(t/T, 1); exponential: v = end + (start − end)·2^(−t/T)</source>
+        <translation>linear: v = Anfang + (Ende − Anfang)·min(t/T, 1); exponentiell: v = Ende + (Anfang − Ende)·2^(−t/T)</translation>
+    </message>
+    <message>
+        <source>low ≤ joint angle ≤ high</source>
+        <translation>tief ≤ Gelenkwinkel ≤ hoch</translation>
+    </message>
+    <message>
+        <source>mean total reward of the last 80 episodes</source>
+        <translation>mittlere Gesamtbelohnung der letzten 80 Episoden</translation>
+    </message>
+    <message>
+        <source>n* = mean length of the successful episodes [steps]</source>
+        <translation>n* = mittlere Länge der erfolgreichen Episoden [Schritte]</translation>
+    </message>
+    <message>
+        <source>p &lt; .01: of pairs, of Q-functions, or the analysis of variance of lives</source>
+        <translation>p &lt; 0,01: von Paaren, von Q-Funktionen oder die Varianzanalyse der Leben</translation>
+    </message>
+    <message>
+        <source>p = (x, y) in the body&apos;s frame</source>
+        <translation>p = (x, y) im System des Körpers</translation>
+    </message>
+    <message>
+        <source>r = fall when it falls, which ends the episode</source>
+        <translation>r = Sturz, wenn er stürzt; das beendet die Episode</translation>
+    </message>
+    <message>
+        <source>r = footstep·length of the step [m]; fall, and the episode ends</source>
+        <translation>r = Fußschritt·Länge des Schritts [m]; Sturz, und die Episode endet</translation>
+    </message>
+    <message>
+        <source>r = goal when it is reached, which ends the episode</source>
+        <translation>r = Ziel, wenn es erreicht ist; das beendet die Episode</translation>
+    </message>
+    <message>
+        <source>r = −1 a step until it is over the hill</source>
+        <translation>r = −1 je Schritt, bis es über dem Hügel ist</translation>
+    </message>
+    <message>
+        <source>r = −1 a step, −100 and a fall over the edge</source>
+        <translation>r = −1 je Schritt, −100 und ein Sturz über die Kante</translation>
+    </message>
+    <message>
+        <source>r ← r + energy·E, E = Σ max(0, U·I)·Δt of hips and knees</source>
+        <translation>r ← r + Energie·E, E = Σ max(0, U·I)·Δt von Hüften und Knien</translation>
+    </message>
+    <message>
+        <source>r ← r + footstep·Δx, Δx the metres gained [m]</source>
+        <translation>r ← r + Fußschritt·Δx, Δx die gewonnenen Meter [m]</translation>
+    </message>
+    <message>
+        <source>r ← r + time at every step</source>
+        <translation>r ← r + Zeit bei jedem Schritt</translation>
+    </message>
+    <message>
+        <source>r ← r − Λ·[fall]; Λ ← max(0, Λ + η·(falls − d)) after every episode</source>
+        <translation>r ← r − Λ·[Sturz]; Λ ← max(0, Λ + η·(Stürze − d)) nach jeder Episode</translation>
+    </message>
+    <message>
+        <source>replacing: z(s, a) ← 1; accumulating: z(s, a) ← γ·λ·z(s, a) + 1</source>
+        <translation>ersetzend: z(s, a) ← 1; anhäufend: z(s, a) ← γ·λ·z(s, a) + 1</translation>
+    </message>
+    <message>
+        <source>sign: r⁺ = max(r, 0), r⁻ = min(r, 0); both: r⁺ = r⁻ = r</source>
+        <translation>Vorzeichen: r⁺ = max(r, 0), r⁻ = min(r, 0); beide: r⁺ = r⁻ = r</translation>
+    </message>
+    <message>
+        <source>slot = hash(tile) mod memory</source>
+        <translation>Platz = hash(Kachel) mod Speicher</translation>
+    </message>
+    <message>
+        <source>stance angle(0) = this·(1 ± noise)</source>
+        <translation>Winkel Standbein(0) = dies·(1 ± Rauschen)</translation>
+    </message>
+    <message>
+        <source>stance rate(0) = this·(1 ± noise)</source>
+        <translation>Rate Standbein(0) = dies·(1 ± Rauschen)</translation>
+    </message>
+    <message>
+        <source>start = usual start·(1 + noise·U[−1, 1])</source>
+        <translation>Start = üblicher Start·(1 + Rauschen·U[−1, 1])</translation>
+    </message>
+    <message>
+        <source>step &lt; episode &lt; life &lt; experiment</source>
+        <translation>Schritt &lt; Episode &lt; Leben &lt; Experiment</translation>
+    </message>
+    <message>
+        <source>steps a second as many as the processor can</source>
+        <translation>so viele Schritte je Sekunde, wie der Prozessor kann</translation>
+    </message>
+    <message>
+        <source>swing angle(0) = this·(1 ± noise)</source>
+        <translation>Winkel Schwungbein(0) = dies·(1 ± Rauschen)</translation>
+    </message>
+    <message>
+        <source>swing − stance ≥ angle: the foot meets the floor</source>
+        <translation>Schwung − Stand ≥ Winkel: der Fuß berührt den Boden</translation>
+    </message>
+    <message>
+        <source>t = episodes or steps of the life so far</source>
+        <translation>t = Episoden oder Schritte des Lebens bisher</translation>
+    </message>
+    <message>
+        <source>t = limit: the episode is cut off, and Q(s′, ·) still counts</source>
+        <translation>t = Grenze: Die Episode wird abgebrochen, und Q(s′, ·) zählt noch</translation>
+    </message>
+    <message>
+        <source>tangential force ≤ grip·normal force</source>
+        <translation>Tangentialkraft ≤ Haftung·Normalkraft</translation>
+    </message>
+    <message>
+        <source>terms: r⁺ = Σ of terms above 0; sum: r⁺ = max(r, 0), r⁻ = min(r, 0)</source>
+        <translation>Terme: r⁺ = Σ der Terme über 0; Summe: r⁺ = max(r, 0), r⁻ = min(r, 0)</translation>
+    </message>
+    <message>
+        <source>threshold = γ^n*·R_goal + Σ γ^k·R_time, k = 1 … n*</source>
+        <translation>Schwelle = γ^n*·R_Ziel + Σ γ^k·R_Zeit, k = 1 … n*</translation>
+    </message>
+    <message>
+        <source>tile width = 1/(resolution·scale)</source>
+        <translation>Kachelbreite = 1/(Auflösung·Faktor)</translation>
+    </message>
+    <message>
+        <source>tile width = span/(resolution·scale)</source>
+        <translation>Kachelbreite = Spanne/(Auflösung·Faktor)</translation>
+    </message>
+    <message>
+        <source>tile width of the wheel rate = wheel span/(resolution·scale)</source>
+        <translation>Kachelbreite der Radgeschwindigkeit = Radspanne/(Auflösung·Faktor)</translation>
+    </message>
+    <message>
+        <source>tile width, or spacing of centres = span/(resolution·scale)</source>
+        <translation>Kachelbreite oder Abstand der Mittelpunkte = Spanne/(Auflösung·Faktor)</translation>
+    </message>
+    <message>
+        <source>torque = I·dω/dt</source>
+        <translation>Drehmoment = I·dω/dt</translation>
+    </message>
+    <message>
+        <source>torque = J·dω/dt is taken by the rotor</source>
+        <translation>Drehmoment = J·dω/dt nimmt der Rotor auf</translation>
+    </message>
+    <message>
+        <source>torque = η·k·G·I, I = (U − k·G·ω)/R</source>
+        <translation>Drehmoment = η·k·G·I, I = (U − k·G·ω)/R</translation>
+    </message>
+    <message>
+        <source>torque = −F·sign(ω)</source>
+        <translation>Drehmoment = −F·sign(ω)</translation>
+    </message>
+    <message>
+        <source>torque = −damping·ω beyond the stop</source>
+        <translation>Drehmoment = −Dämpfung·ω jenseits des Anschlags</translation>
+    </message>
+    <message>
+        <source>torque = −stiffness·(angle beyond the stop)</source>
+        <translation>Drehmoment = −Steifigkeit·(Winkel jenseits des Anschlags)</translation>
+    </message>
+    <message>
+        <source>v → end as t grows: v = end for t ≥ T (linear), half as far at every T (exponential)</source>
+        <translation>v → Ende, wenn t wächst: v = Ende für t ≥ T (linear), nach jedem T halb so fern (exponentiell)</translation>
+    </message>
+    <message>
+        <source>v(s) = (s − 10)/10 for the states s = 1 … 19</source>
+        <translation>v(s) = (s − 10)/10 für die Zustände s = 1 … 19</translation>
+    </message>
+    <message>
+        <source>w = U[low, high]/n at the start, so that Q lies between low and high</source>
+        <translation>w = U[tief, hoch]/n am Anfang, sodass Q zwischen tief und hoch liegt</translation>
+    </message>
+    <message>
+        <source>w ← w + α/n·δ·z for every weight w with trace z, n tilings</source>
+        <translation>w ← w + α/n·δ·z für jedes Gewicht w mit Trace z, n Kachelungen</translation>
+    </message>
+    <message>
+        <source>weight: π on Q − w·ρ; filter: among {a: ρ(s, a) ≤ limit}; losses: π on Q⁺ + k·Q⁻</source>
+        <translation>Gewicht: π auf Q − w·ρ; Filter: unter {a: ρ(s, a) ≤ Grenze}; Verluste: π auf Q⁺ + k·Q⁻</translation>
+    </message>
+    <message>
+        <source>x_i = exp(−(s − c_i)²/(2σ²)), divided by Σ_i x_i</source>
+        <translation>x_i = exp(−(s − c_i)²/(2σ²)), geteilt durch Σ_i x_i</translation>
+    </message>
+    <message>
+        <source>z &lt; cut-off: z ← 0</source>
+        <translation>z &lt; Abschneidegrenze: z ← 0</translation>
+    </message>
+    <message>
+        <source>z ← γ·λ·z after every step</source>
+        <translation>z ← γ·λ·z nach jedem Schritt</translation>
+    </message>
+    <message>
+        <source>z ← γ·λ·z; z ← 1 for what was just visited</source>
+        <translation>z ← γ·λ·z; z ← 1 für das eben Besuchte</translation>
+    </message>
+    <message>
+        <source>z ← γλz + (1 − αγλ·zᵀx)x;  w ← w + α(δ + Q − Q_old)z − α(Q − Q_old)x</source>
+        <translation>z ← γλz + (1 − αγλ·zᵀx)x;  w ← w + α(δ + Q − Q_alt)z − α(Q − Q_alt)x</translation>
+    </message>
+    <message>
+        <source>|stance angle| &gt; this: fallen</source>
+        <translation>|Winkel Standbein| &gt; dies: gestürzt</translation>
+    </message>
+    <message>
+        <source>|stance thigh| &gt; this: doomed to fall</source>
+        <translation>|Oberschenkel (Stand)| &gt; dies: Sturz unvermeidlich</translation>
+    </message>
+    <message>
+        <source>|swing angle| &gt; this: fallen</source>
+        <translation>|Winkel Schwungbein| &gt; dies: gestürzt</translation>
+    </message>
+    <message>
+        <source>|torso| &gt; this: doomed to fall</source>
+        <translation>|Rumpf| &gt; dies: Sturz unvermeidlich</translation>
+    </message>
+    <message>
+        <source>|α| ≤ angle and |α̇| ≤ rate: balanced</source>
+        <translation>|α| ≤ Winkel und |α̇| ≤ Rate: balanciert</translation>
+    </message>
+    <message>
+        <source>|α| ≥ fall angle: fallen</source>
+        <translation>|α| ≥ Sturzwinkel: gestürzt</translation>
+    </message>
+    <message>
+        <source>Δt = time of a step/substeps</source>
+        <translation>Δt = Zeit eines Schritts/Teilschritte</translation>
+    </message>
+    <message>
+        <source>Λ ← max(0, Λ + η·(falls − d)) after every episode</source>
+        <translation>Λ ← max(0, Λ + η·(Stürze − d)) nach jeder Episode</translation>
+    </message>
+    <message>
+        <source>δ = r + γ·max Q(s′, ·) − Q(s, a); after an action that is not greedy, z ← 0</source>
+        <translation>δ = r + γ·max Q(s′, ·) − Q(s, a); nach einer Aktion, die nicht greedy ist, z ← 0</translation>
+    </message>
+    <message>
+        <source>δ ← (1 + κ)·δ if δ &lt; 0, else (1 − κ)·δ</source>
+        <translation>δ ← (1 + κ)·δ, wenn δ &lt; 0, sonst (1 − κ)·δ</translation>
+    </message>
+    <message>
+        <source>π among {a: ρ(s, a) ≤ limit}; where there is none, among the least risky</source>
+        <translation>π unter {a: ρ(s, a) ≤ Grenze}; gibt es keine, unter den am wenigsten riskanten</translation>
+    </message>
+    <message>
+        <source>π(a outside A⁺) = ε·p/(n − |A⁺|), p the share below</source>
+        <translation>π(a außerhalb A⁺) = ε·p/(n − |A⁺|), p der Anteil darunter</translation>
+    </message>
+    <message>
+        <source>π(a) = (1 − ε)·[a is greedy] + ε/n</source>
+        <translation>π(a) = (1 − ε)·[a ist greedy] + ε/n</translation>
+    </message>
+    <message>
+        <source>π(a) = (1 − ε)·greedy(a) + ε/n</source>
+        <translation>π(a) = (1 − ε)·greedy(a) + ε/n</translation>
+    </message>
+    <message>
+        <source>π(a) = (1 − ε)·greedy(a) + ε·(1 − p)/|A⁺| in A⁺ = {a: Q(s, a) &gt; threshold}, + ε·p/(n − |A⁺|) outside</source>
+        <translation>π(a) = (1 − ε)·greedy(a) + ε·(1 − p)/|A⁺| in A⁺ = {a: Q(s, a) &gt; Schwelle}, + ε·p/(n − |A⁺|) außerhalb</translation>
+    </message>
+    <message>
+        <source>π(a) = 1/m for each of the m actions with Q(s, a) = max Q(s, ·), else 0</source>
+        <translation>π(a) = 1/m für jede der m Aktionen mit Q(s, a) = max Q(s, ·), sonst 0</translation>
+    </message>
+    <message>
+        <source>π(a) = exp(β·Q(s, a))/Σ_b exp(β·Q(s, b)), β so that Σ π·Q = ln(Σ_b exp(ω·Q(s, b))/n)/ω</source>
+        <translation>π(a) = exp(β·Q(s, a))/Σ_b exp(β·Q(s, b)), β so, dass Σ π·Q = ln(Σ_b exp(ω·Q(s, b))/n)/ω</translation>
+    </message>
+    <message>
+        <source>ρ = Pr(fall), a fall k steps later counting γᵏ</source>
+        <translation>ρ = Pr(Sturz), ein Sturz k Schritte später zählt γᵏ</translation>
+    </message>
+    <message>
+        <source>ρ ← ρ + α·(target − ρ); target: 1 after a fall, 0 after another end, else γ·ρ(s′, a′)</source>
+        <translation>ρ ← ρ + α·(Ziel − ρ); Ziel: 1 nach einem Sturz, 0 nach einem anderen Ende, sonst γ·ρ(s′, a′)</translation>
+    </message>
+    <message>
+        <source>ρ(s, a) = initial where nothing is known</source>
+        <translation>ρ(s, a) = Anfangswert, wo nichts bekannt ist</translation>
+    </message>
+    <message>
+        <source>ρ(s, a) &gt; limit</source>
+        <translation>ρ(s, a) &gt; Grenze</translation>
+    </message>
+    <message>
+        <source>σ of a Gaussian = width·its own σ</source>
+        <translation>σ einer Gaußfunktion = Breite·eigenes σ</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
 </context>
 <context>
     <name>surefoot::AboutDialog</name>
@@ -8707,6 +9147,34 @@ falls shown frame by frame</source>
     <message>
         <source>the 95 % intervals of the two have nothing in common</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 of %2 fell, %3 % (95 %: %4 … %5 %)</source>
+        <translation>%1 von %2 stürzten, %3 % (95 %: %4 … %5 %)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 succeeded, %3 % (95 %: %4 … %5 %)</source>
+        <translation>%1 von %2 gelangen, %3 % (95 %: %4 … %5 %)</translation>
+    </message>
+    <message>
+        <source>%1 starts a cell</source>
+        <translation>%1 Starts je Zelle</translation>
+    </message>
+    <message>
+        <source>, pushed at %1 s</source>
+        <translation>, gestoßen bei %1 s</translation>
+    </message>
+    <message>
+        <source>, pushed between %1 and %2 s</source>
+        <translation>, gestoßen zwischen %1 und %2 s</translation>
+    </message>
+    <message>
+        <source>, followed for %1 s</source>
+        <translation>, %1 s verfolgt</translation>
+    </message>
+    <message>
+        <source>, policy %1, seed %2</source>
+        <translation>, Policy %1, Seed %2</translation>
     </message>
 </context>
 <context>

@@ -3874,6 +3874,446 @@
         <source>the whole range</source>
         <translation>het hele bereik</translation>
     </message>
+    <message>
+        <source>343 actions = 7³: three voltages of seven levels</source>
+        <translation>343 acties = 7³: drie spanningen met zeven niveaus</translation>
+    </message>
+    <message>
+        <source>A⁺ = {a: Q(s, a) &gt; threshold}</source>
+        <translation>A⁺ = {a: Q(s, a) &gt; drempel}</translation>
+    </message>
+    <message>
+        <source>A⁺ = {a: Q(s, a) &gt; threshold}; exploring steps pick from A⁺</source>
+        <translation>A⁺ = {a: Q(s, a) &gt; drempel}; explorerende stappen kiezen uit A⁺</translation>
+    </message>
+    <message>
+        <source>F = m·a of the cart, its wheel besides</source>
+        <translation>F = m·a van de wagen, daarnaast zijn wiel</translation>
+    </message>
+    <message>
+        <source>F = γ·V(s′) − V(s) is added to the reward</source>
+        <translation>F = γ·V(s′) − V(s) komt bij de beloning</translation>
+    </message>
+    <message>
+        <source>F_y = boom force at the boom point</source>
+        <translation>F_y = boomkracht in het boompunt</translation>
+    </message>
+    <message>
+        <source>I = m·l²/12 about its centre of mass</source>
+        <translation>I = m·l²/12 om zijn massamiddelpunt</translation>
+    </message>
+    <message>
+        <source>I = m·l²/12, centre of mass at l/2</source>
+        <translation>I = m·l²/12, massamiddelpunt op l/2</translation>
+    </message>
+    <message>
+        <source>Q(s, a) = 0 where s &lt; from or s &gt; to</source>
+        <translation>Q(s, a) = 0 waar s &lt; van of s &gt; tot</translation>
+    </message>
+    <message>
+        <source>Q(s, a) = Σ of n weights, one a tiling;  tile i = ⌊(x/width·n + i·(2d + 1))/n⌋</source>
+        <translation>Q(s, a) = Σ van n gewichten, één per betegeling;  tegel i = ⌊(x/breedte·n + i·(2d + 1))/n⌋</translation>
+    </message>
+    <message>
+        <source>Q(s, a) = Σ of n weights, one of each tiling; tiling i is displaced by i/n of a tile and more</source>
+        <translation>Q(s, a) = Σ van n gewichten, van elke betegeling één; betegeling i is i/n tegel en meer verschoven</translation>
+    </message>
+    <message>
+        <source>Q(s, a) has a weight of its own for every pair</source>
+        <translation>Q(s, a) heeft voor elk paar een eigen gewicht</translation>
+    </message>
+    <message>
+        <source>T = scale·T(a)</source>
+        <translation>T = schaal·T(a)</translation>
+    </message>
+    <message>
+        <source>T in v = start + (end − start)·min(t/T, 1) and v = end + (start − end)·2^(−t/T)</source>
+        <translation>T in v = begin + (eind − begin)·min(t/T, 1) en v = eind + (begin − eind)·2^(−t/T)</translation>
+    </message>
+    <message>
+        <source>T_hinge = −μ·sign(α̇)</source>
+        <translation>T_scharnier = −μ·sign(α̇)</translation>
+    </message>
+    <message>
+        <source>T_wheel = T(a) − c·β̇</source>
+        <translation>T_wiel = T(a) − c·β̇</translation>
+    </message>
+    <message>
+        <source>U = gain·(0 − knee angle)</source>
+        <translation>U = versterking·(0 − kniehoek)</translation>
+    </message>
+    <message>
+        <source>U = gain·(target − ankle angle)</source>
+        <translation>U = versterking·(doel − enkelhoek)</translation>
+    </message>
+    <message>
+        <source>U = −U_max … U_max, in equal steps</source>
+        <translation>U = −U_max … U_max, in gelijke stappen</translation>
+    </message>
+    <message>
+        <source>a circle |p − centre| = r meets the floor</source>
+        <translation>een cirkel |p − middelpunt| = r raakt de vloer</translation>
+    </message>
+    <message>
+        <source>a test after the episodes k, 2k, 3k, …</source>
+        <translation>een test na de episodes k, 2k, 3k, …</translation>
+    </message>
+    <message>
+        <source>actions = levels³, each of three voltages U_i = U_max·(2i/(levels − 1) − 1)</source>
+        <translation>acties = niveaus³, elk met drie spanningen U_i = U_max·(2i/(niveaus − 1) − 1)</translation>
+    </message>
+    <message>
+        <source>after a fall s ← s of N steps before, and a new action there</source>
+        <translation>na een val s ← s van N stappen eerder, en daar een nieuwe actie</translation>
+    </message>
+    <message>
+        <source>an episode ends with the fall after so many that were taken back</source>
+        <translation>een episode eindigt met de val na zoveel teruggedraaide</translation>
+    </message>
+    <message>
+        <source>an episode that ends in a failure state</source>
+        <translation>een episode die in een faaltoestand eindigt</translation>
+    </message>
+    <message>
+        <source>an episode under the greedy policy, which is not counted</source>
+        <translation>een episode met de greedy policy, die niet meetelt</translation>
+    </message>
+    <message>
+        <source>angle(0) = this, ω(0) = 0</source>
+        <translation>hoek(0) = dit, ω(0) = 0</translation>
+    </message>
+    <message>
+        <source>balanced: |α| ≤ 0.005π, |α̇| ≤ 0.005π rad/s; fallen: |α| ≥ 0.45π</source>
+        <translation>in balans: |α| ≤ 0,005π, |α̇| ≤ 0,005π rad/s; gevallen: |α| ≥ 0,45π</translation>
+    </message>
+    <message>
+        <source>clear: z(s, b) ← 0 for all b ≠ a</source>
+        <translation>wissen: z(s, b) ← 0 voor alle b ≠ a</translation>
+    </message>
+    <message>
+        <source>damping c, friction μ, torque scaling</source>
+        <translation>demping c, wrijving μ, schaling van het koppel</translation>
+    </message>
+    <message>
+        <source>first k ≥ 330 with |A(k) − A(k − 250)| &lt; 0.015·R_goal and A(k) &gt; 0.75·R_goal</source>
+        <translation>eerste k ≥ 330 met |A(k) − A(k − 250)| &lt; 0,015·R_doel en A(k) &gt; 0,75·R_doel</translation>
+    </message>
+    <message>
+        <source>g = (g·sin slope, −g·cos slope)</source>
+        <translation>g = (g·sin helling, −g·cos helling)</translation>
+    </message>
+    <message>
+        <source>half of it on each leg: F = m·a</source>
+        <translation>de helft op elk been: F = m·a</translation>
+    </message>
+    <message>
+        <source>hand-made: hip angle → target in every step</source>
+        <translation>vaste regelaar: heuphoek → doel in elke stap</translation>
+    </message>
+    <message>
+        <source>height of the hip = l·cos(stance angle)</source>
+        <translation>hoogte van de heup = l·cos(hoek standbeen)</translation>
+    </message>
+    <message>
+        <source>it acts from ρ(s, a) &gt; limit until ρ(s, a) ≤ limit/2, a drawn by the policy</source>
+        <translation>hij grijpt in vanaf ρ(s, a) &gt; grens tot ρ(s, a) ≤ grens/2, a getrokken door de policy</translation>
+    </message>
+    <message>
+        <source>learn on a model until the average reward is R, then go on in reality</source>
+        <translation>leer op een model tot de gemiddelde beloning R is, ga dan verder in werkelijkheid</translation>
+    </message>
+    <message>
+        <source>linear: v = start + (end − start)·min(t/T, 1); exponential: v = end + (start − end)·2^(−t/T)</source>
+        <translation>lineair: v = begin + (eind − begin)·min(t/T, 1); exponentieel: v = eind + (begin − eind)·2^(−t/T)</translation>
+    </message>
+    <message>
+        <source>low ≤ joint angle ≤ high</source>
+        <translation>laag ≤ gewrichtshoek ≤ hoog</translation>
+    </message>
+    <message>
+        <source>mean total reward of the last 80 episodes</source>
+        <translation>gemiddelde totale beloning van de laatste 80 episodes</translation>
+    </message>
+    <message>
+        <source>n* = mean length of the successful episodes [steps]</source>
+        <translation>n* = gemiddelde lengte van de geslaagde episodes [stappen]</translation>
+    </message>
+    <message>
+        <source>p &lt; .01: of pairs, of Q-functions, or the analysis of variance of lives</source>
+        <translation>p &lt; 0,01: van paren, van Q-functies, of de variantieanalyse van levens</translation>
+    </message>
+    <message>
+        <source>p = (x, y) in the body&apos;s frame</source>
+        <translation>p = (x, y) in het stelsel van het lichaam</translation>
+    </message>
+    <message>
+        <source>r = fall when it falls, which ends the episode</source>
+        <translation>r = val als hij valt; dat beëindigt de episode</translation>
+    </message>
+    <message>
+        <source>r = footstep·length of the step [m]; fall, and the episode ends</source>
+        <translation>r = voetstap·lengte van de stap [m]; val, en de episode eindigt</translation>
+    </message>
+    <message>
+        <source>r = goal when it is reached, which ends the episode</source>
+        <translation>r = doel als het bereikt is; dat beëindigt de episode</translation>
+    </message>
+    <message>
+        <source>r = −1 a step until it is over the hill</source>
+        <translation>r = −1 per stap tot hij over de heuvel is</translation>
+    </message>
+    <message>
+        <source>r = −1 a step, −100 and a fall over the edge</source>
+        <translation>r = −1 per stap, −100 en een val over de rand</translation>
+    </message>
+    <message>
+        <source>r ← r + energy·E, E = Σ max(0, U·I)·Δt of hips and knees</source>
+        <translation>r ← r + energie·E, E = Σ max(0, U·I)·Δt van heupen en knieën</translation>
+    </message>
+    <message>
+        <source>r ← r + footstep·Δx, Δx the metres gained [m]</source>
+        <translation>r ← r + voetstap·Δx, Δx de gewonnen meters [m]</translation>
+    </message>
+    <message>
+        <source>r ← r + time at every step</source>
+        <translation>r ← r + tijd bij elke stap</translation>
+    </message>
+    <message>
+        <source>r ← r − Λ·[fall]; Λ ← max(0, Λ + η·(falls − d)) after every episode</source>
+        <translation>r ← r − Λ·[val]; Λ ← max(0, Λ + η·(valpartijen − d)) na elke episode</translation>
+    </message>
+    <message>
+        <source>replacing: z(s, a) ← 1; accumulating: z(s, a) ← γ·λ·z(s, a) + 1</source>
+        <translation>vervangend: z(s, a) ← 1; optellend: z(s, a) ← γ·λ·z(s, a) + 1</translation>
+    </message>
+    <message>
+        <source>sign: r⁺ = max(r, 0), r⁻ = min(r, 0); both: r⁺ = r⁻ = r</source>
+        <translation>teken: r⁺ = max(r, 0), r⁻ = min(r, 0); beide: r⁺ = r⁻ = r</translation>
+    </message>
+    <message>
+        <source>slot = hash(tile) mod memory</source>
+        <translation>plaats = hash(tegel) mod geheugen</translation>
+    </message>
+    <message>
+        <source>stance angle(0) = this·(1 ± noise)</source>
+        <translation>hoek standbeen(0) = dit·(1 ± ruis)</translation>
+    </message>
+    <message>
+        <source>stance rate(0) = this·(1 ± noise)</source>
+        <translation>snelheid standbeen(0) = dit·(1 ± ruis)</translation>
+    </message>
+    <message>
+        <source>start = usual start·(1 + noise·U[−1, 1])</source>
+        <translation>start = gewone start·(1 + ruis·U[−1, 1])</translation>
+    </message>
+    <message>
+        <source>step &lt; episode &lt; life &lt; experiment</source>
+        <translation>stap &lt; episode &lt; leven &lt; experiment</translation>
+    </message>
+    <message>
+        <source>steps a second as many as the processor can</source>
+        <translation>zoveel stappen per seconde als de processor kan</translation>
+    </message>
+    <message>
+        <source>swing angle(0) = this·(1 ± noise)</source>
+        <translation>hoek zwaaibeen(0) = dit·(1 ± ruis)</translation>
+    </message>
+    <message>
+        <source>swing − stance ≥ angle: the foot meets the floor</source>
+        <translation>zwaai − stand ≥ hoek: de voet raakt de vloer</translation>
+    </message>
+    <message>
+        <source>t = episodes or steps of the life so far</source>
+        <translation>t = episodes of stappen van het leven tot nu toe</translation>
+    </message>
+    <message>
+        <source>t = limit: the episode is cut off, and Q(s′, ·) still counts</source>
+        <translation>t = grens: de episode wordt afgebroken, en Q(s′, ·) telt nog mee</translation>
+    </message>
+    <message>
+        <source>tangential force ≤ grip·normal force</source>
+        <translation>tangentiële kracht ≤ grip·normaalkracht</translation>
+    </message>
+    <message>
+        <source>terms: r⁺ = Σ of terms above 0; sum: r⁺ = max(r, 0), r⁻ = min(r, 0)</source>
+        <translation>termen: r⁺ = Σ van termen boven 0; som: r⁺ = max(r, 0), r⁻ = min(r, 0)</translation>
+    </message>
+    <message>
+        <source>threshold = γ^n*·R_goal + Σ γ^k·R_time, k = 1 … n*</source>
+        <translation>drempel = γ^n*·R_doel + Σ γ^k·R_tijd, k = 1 … n*</translation>
+    </message>
+    <message>
+        <source>tile width = 1/(resolution·scale)</source>
+        <translation>tegelbreedte = 1/(resolutie·schaal)</translation>
+    </message>
+    <message>
+        <source>tile width = span/(resolution·scale)</source>
+        <translation>tegelbreedte = bereik/(resolutie·schaal)</translation>
+    </message>
+    <message>
+        <source>tile width of the wheel rate = wheel span/(resolution·scale)</source>
+        <translation>tegelbreedte van de wielsnelheid = wielbereik/(resolutie·schaal)</translation>
+    </message>
+    <message>
+        <source>tile width, or spacing of centres = span/(resolution·scale)</source>
+        <translation>tegelbreedte, of afstand van middelpunten = bereik/(resolutie·schaal)</translation>
+    </message>
+    <message>
+        <source>torque = I·dω/dt</source>
+        <translation>koppel = I·dω/dt</translation>
+    </message>
+    <message>
+        <source>torque = J·dω/dt is taken by the rotor</source>
+        <translation>koppel = J·dω/dt gaat naar de rotor</translation>
+    </message>
+    <message>
+        <source>torque = η·k·G·I, I = (U − k·G·ω)/R</source>
+        <translation>koppel = η·k·G·I, I = (U − k·G·ω)/R</translation>
+    </message>
+    <message>
+        <source>torque = −F·sign(ω)</source>
+        <translation>koppel = −F·sign(ω)</translation>
+    </message>
+    <message>
+        <source>torque = −damping·ω beyond the stop</source>
+        <translation>koppel = −demping·ω voorbij de aanslag</translation>
+    </message>
+    <message>
+        <source>torque = −stiffness·(angle beyond the stop)</source>
+        <translation>koppel = −stijfheid·(hoek voorbij de aanslag)</translation>
+    </message>
+    <message>
+        <source>v → end as t grows: v = end for t ≥ T (linear), half as far at every T (exponential)</source>
+        <translation>v → eind als t groeit: v = eind voor t ≥ T (lineair), na elke T half zo ver (exponentieel)</translation>
+    </message>
+    <message>
+        <source>v(s) = (s − 10)/10 for the states s = 1 … 19</source>
+        <translation>v(s) = (s − 10)/10 voor de toestanden s = 1 … 19</translation>
+    </message>
+    <message>
+        <source>w = U[low, high]/n at the start, so that Q lies between low and high</source>
+        <translation>w = U[laag, hoog]/n aan het begin, zodat Q tussen laag en hoog ligt</translation>
+    </message>
+    <message>
+        <source>w ← w + α/n·δ·z for every weight w with trace z, n tilings</source>
+        <translation>w ← w + α/n·δ·z voor elk gewicht w met trace z, n betegelingen</translation>
+    </message>
+    <message>
+        <source>weight: π on Q − w·ρ; filter: among {a: ρ(s, a) ≤ limit}; losses: π on Q⁺ + k·Q⁻</source>
+        <translation>gewicht: π op Q − w·ρ; filter: uit {a: ρ(s, a) ≤ grens}; verlies: π op Q⁺ + k·Q⁻</translation>
+    </message>
+    <message>
+        <source>x_i = exp(−(s − c_i)²/(2σ²)), divided by Σ_i x_i</source>
+        <translation>x_i = exp(−(s − c_i)²/(2σ²)), gedeeld door Σ_i x_i</translation>
+    </message>
+    <message>
+        <source>z &lt; cut-off: z ← 0</source>
+        <translation>z &lt; ondergrens: z ← 0</translation>
+    </message>
+    <message>
+        <source>z ← γ·λ·z after every step</source>
+        <translation>z ← γ·λ·z na elke stap</translation>
+    </message>
+    <message>
+        <source>z ← γ·λ·z; z ← 1 for what was just visited</source>
+        <translation>z ← γ·λ·z; z ← 1 voor wat net bezocht is</translation>
+    </message>
+    <message>
+        <source>z ← γλz + (1 − αγλ·zᵀx)x;  w ← w + α(δ + Q − Q_old)z − α(Q − Q_old)x</source>
+        <translation>z ← γλz + (1 − αγλ·zᵀx)x;  w ← w + α(δ + Q − Q_oud)z − α(Q − Q_oud)x</translation>
+    </message>
+    <message>
+        <source>|stance angle| &gt; this: fallen</source>
+        <translation>|hoek standbeen| &gt; dit: gevallen</translation>
+    </message>
+    <message>
+        <source>|stance thigh| &gt; this: doomed to fall</source>
+        <translation>|bovenbeen (stand)| &gt; dit: val onvermijdelijk</translation>
+    </message>
+    <message>
+        <source>|swing angle| &gt; this: fallen</source>
+        <translation>|hoek zwaaibeen| &gt; dit: gevallen</translation>
+    </message>
+    <message>
+        <source>|torso| &gt; this: doomed to fall</source>
+        <translation>|romp| &gt; dit: val onvermijdelijk</translation>
+    </message>
+    <message>
+        <source>|α| ≤ angle and |α̇| ≤ rate: balanced</source>
+        <translation>|α| ≤ hoek en |α̇| ≤ snelheid: in balans</translation>
+    </message>
+    <message>
+        <source>|α| ≥ fall angle: fallen</source>
+        <translation>|α| ≥ valhoek: gevallen</translation>
+    </message>
+    <message>
+        <source>Δt = time of a step/substeps</source>
+        <translation>Δt = tijd van een stap/deelstappen</translation>
+    </message>
+    <message>
+        <source>Λ ← max(0, Λ + η·(falls − d)) after every episode</source>
+        <translation>Λ ← max(0, Λ + η·(valpartijen − d)) na elke episode</translation>
+    </message>
+    <message>
+        <source>δ = r + γ·max Q(s′, ·) − Q(s, a); after an action that is not greedy, z ← 0</source>
+        <translation>δ = r + γ·max Q(s′, ·) − Q(s, a); na een actie die niet greedy is, z ← 0</translation>
+    </message>
+    <message>
+        <source>δ ← (1 + κ)·δ if δ &lt; 0, else (1 − κ)·δ</source>
+        <translation>δ ← (1 + κ)·δ als δ &lt; 0, anders (1 − κ)·δ</translation>
+    </message>
+    <message>
+        <source>π among {a: ρ(s, a) ≤ limit}; where there is none, among the least risky</source>
+        <translation>π uit {a: ρ(s, a) ≤ grens}; is er geen, uit de minst riskante</translation>
+    </message>
+    <message>
+        <source>π(a outside A⁺) = ε·p/(n − |A⁺|), p the share below</source>
+        <translation>π(a buiten A⁺) = ε·p/(n − |A⁺|), p het aandeel eronder</translation>
+    </message>
+    <message>
+        <source>π(a) = (1 − ε)·[a is greedy] + ε/n</source>
+        <translation>π(a) = (1 − ε)·[a is greedy] + ε/n</translation>
+    </message>
+    <message>
+        <source>π(a) = (1 − ε)·greedy(a) + ε/n</source>
+        <translation>π(a) = (1 − ε)·greedy(a) + ε/n</translation>
+    </message>
+    <message>
+        <source>π(a) = (1 − ε)·greedy(a) + ε·(1 − p)/|A⁺| in A⁺ = {a: Q(s, a) &gt; threshold}, + ε·p/(n − |A⁺|) outside</source>
+        <translation>π(a) = (1 − ε)·greedy(a) + ε·(1 − p)/|A⁺| in A⁺ = {a: Q(s, a) &gt; drempel}, + ε·p/(n − |A⁺|) daarbuiten</translation>
+    </message>
+    <message>
+        <source>π(a) = 1/m for each of the m actions with Q(s, a) = max Q(s, ·), else 0</source>
+        <translation>π(a) = 1/m voor elk van de m acties met Q(s, a) = max Q(s, ·), anders 0</translation>
+    </message>
+    <message>
+        <source>π(a) = exp(β·Q(s, a))/Σ_b exp(β·Q(s, b)), β so that Σ π·Q = ln(Σ_b exp(ω·Q(s, b))/n)/ω</source>
+        <translation>π(a) = exp(β·Q(s, a))/Σ_b exp(β·Q(s, b)), β zodat Σ π·Q = ln(Σ_b exp(ω·Q(s, b))/n)/ω</translation>
+    </message>
+    <message>
+        <source>ρ = Pr(fall), a fall k steps later counting γᵏ</source>
+        <translation>ρ = Pr(val), een val k stappen later telt γᵏ</translation>
+    </message>
+    <message>
+        <source>ρ ← ρ + α·(target − ρ); target: 1 after a fall, 0 after another end, else γ·ρ(s′, a′)</source>
+        <translation>ρ ← ρ + α·(doel − ρ); doel: 1 na een val, 0 na een ander eind, anders γ·ρ(s′, a′)</translation>
+    </message>
+    <message>
+        <source>ρ(s, a) = initial where nothing is known</source>
+        <translation>ρ(s, a) = beginwaarde waar niets bekend is</translation>
+    </message>
+    <message>
+        <source>ρ(s, a) &gt; limit</source>
+        <translation>ρ(s, a) &gt; grens</translation>
+    </message>
+    <message>
+        <source>σ of a Gaussian = width·its own σ</source>
+        <translation>σ van een gaussfunctie = breedte·eigen σ</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>snelheid</translation>
+    </message>
 </context>
 <context>
     <name>surefoot::AboutDialog</name>
@@ -8717,6 +9157,34 @@ valpartijen beeld voor beeld</translation>
     <message>
         <source>the 95 % intervals of the two have nothing in common</source>
         <translation>de 95%-intervallen van de twee overlappen niet</translation>
+    </message>
+    <message>
+        <source>%1 of %2 fell, %3 % (95 %: %4 … %5 %)</source>
+        <translation>%1 van %2 vielen, %3 % (95 %: %4 … %5 %)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 succeeded, %3 % (95 %: %4 … %5 %)</source>
+        <translation>%1 van %2 slaagden, %3 % (95 %: %4 … %5 %)</translation>
+    </message>
+    <message>
+        <source>%1 starts a cell</source>
+        <translation>%1 starts per cel</translation>
+    </message>
+    <message>
+        <source>, pushed at %1 s</source>
+        <translation>, geduwd op %1 s</translation>
+    </message>
+    <message>
+        <source>, pushed between %1 and %2 s</source>
+        <translation>, geduwd tussen %1 en %2 s</translation>
+    </message>
+    <message>
+        <source>, followed for %1 s</source>
+        <translation>, %1 s gevolgd</translation>
+    </message>
+    <message>
+        <source>, policy %1, seed %2</source>
+        <translation>, policy %1, seed %2</translation>
     </message>
 </context>
 <context>

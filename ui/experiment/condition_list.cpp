@@ -61,15 +61,18 @@ std::vector<std::pair<QString, QString>> ConditionList::design() const {
     list.push_back({tr("Environment"), toText(c.configuration.names.environment)});
     if (c.preLearning) {
       const Configuration& before = c.preLearning->configuration;
-      list.push_back(
-          {tr("Pre-learning"),
-           before.until
-               ? tr("scenario %1, to %2").arg(toText(before.names.scenario), fixedNumber(*before.until, 0))
-               : tr("scenario %1, %2 min").arg(toText(before.names.scenario)).arg(before.minutes.value_or(0))});
+      list.push_back({tr("Pre-learning"),
+                      before.until
+                          ? tr("scenario %1, to %2").arg(toText(before.names.scenario), fixedNumber(*before.until, 0))
+                          : tr("scenario %1, %2 min")
+                                .arg(toText(before.names.scenario))
+                                .arg(localNumbers(QString::number(before.minutes.value_or(0))))});
       list.push_back(
           {tr("Q-functions"), c.preLearning->pool == 0 ? tr("one a life") : QString::number(c.preLearning->pool)});
     }
-    if (c.configuration.minutes) list.push_back({tr("A life"), tr("%1 simulated min").arg(*c.configuration.minutes)});
+    if (c.configuration.minutes)
+      list.push_back(
+          {tr("A life"), tr("%1 simulated min").arg(localNumbers(QString::number(*c.configuration.minutes)))});
     if (c.configuration.episodes) list.push_back({tr("A life"), episodesText(*c.configuration.episodes)});
   }
   list.push_back({tr("Lives"), tr("%1 a condition").arg(stored.conditions.front().lives)});

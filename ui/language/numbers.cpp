@@ -72,11 +72,14 @@ std::string typedNumber(const QString& text) {
 
 std::string typedNumbers(const QString& text) {
   if (!decimalComma()) return text.toStdString();
-  static const QRegularExpression kBetween(QStringLiteral("\\s*[;\\s]\\s*"));
+  static const QRegularExpression kBetween(QStringLiteral("\\s*[;\\s]\\s*")),
+      kDecimals(QStringLiteral("([0-9]),([0-9])"));
   std::string all;
   for (QString value : text.trimmed().split(kBetween, Qt::SkipEmptyParts)) {
     if (value.endsWith(',')) value.chop(1);
-    all += (all.empty() ? "" : "; ") + typedNumber(value);
+    const bool range = value.contains(QStringLiteral(".."));
+    if (range) value.replace(kDecimals, QStringLiteral("\\1.\\2"));
+    all += (all.empty() ? "" : "; ") + (range ? value.toStdString() : typedNumber(value));
   }
   return all;
 }

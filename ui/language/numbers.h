@@ -25,7 +25,7 @@ QString countNumber(double value);
 /// are the same. "1.250" could be meant as 1250; the core is given a text that it refuses and names both readings.
 std::string typedNumber(const QString& text);
 
-/// The same for a list, whose values are separated by ; or blanks.
+/// The same for a list, whose values are separated by ; or blanks, and for a range: "0..0,2:9".
 std::string typedNumbers(const QString& text);
 
 }  // namespace surefoot

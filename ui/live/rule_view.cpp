@@ -66,8 +66,8 @@ void RuleView::refresh() {
     if (text != use_->text()) {
       use_->setText(text);
       use_->setAccessibleName(text);
-      resizeEvent(nullptr);
     }
+    resizeEvent(nullptr);
     use_->setEnabled(life_.configuration().parameters.get("policy.threshold") != rounded);
   }
   setAccessibleDescription(lines().join(' '));
@@ -110,8 +110,14 @@ QStringList RuleView::lines() const {
 void RuleView::resizeEvent(QResizeEvent*) {
   const QSize size = use_->sizeHint();
   const int padding = scaled(kPadding);
-  use_->setGeometry(std::max(padding, QWidget::width() - padding - size.width()), scaled(4), size.width(),
-                    size.height());
+  const int top = stacked() ? QFontMetrics(scaledFont(kNumber, 500)).height() + scaled(8) : scaled(4);
+  use_->setGeometry(stacked() ? padding : std::max(padding, QWidget::width() - padding - size.width()), top,
+                    size.width(), size.height());
+}
+
+bool RuleView::stacked() const {
+  const int number = QFontMetrics(scaledFont(kNumber, 500)).horizontalAdvance(lines().front());
+  return rule() && number + use_->sizeHint().width() + 3 * scaled(kPadding) > QWidget::width();
 }
 
 void RuleView::paintEvent(QPaintEvent*) {
@@ -127,11 +133,11 @@ void RuleView::paintEvent(QPaintEvent*) {
     return;
   }
   const QFont large = textFont(kNumber, 500);
-  const double head = std::max<double>(QFontMetricsF(large).height(), placeOf(*use_).height()) + 4;
+  const double number = std::max<double>(QFontMetricsF(large).height(), stacked() ? 0.0 : placeOf(*use_).height());
   p.setFont(large);
   p.setPen(t.trl);
-  p.drawText(QRectF(kPadding, 4, width() - 2 * kPadding, head - 4), Qt::AlignVCenter, list[0]);
-  double y = head + kGap;
+  p.drawText(QRectF(kPadding, 4, width() - 2 * kPadding, number), Qt::AlignVCenter, list[0]);
+  double y = std::max(number + 4, placeOf(*use_).bottom()) + kGap;
   for (qsizetype i = 1; i < list.size(); ++i) {
     QTextDocument words;
     words.setDocumentMargin(0);

@@ -34,6 +34,8 @@ class RuleView final : public Painted<> {
   const RuleOfThumb* rule() const;
   QString inForce() const;
   void refresh();
+  /// Whether the button stands below the number, as there is no room beside it.
+  bool stacked() const;
   void use();
 
   RunningLife& life_;

@@ -11,6 +11,7 @@
 #include "ui/controls/combo.h"
 #include "ui/controls/labels.h"
 #include "ui/language/from_core.h"
+#include "ui/language/numbers.h"
 #include "ui/running/running_life.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
@@ -29,7 +30,7 @@ constexpr const char* kUsualPushes = "0;0.02;0.05;0.1;0.2;0.5;1;2;5";
 /// The text of a field; nothing if it is empty, or there is no such field.
 std::optional<std::string> textIn(const QLineEdit* field) {
   const QString text = field ? field->text().trimmed() : QString();
-  return text.isEmpty() ? std::nullopt : std::optional(text.toStdString());
+  return text.isEmpty() ? std::nullopt : std::optional(typedNumbers(text));
 }
 
 }  // namespace
@@ -46,11 +47,11 @@ RobustnessForm::RobustnessForm(const RunningLife& life, QWidget* parent)
   if (life.task().stepTime) {
     const auto pushed = makeEnvironment(life.registry(), life.configuration());
     const bool body = pushed && (*pushed)->push(0.0);
-    push_ =
-        addField(tr("Pushes, N s"), tr("Pushes in newton seconds"), body ? kUsualPushes : "0",
-                 tr("Impulses: a list, 0;0.05;0.1, or a range, 0..0.2:9, nine from 0 to 0.2. Negative ones push to the "
-                    "left."),
-                 {0, 0, 3});
+    push_ = addField(
+        tr("Pushes, N s"), tr("Pushes in newton seconds"), localNumbers(std::string(body ? kUsualPushes : "0")),
+        tr("Impulses: a list, 0;0.05;0.1, or a range, 0..0.2:9, nine from 0 to 0.2. Negative ones push to the "
+           "left."),
+        {0, 0, 3});
     pushAt_ = addField(tr("pushed at, s"), tr("Time of the push in seconds"), QStringLiteral("0..5"),
                        tr("A time, or two with .. between them: every start draws its own between these."), {0, 4});
     seconds_ = addField(tr("followed for, s"), tr("Seconds after the push"), QStringLiteral("10"),

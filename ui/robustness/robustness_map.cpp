@@ -10,7 +10,6 @@
 #include "ui/controls/view_menu.h"
 #include "ui/language/from_core.h"
 #include "ui/language/numbers.h"
-#include "ui/style/symbol_text.h"
 #include "ui/support/announce.h"
 
 namespace surefoot {
@@ -105,9 +104,16 @@ QStringList RobustnessMap::spoken() const {
   for (std::size_t f = 0; f < plan.functions.size(); ++f) {
     const Tally& tally = robustness_->at(f, model, push);
     const auto of = [](std::int64_t count) { return countNumber(static_cast<double>(count)); };
-    QString line = f == 0 ? tr("%1, push %2 N s: ").arg(fromCore(plan.models[model].title)).arg(plan.pushes[push])
-                          : tr("beside it: ");
-    line += toText(cellText(plan, tally));
+    QString line = f == 0
+                       ? tr("%1, push %2 N s: ")
+                             .arg(fromCore(plan.models[model].title), localNumbers(QString::number(plan.pushes[push])))
+                       : tr("beside it: ");
+    const Interval share = plan.canFall ? tally.fallen() : tally.succeeded();
+    const auto percent = [](double part) { return fixedNumber(100 * part, 0); };
+    line +=
+        (plan.canFall ? tr("%1 of %2 fell, %3 % (95 %: %4 … %5 %)") : tr("%1 of %2 succeeded, %3 % (95 %: %4 … %5 %)"))
+            .arg(of(plan.canFall ? tally.falls : tally.successes), of(tally.trials), percent(share.value),
+                 percent(share.low), percent(share.high));
     if (plan.canFall && plan.canSucceed) line += tr("; %1 succeeded").arg(of(tally.successes));
     if (tally.flewApart > 0) line += tr("; %1 flew apart").arg(of(tally.flewApart));
     if (f > 0 && robustness_->differ(model, push)) line += tr("; the intervals have nothing in common");

@@ -41,6 +41,7 @@ class RobustnessMap final : public Painted<>, public CsvSource {
   bool event(QEvent* event) override;
 
  private:
+  QString conditions() const;
   /// Where things are: all maps have the same rows and columns.
   struct Layout {
     double labels = 0, cell = 0, row = 0, between = 0;

@@ -167,7 +167,23 @@ void RobustnessMap::paintFoot(QPainter& p, const Layout& l) const {
   p.drawText(QRectF(from, top, width() - from, 18), Qt::AlignLeft | Qt::AlignVCenter,
              elided(p.font(), words, width() - from));
   p.drawText(QRectF(0, top + 18, width(), 18), Qt::AlignLeft | Qt::AlignVCenter,
-             elided(p.font(), toText(robustnessConditions(robustness_->plan)), width()));
+             elided(p.font(), conditions(), width()));
+}
+
+/// Under which conditions the map was made.
+QString RobustnessMap::conditions() const {
+  const RobustnessPlan& plan = robustness_->plan;
+  QString text = tr("%1 starts a cell").arg(countNumber(static_cast<double>(plan.starts)));
+  if (plan.stepTime) {
+    const auto seconds = [&](std::int64_t steps) {
+      return localNumbers(QString::number(static_cast<double>(steps) * *plan.stepTime));
+    };
+    text += plan.earliest == plan.latest
+                ? tr(", pushed at %1 s").arg(seconds(plan.earliest))
+                : tr(", pushed between %1 and %2 s").arg(seconds(plan.earliest), seconds(plan.latest));
+    text += tr(", followed for %1 s").arg(seconds(plan.after));
+  }
+  return text + tr(", policy %1, seed %2").arg(toText(plan.policy)).arg(plan.seed);
 }
 
 }  // namespace surefoot

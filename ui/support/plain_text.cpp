@@ -26,13 +26,13 @@ QStringList linesOf(const Parameter& p) {
   if (!p.symbol.empty()) head += QStringLiteral(" ") + toText(p.symbol);
   if (!p.unit.empty()) head += QStringLiteral(" [%1]").arg(toText(p.unit));
   const QString fallback = p.kind == Kind::Choice ? valueText(p, p.fallback) : localNumbers(boundText(p.fallback));
-  return {head, fromCore(p.help), toText(formulaOf(p)),
+  return {head, fromCore(p.help), fromCore(formulaOf(p)),
           QObject::tr("It takes %1. Default: %2 (%3).").arg(allowedText(p), fallback, sourceText(p.origin))};
 }
 
 QStringList linesOf(const Word& word) {
   QStringList lines = {fromCore(word.title), fromCore(word.text)};
-  if (!word.formula.empty()) lines << toText(word.formula);
+  if (!word.formula.empty()) lines << fromCore(word.formula);
   if (!word.source.empty()) lines << QObject::tr("Source: %1.").arg(sourceText(word.source));
   return lines;
 }

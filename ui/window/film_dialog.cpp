@@ -2,7 +2,6 @@
 #include "ui/window/film_dialog.h"
 
 #include <QCheckBox>
-#include <QDoubleSpinBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -13,6 +12,7 @@
 
 #include "core/experiment/configuration.h"
 #include "ui/controls/combo.h"
+#include "ui/controls/decimal_box.h"
 #include "ui/controls/fitted_dialog.h"
 #include "ui/film/film_writer.h"
 #include "ui/language/from_core.h"
@@ -103,8 +103,8 @@ void FilmDialog::makePart(QGridLayout* grid) {
   connect(source_, &QComboBox::activated, this, &FilmDialog::choose);
   addRow(grid, tr("Of"), source_);
 
-  from_ = makeField<QDoubleSpinBox>(tr("Film from"), tr(" s"));
-  to_ = makeField<QDoubleSpinBox>(tr("Film up to"), tr(" s"));
+  from_ = makeField<DecimalBox>(tr("Film from"), tr(" s"));
+  to_ = makeField<DecimalBox>(tr("Film up to"), tr(" s"));
   for (QDoubleSpinBox* field : {from_, to_}) {
     field->setDecimals(1);
     connect(field, &QDoubleSpinBox::valueChanged, this, &FilmDialog::refresh);

@@ -15,7 +15,6 @@
 #include "core/glossary.h"
 #include "ui/language/from_core.h"
 #include "ui/style/scale.h"
-#include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
 #include "ui/support/plain_text.h"
 
@@ -109,7 +108,7 @@ void WordsDialog::showRow(int row) {
   const Word& word = row < 0 ? none : glossary()[static_cast<std::size_t>(row)];
   title_->setText(fromCore(word.title));
   text_->setText(fromCore(word.text));
-  formula_->setText(toText(word.formula));
+  formula_->setText(fromCore(word.formula));
   source_->setText(word.source.empty() ? QString() : tr("Source: %1.").arg(sourceText(word.source)));
   for (QLabel* label : {title_, text_, formula_, source_}) label->setVisible(!label->text().isEmpty());
 }

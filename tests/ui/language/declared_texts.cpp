@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <regex>
 
 #include "app/manual/known.h"
 #include "core/environment_library.h"
 #include "core/experiment/configuration.h"
 #include "core/findings/evidence.h"
+#include "core/formulas.h"
 #include "core/glossary.h"
 #include "core/life/life_measures.h"
 #include "core/life/rule_of_thumb.h"
@@ -58,6 +60,7 @@ constexpr const char* kOthers[] = {"fall",
                                    "try",
                                    "compare",
                                    "the whole range",
+                                   "speed",
                                    "The rule of thumb needs a learning rule that discounts.",
                                    "The rule of thumb appears with the first success.",
                                    "The rule of thumb appears with the first footstep.",
@@ -73,6 +76,11 @@ class Collector {
       if (text.ends_with(tail)) text.resize(text.size() - std::string_view(tail).size());
     if (std::any_of(text.begin(), text.end(), [](unsigned char c) { return std::isalpha(c); })) texts.insert(text);
   }
+  /// A formula in which there are words besides the functions'.
+  void addFormula(const std::string& text) {
+    static const std::regex kFunction("\\b(sin|cos|exp|min|max|hash|mod|sign)\\b"), kWord("[a-z]{3,}");
+    if (std::regex_search(std::regex_replace(text, kFunction, ""), kWord)) texts.insert(text);
+  }
   void add(const Named& entry) {
     add(entry.title);
     add(entry.help);
@@ -83,6 +91,7 @@ class Collector {
     add(p.help);
     if (!p.origin.starts_with("thesis")) add(p.origin);  // sourceText() writes citations
     for (const std::string& choice : p.choices) add(choice);
+    addFormula(formulaOf(p));
   }
   void add(const Environment& environment) {
     const Task& task = environment.task();
@@ -113,6 +122,7 @@ std::set<std::string> declaredTexts(const Registry& given, const std::string& ro
   for (const Word& word : glossary()) {
     all.add(word.title);
     all.add(word.text);
+    all.addFormula(word.formula);
   }
   for (const auto& entry : registry.features) all.add(entry);
   for (const auto& entry : registry.agents) all.add(entry);

@@ -58,6 +58,7 @@ TEST(TypedNumbers, OfAListStandApartBySemicolonsOrBlanks) {
     ASSERT_TRUE(numbers) << numbers.error().message;
     EXPECT_EQ(*numbers, (std::vector<double>{0.1, 0.25, 3.0})) << text;
   }
+  EXPECT_EQ(typedNumbers("0..0,2:9"), "0..0.2:9");
 }
 
 }  // namespace surefoot

@@ -17,6 +17,7 @@
 #include "tests/ui/language/spoken.h"
 #include "tests/ui/window/size_setup.h"
 #include "tests/ui/window/text_recorder.h"
+#include "ui/controls/message_bar.h"
 #include "ui/live/live_page.h"
 
 namespace surefoot {
@@ -66,14 +67,43 @@ QString outside(const QString& text, int& depth) {
   return rest;
 }
 
-/// Words that are the same in every language: units, signs, keys, names of files and of parameters.
+/// Words that are the same in every language: units, signs, keys, functions, names of files and of parameters.
 bool isWords(const QString& rest) {
   static const QRegularExpression kWord(QStringLiteral("[A-Za-z]{3,}"));
-  static const QRegularExpression kSame(QStringLiteral(
-      "\\b(rad|min|Nms|kgm|Esc|Tab|Ctrl|Shift|Alt|Space|Home|End|PgUp|PgDown|Return|Enter|Left|Right|Up|Down|Del|"
-      "English|Nederlands|Deutsch)\\b|[\\w./-]*/[\\w./-]+|[a-z_]+\\.[a-z_.]+|[\\w-]+\\.(toml|sqlite|safetensors)"));
+  static const QRegularExpression kSame(
+      QStringLiteral("\\b(rad|min|sin|cos|exp|max|mod|hash|sign|Nms|kgm|Esc|Tab|Ctrl|Shift|Alt|Space|Home|End|PgUp|"
+                     "PgDown|Return|Enter|Left|Right|Up|Down|Del|"
+                     "English|Nederlands|Deutsch)\\b|surefoot "
+                     "[^\n]*|[\\w./-]*/[\\w./-]+|[a-z_]+\\.[a-z_.]+|[\\w-]+\\.(toml|sqlite|safetensors)"));
   QString bare = rest;
   return bare.remove(kSame).contains(kWord);
+}
+
+/// A number that a file could have: "0.5", but not "section 3.1" or "Box2D 2.4.1".
+bool hasPoint(QString text) {
+  static const QRegularExpression kNoNumber(
+      QStringLiteral("\\pL+\\.? [0-9.]+|surefoot .*|[0-9]+(\\.[0-9]+){2,}|<[^>]*>"));
+  static const QRegularExpression kPoint(QStringLiteral("[0-9]\\.[0-9]"));
+  return text.remove(kNoNumber).contains(kPoint);
+}
+
+/// The numbers that a window shows as a file would have them.
+void addPoints(QWidget& window, std::set<std::string>& found) {
+  const auto note = [&](const QWidget& w, const QString& text) {
+    if (hasPoint(text)) found.insert((nameOf(w) + ": " + text).toStdString());
+  };
+  for (QWidget* w : window.findChildren<QWidget*>()) {
+    if (!w->isVisible() || w->window() != &window || w->size().isEmpty()) continue;
+    if (const auto* label = qobject_cast<QLabel*>(w)) note(*w, label->text());
+    if (const auto* field = qobject_cast<QLineEdit*>(w)) note(*w, field->text());
+    if (const auto* table = qobject_cast<QTableView*>(w); table && table->model())
+      for (int row = 0; row < table->model()->rowCount(); ++row)
+        for (int c = 0; c < table->model()->columnCount(); ++c)
+          note(*w, table->model()->index(row, c).data().toString());
+    if (!QString(w->metaObject()->className()).startsWith("surefoot::")) continue;
+    auto* area = qobject_cast<QAbstractScrollArea*>(w);
+    for (const DrawnText& drawn : drawnTexts(area ? *area->viewport() : *w)) note(*w, drawn.text);
+  }
 }
 
 class Texts {
@@ -143,40 +173,54 @@ QDialog* openDialog(Window& w, const char* menuItem) {
   return nullptr;
 }
 
-void closeDialog(QDialog& dialog) {
-  dialog.close();
-  QApplication::sendPostedEvents(&dialog, QEvent::DeferredDelete);
-}
-
 constexpr const char* kDialogs[] = {"Rob&ustness …", "&Shortcuts", "Pre&ferences …",
                                     "&Words",        "Fil&m …",    "&Pre-learn, then transfer …"};
 
-/// Every page and the dialogs, once each.
+/// Every page and the dialogs on every screen; each is opened there.
 template <class Look>
-void everywhere(Window& w, Look look) {
+void everywhere(Window& w, const std::vector<Screen>& screens, Look look) {
+  const auto onEach = [&](const auto& open) {
+    for (const Screen& screen : screens) {
+      applyTextSize(screen.text);
+      w.window->resize(screen.size);
+      w.window->messages().dismiss();
+      open(screen);
+    }
+  };
+  const auto lookAtWindow = [&](const Screen& screen) {
+    QTest::qWait(30);
+    look(*w.window, screen);
+  };
   for (const char* environment : {"pendulum", "leo"}) {
     ASSERT_NO_FATAL_FAILURE(learn(w, environment));
-    look(*w.window);
-    w.window->livePage().setComparing(true);
-    QTest::qWait(50);
-    look(*w.window);
-    w.window->livePage().setComparing(false);
-    for (const auto layout : {LivePage::Layout::Teaching, LivePage::Layout::Falls, LivePage::Layout::Maps}) {
-      w.window->livePage().useLayout(layout);
-      QTest::qWait(50);
-      look(*w.window);
-    }
-    w.window->livePage().resetLayout();
+    LivePage& page = w.window->livePage();
+    onEach([&](const Screen& screen) {
+      page.resetLayout();
+      lookAtWindow(screen);
+      for (const auto layout : {LivePage::Layout::Teaching, LivePage::Layout::Falls, LivePage::Layout::Maps}) {
+        page.useLayout(layout);
+        lookAtWindow(screen);
+      }
+      page.resetLayout();
+      page.setComparing(true);
+      lookAtWindow(screen);
+      page.setComparing(false);
+    });
   }
   for (const char* name : kDialogs)
-    if (QDialog* dialog = openDialog(w, name)) {
-      look(*dialog);
-      closeDialog(*dialog);
-    }
-  for (const int page : {1, 2, 3}) {
-    w.window->setPage(page);
+    onEach([&](const Screen& screen) {
+      QDialog* dialog = openDialog(w, name);
+      if (!dialog) return;
+      dialog->resize(dialog->size().boundedTo(screen.size - QSize(16, 40)));
+      QTest::qWait(20);
+      look(*dialog, screen);
+      dialog->close();
+      QApplication::sendPostedEvents(dialog, QEvent::DeferredDelete);
+    });
+  for (const int number : {1, 2, 3}) {
+    w.window->setPage(number);
     QTest::qWait(200);
-    look(*w.window);
+    onEach(lookAtWindow);
   }
 }
 
@@ -185,12 +229,13 @@ class InLanguage : public testing::TestWithParam<const char*> {};
 }  // namespace
 
 TEST(Untranslated, NoTextIsLeftInEnglish) {
+  const UsualLook usual;
   Marking marking;
   QCoreApplication::installTranslator(&marking);
   Texts texts;
   {
     Window w;
-    everywhere(w, [&](QWidget& window) { texts.addAll(window); });
+    everywhere(w, {kScreens[0]}, [&](QWidget& window, const Screen&) { texts.addAll(window); });
   }
   QCoreApplication::removeTranslator(&marking);
   for (const std::string& text : texts.left) ADD_FAILURE() << text;
@@ -214,20 +259,16 @@ TEST_P(InLanguage, EveryTextIsFoundAndFitsItsPlace) {
   const Spoken spoken(GetParam());
   Missing missing(QString::fromLatin1(GetParam()));
   QCoreApplication::installTranslator(&missing);
+  std::set<std::string> points;
   {
     Window w;
-    everywhere(w, [&](QWidget& window) {
-      const bool dialog = &window != w.window.get();
-      for (const Screen& screen : {kScreens[0], kScreens[2]}) {
-        applyTextSize(screen.text);
-        const QSize room = screen.size - (dialog ? QSize(16, 40) : QSize());
-        window.resize(dialog ? window.size().boundedTo(room) : room);
-        QTest::qWait(30);
-        expectReadable(window, QStringLiteral("%1 %2, %3").arg(GetParam(), nameOf(window), textOf(screen)));
-      }
+    everywhere(w, {kScreens[0], kScreens[2]}, [&](QWidget& window, const Screen& screen) {
+      addPoints(window, points);
+      expectReadable(window, QStringLiteral("%1 %2, %3").arg(GetParam(), nameOf(window), textOf(screen)));
     });
   }
   QCoreApplication::removeTranslator(&missing);
+  for (const std::string& text : points) ADD_FAILURE() << "a number with a point: " << text;
   for (const std::string& text : missing.texts) ADD_FAILURE() << "not in the language under this context: " << text;
 }
 

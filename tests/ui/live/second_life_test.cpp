@@ -2,6 +2,7 @@
 // A second life beside the first in the Signals layout.
 #include "tests/ui/live/signalling.h"
 #include "ui/live/rival.h"
+#include "ui/live/world/world_view.h"
 
 namespace surefoot {
 

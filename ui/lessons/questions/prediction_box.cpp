@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/lessons/questions/prediction_box.h"
 
-#include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
@@ -9,6 +8,7 @@
 #include <cmath>
 
 #include "core/text/text.h"
+#include "ui/controls/decimal_box.h"
 #include "ui/controls/labels.h"
 #include "ui/controls/slider.h"
 #include "ui/controls/text_button.h"
@@ -23,7 +23,7 @@ PredictionBox::PredictionBox(LessonDriver& driver, QWidget* parent)
   const LessonPrediction& p = *driver.step().predict;
   addQuestion(toText(p.question));
   const bool whole = p.high - p.low >= 10;
-  number_ = new QDoubleSpinBox(this);
+  number_ = new DecimalBox(this);
   number_->setDecimals(whole ? 0 : 2);
   number_->setRange(p.low, p.high);
   number_->setSingleStep(whole ? 1 : (p.high - p.low) / 100);

@@ -36,7 +36,7 @@ double valueWidth(const ReadOut& r) {
 
 /// The distance from the left end of a read-out to the right edge of its number.
 double numberEdge(const ReadOut& r) {
-  return symbolWidth(textFont(13), toText(r.symbol)) + kGap + valueWidth(r);
+  return symbolWidth(textFont(13), fromCore(r.symbol)) + kGap + valueWidth(r);
 }
 
 double readOutWidth(const ReadOut& r) {
@@ -178,7 +178,7 @@ void WorldPicture::paintReadOuts(QPainter& p, const Theme& t) const {
     const double y = size_.height() - k * (kUnderReadOuts + kReadOut * ((n - 1) / columns_ - i / columns_));
     p.setFont(textFont(13));
     p.setPen(t.quiet);
-    drawSymbol(p, x, y, toText(r.symbol));
+    drawSymbol(p, x, y, fromCore(r.symbol));
     double edge = 0, most = column;  // numbers in one column share their right edge
     for (int j = i % columns_; j < n; j += columns_) {
       const ReadOut& other = readOuts[static_cast<std::size_t>(j)];
