@@ -4314,6 +4314,34 @@
         <source>speed</source>
         <translation>Geschwindigkeit</translation>
     </message>
+    <message>
+        <source>%1: %2 levels</source>
+        <translation>%1: %2 Stufen</translation>
+    </message>
+    <message>
+        <source>falls at once: hardly anything to learn from</source>
+        <translation>stürzt sofort: kaum etwas zu lernen</translation>
+    </message>
+    <message>
+        <source>falls soon, but not at once: it can learn</source>
+        <translation>stürzt bald, aber nicht sofort: kann lernen</translation>
+    </message>
+    <message>
+        <source>its program does not answer</source>
+        <translation>das Programm antwortet nicht</translation>
+    </message>
+    <message>
+        <source>never falls: nothing to avoid</source>
+        <translation>stürzt nie: nichts zu vermeiden</translation>
+    </message>
+    <message>
+        <source>no ending is a fall</source>
+        <translation>kein Ende ist ein Sturz</translation>
+    </message>
+    <message>
+        <source>step limit</source>
+        <translation>Schrittgrenze</translation>
+    </message>
 </context>
 <context>
     <name>surefoot::AboutDialog</name>
@@ -8837,16 +8865,16 @@ falls shown frame by frame</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>seen in 4,000 random steps</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>What a random life looks like</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>a click on a mark shows the fall</source>
         <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>seen in %1 random steps</source>
+        <translation>gesehen in %1 Zufallsschritten</translation>
     </message>
 </context>
 <context>

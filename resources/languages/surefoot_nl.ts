@@ -4314,6 +4314,34 @@
         <source>speed</source>
         <translation>snelheid</translation>
     </message>
+    <message>
+        <source>%1: %2 levels</source>
+        <translation>%1: %2 niveaus</translation>
+    </message>
+    <message>
+        <source>falls at once: hardly anything to learn from</source>
+        <translation>valt meteen: er valt bijna niets te leren</translation>
+    </message>
+    <message>
+        <source>falls soon, but not at once: it can learn</source>
+        <translation>valt snel, maar niet meteen: kan leren</translation>
+    </message>
+    <message>
+        <source>its program does not answer</source>
+        <translation>het programma antwoordt niet</translation>
+    </message>
+    <message>
+        <source>never falls: nothing to avoid</source>
+        <translation>valt nooit: niets te vermijden</translation>
+    </message>
+    <message>
+        <source>no ending is a fall</source>
+        <translation>geen enkel einde is een val</translation>
+    </message>
+    <message>
+        <source>step limit</source>
+        <translation>stappenlimiet</translation>
+    </message>
 </context>
 <context>
     <name>surefoot::AboutDialog</name>
@@ -8845,16 +8873,16 @@ valpartijen beeld voor beeld</translation>
         <translation>Toestand</translation>
     </message>
     <message>
-        <source>seen in 4,000 random steps</source>
-        <translation>gezien in 4000 willekeurige stappen</translation>
-    </message>
-    <message>
         <source>What a random life looks like</source>
         <translation>Zo ziet een willekeurig leven eruit</translation>
     </message>
     <message>
         <source>a click on a mark shows the fall</source>
         <translation>een klik op een streepje toont de val</translation>
+    </message>
+    <message>
+        <source>seen in %1 random steps</source>
+        <translation>gezien in %1 willekeurige stappen</translation>
     </message>
 </context>
 <context>

@@ -28,7 +28,8 @@ constexpr const char* kSentences[] = {
     QT_TRANSLATE_NOOP("core", "The tiles cover the %1 from here to there; outside they are worth 0."),
     QT_TRANSLATE_NOOP("core", "Width σ of the Gaussians along the %1: a wide one generalises far."),
     QT_TRANSLATE_NOOP("core", "Centres per %1 of the %2."),
-    QT_TRANSLATE_NOOP("core", "Split of %1")};
+    QT_TRANSLATE_NOOP("core", "Split of %1"),
+    QT_TRANSLATE_NOOP("core", "%1: %2 levels")};
 constexpr const char* kCited[] = {QT_TRANSLATE_NOOP("core", "thesis"),   QT_TRANSLATE_NOOP("core", "chapter"),
                                   QT_TRANSLATE_NOOP("core", "section"),  QT_TRANSLATE_NOOP("core", "sections"),
                                   QT_TRANSLATE_NOOP("core", "figure"),   QT_TRANSLATE_NOOP("core", "table"),

@@ -133,7 +133,7 @@ void LessonDetails::showLesson(const ListedLesson& listed, const std::vector<Lis
   head->addWidget(makeLabel(tr("%1 min, level %2").arg(lesson.minutes).arg(lesson.level), 11, 400, true));
   column_->addLayout(head);
   for (std::size_t i = 0; i < lesson.steps.size(); ++i)
-    addRow(QString::number(i + 1), toText(lesson.steps[i].title), toText(kindOf(lesson.steps[i])), true);
+    addRow(QString::number(i + 1), toText(lesson.steps[i].title), fromCore(kindOf(lesson.steps[i])), true);
   addLine();
   addFacts(lesson, all);
   addButtons(listed);
@@ -158,7 +158,7 @@ void LessonDetails::addFacts(const Lesson& lesson, const std::vector<ListedLesso
           : name == "reward"  ? tr("average reward")
           : name == "list"    ? tr("list of falls")
           : name == "agent"   ? tr("the learning rule")
-                              : toText(name);
+                              : fromCore(name);
       if (panel && !panels.contains(word)) panels << word;
       const bool choice = name == "policy" || name == "agent" || name == "scenario";
       if ((entry || choice) && !knobs.contains(word)) knobs << word;

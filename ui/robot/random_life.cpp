@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/language/from_core.h"
 #include "ui/language/numbers.h"
 #include "ui/style/round_numbers.h"
 #include "ui/style/symbol_text.h"
@@ -19,7 +20,7 @@ void RandomLife::setInspection(const EnvironmentInspection* inspection) {
   inspection_ = inspection;
   if (inspection_)
     setAccessibleDescription(
-        tr("%n falls; %1", nullptr, static_cast<int>(inspection_->falls.size())).arg(toText(inspection_->verdict)));
+        tr("%n falls; %1", nullptr, static_cast<int>(inspection_->falls.size())).arg(fromCore(inspection_->verdict)));
   update();
 }
 
@@ -100,7 +101,7 @@ void RandomLife::drawFacts(QPainter& p) const {
   p.setFont(textFont(11));
   p.setPen(t.quiet);
   p.drawText(QRectF(left, height() - 36.0, right - left, 30), Qt::AlignLeft | Qt::TextWordWrap,
-             toText(inspection_->verdict));
+             fromCore(inspection_->verdict));
 }
 
 void RandomLife::mousePressEvent(QMouseEvent* event) {

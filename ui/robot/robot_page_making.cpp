@@ -13,6 +13,7 @@
 #include "ui/controls/link_button.h"
 #include "ui/controls/panel.h"
 #include "ui/controls/text_button.h"
+#include "ui/language/numbers.h"
 #include "ui/robot/random_life.h"
 #include "ui/robot/robot_checked.h"
 #include "ui/robot/robot_picture.h"
@@ -153,7 +154,7 @@ QWidget* RobotPage::makeWorld() {
   auto* right = new QVBoxLayout;
   right->setSpacing(0);
   auto* head = new PanelHeader(tr("State"), false, box);
-  head->setNote(tr("seen in 4,000 random steps"));
+  head->setNote(tr("seen in %1 random steps").arg(countNumber(4000)));
   head->setHelp(QStringLiteral("page-robot"));
   table_ = new StateTable;
   auto* scroll = new QScrollArea;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/text/number_text.h"
+#include "ui/language/from_core.h"
 #include "ui/language/numbers.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
@@ -124,7 +125,7 @@ void StateTable::drawEndings(QPainter& p, double y) const {
                QFontMetricsF(p.font()).elidedText(rest, Qt::ElideRight, right - 104));
     y += 32;
   };
-  QString actions = toText(inspection_->actions);  // without their names where there is no room
+  QString actions = fromCore(inspection_->actions);  // without their names where there is no room
   if (QFontMetricsF(textFont(13)).horizontalAdvance(actions) > right - 104)
     actions = actions.section(QStringLiteral(": "), -1);
   head(tr("ACTIONS"), actions);
@@ -137,7 +138,7 @@ void StateTable::drawEndings(QPainter& p, double y) const {
     p.drawEllipse(QPointF(18, y + 12), 4, 4);
     p.setPen(t.ink);
     p.drawText(QRectF(32, y, 90, 24), Qt::AlignLeft | Qt::AlignVCenter,
-               toText(ending.name) + (ending.count > 0 ? tr("  ×%1").arg(ending.count) : QString()));
+               fromCore(ending.name) + (ending.count > 0 ? tr("  ×%1").arg(ending.count) : QString()));
     p.setPen(t.quiet);
     const QString when = toText(ending.when);
     p.drawText(QRectF(120, y, right - 120, 24), Qt::AlignRight | Qt::AlignVCenter,

@@ -119,7 +119,8 @@ QSize FlatStyle::sizeFromContents(ContentsType type, const QStyleOption* option,
     case CT_PushButton:
       return contents + scaled({26, 12});
     case CT_ComboBox:
-      return {contents.width() + scaled(2 * kFieldMargin + kChevron), qMax(contents.height() + 2, scaled(kField))};
+      return {contents.width() + scaled(2 * kFieldMargin + kChevron) + 3,  // Fusion keeps a pixel at both ends
+              qMax(contents.height() + 2, scaled(kField))};
     case CT_LineEdit:
       return isFramed(option) ? contents + scaled({2 * kFieldMargin, 8}) : usual;
     case CT_SpinBox:

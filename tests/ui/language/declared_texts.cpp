@@ -19,8 +19,8 @@ namespace surefoot {
 
 namespace {
 
-/// What stands in no list of the core: labels in pictures, axes of figures, kinds of a lesson's steps, why there is no
-/// rule of thumb.
+/// What stands in no list of the core: labels in pictures, axes of figures, kinds of a lesson's steps, what an
+/// inspection says of a robot, why there is no rule of thumb.
 constexpr const char* kOthers[] = {"fall",
                                    "start",
                                    "goal",
@@ -60,6 +60,12 @@ constexpr const char* kOthers[] = {"fall",
                                    "try",
                                    "compare",
                                    "the whole range",
+                                   "step limit",
+                                   "no ending is a fall",
+                                   "never falls: nothing to avoid",
+                                   "falls at once: hardly anything to learn from",
+                                   "falls soon, but not at once: it can learn",
+                                   "its program does not answer",
                                    "speed",
                                    "The rule of thumb needs a learning rule that discounts.",
                                    "The rule of thumb appears with the first success.",

@@ -13,6 +13,7 @@
 #include "core/files/read_file.h"
 #include "ui/controls/hairline.h"
 #include "ui/controls/labels.h"
+#include "ui/language/from_core.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
 
@@ -148,7 +149,7 @@ void TeacherWindow::follow(std::size_t step, double seconds) {
   hint_->setText(now.hint.empty() ? QString() : tr("Hint: %1").arg(toText(now.hint)));
   next_->setText(
       step_ + 1 < lesson_.steps.size()
-          ? tr("Next: %1 (%2)").arg(toText(lesson_.steps[step_ + 1].title), toText(kindOf(lesson_.steps[step_ + 1])))
+          ? tr("Next: %1 (%2)").arg(toText(lesson_.steps[step_ + 1].title), fromCore(kindOf(lesson_.steps[step_ + 1])))
           : tr("This is the last step."));
   QStringList notes = {toText(lesson_.notes)};
   for (const std::string& ask : lesson_.discuss) notes << tr("Ask: %1").arg(toText(ask));

@@ -16,6 +16,7 @@
 #include "core/lessons/reading/lesson_reading.h"
 #include "ui/controls/hairline.h"
 #include "ui/controls/text_button.h"
+#include "ui/language/from_core.h"
 #include "ui/lessons/taking/lesson_text.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
@@ -231,8 +232,8 @@ void LessonEditor::showStep() {
   const LessonStep& shown = lesson_->steps[at];
   where_->setText(tr("Step %1: %2").arg(step + 1).arg(toText(shown.title)));
   kind_->setText(complaints_.empty() || !told_.empty()
-                     ? toText(kindOf(shown))
-                     : tr("%1; as of the last text without an error").arg(toText(kindOf(shown))));
+                     ? fromCore(kindOf(shown))
+                     : tr("%1; as of the last text without an error").arg(fromCore(kindOf(shown))));
   QString say;
   for (std::size_t i = 0; i < shown.say.between.size(); ++i) {
     say += toText(shown.say.between[i]);
