@@ -62,5 +62,5 @@ build() {
 BUILD_PACKAGES=(g++ cmake ninja-build pkg-config libbox2d-dev libcairo2-dev libfmt-dev libcli11-dev
                 nlohmann-json3-dev libboost-dev libeigen3-dev libnlopt-dev libtomlplusplus-dev libsqlitecpp-dev
                 libsqlite3-dev zlib1g-dev libmd4c-dev libmd4c-html0-dev)
-WINDOW_PACKAGES=(qt6-base-dev libqt6opengl6-dev qt6-charts-dev qt6-svg-dev libwebp-dev fonts-roboto-unhinted
-                 fonts-dejavu-core)
+WINDOW_PACKAGES=(qt6-base-dev libqt6opengl6-dev qt6-charts-dev qt6-svg-dev qt6-l10n-tools qt6-translations-l10n
+                 libwebp-dev fonts-roboto-unhinted fonts-dejavu-core)

@@ -5,39 +5,39 @@
     <name>QObject</name>
     <message>
         <source>agrees</source>
-        <translation type="unfinished"></translation>
+        <translation>bestätigt</translation>
     </message>
     <message>
         <source>differs</source>
-        <translation type="unfinished"></translation>
+        <translation>weicht ab</translation>
     </message>
     <message>
         <source>undecided</source>
-        <translation type="unfinished"></translation>
+        <translation>offen</translation>
     </message>
     <message>
         <source>nothing lived yet</source>
-        <translation type="unfinished"></translation>
+        <translation>noch kein Leben</translation>
     </message>
     <message>
         <source>%1, followed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, mitgelesen</translation>
     </message>
     <message>
         <source>%1, saved after every life</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, nach jedem Leben gespeichert</translation>
     </message>
     <message>
         <source>pre-learned on scenario %1</source>
-        <translation type="unfinished"></translation>
+        <translation>vorgelernt auf Szenario %1</translation>
     </message>
     <message>
         <source> to %1</source>
-        <translation type="unfinished"></translation>
+        <translation> bis %1</translation>
     </message>
     <message>
         <source>, thesis %1</source>
-        <translation type="unfinished"></translation>
+        <translation>, Masterarbeit %1</translation>
     </message>
     <message numerus="yes">
         <source>, %1 of %2 lives so far</source>
@@ -48,27 +48,27 @@
     </message>
     <message>
         <source>✕ differs from the reference, p &lt; .01</source>
-        <translation type="unfinished"></translation>
+        <translation>✕ weicht von der Referenz ab, p &lt; 0,01</translation>
     </message>
     <message>
         <source>◇ the thesis</source>
-        <translation type="unfinished"></translation>
+        <translation>◇ die Masterarbeit</translation>
     </message>
     <message>
         <source>open bars: so far, lives are missing</source>
-        <translation type="unfinished"></translation>
+        <translation>offene Balken: bisher, es fehlen Leben</translation>
     </message>
     <message>
         <source>highest at the end first</source>
-        <translation type="unfinished"></translation>
+        <translation>höchster Endwert zuerst</translation>
     </message>
     <message>
         <source>… and %1 more</source>
-        <translation type="unfinished"></translation>
+        <translation>… und %1 weitere</translation>
     </message>
     <message>
         <source> (95 %: %1 … %2)</source>
-        <translation type="unfinished"></translation>
+        <translation> (95 %: %1 … %2)</translation>
     </message>
     <message>
         <source>a whole number from %1 to %2</source>
@@ -93,43 +93,43 @@
     </message>
     <message>
         <source>gone on with</source>
-        <translation type="unfinished"></translation>
+        <translation>fortgesetzt</translation>
     </message>
     <message>
         <source>pushed</source>
-        <translation type="unfinished"></translation>
+        <translation>gestoßen</translation>
     </message>
     <message>
         <source>placed</source>
-        <translation type="unfinished"></translation>
+        <translation>platziert</translation>
     </message>
     <message>
         <source>Fall</source>
-        <translation type="unfinished"></translation>
+        <translation>Sturz</translation>
     </message>
     <message>
         <source>Episode</source>
-        <translation type="unfinished"></translation>
+        <translation>Episode</translation>
     </message>
     <message>
         <source>Time min</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit min</translation>
     </message>
     <message>
         <source>Steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte</translation>
     </message>
     <message>
         <source>Policy</source>
-        <translation type="unfinished"></translation>
+        <translation>Policy</translation>
     </message>
     <message>
         <source>Click to see the last seconds of this fall again</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Klick zeigt die letzten Sekunden dieses Sturzes noch einmal</translation>
     </message>
     <message>
         <source>%1, %2 by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, von Hand %2</translation>
     </message>
     <message>
         <source>Risk</source>
@@ -137,83 +137,83 @@
     </message>
     <message>
         <source>Learning</source>
-        <translation type="unfinished"></translation>
+        <translation>Lernen</translation>
     </message>
     <message>
         <source>Rewards</source>
-        <translation type="unfinished"></translation>
+        <translation>Belohnungen</translation>
     </message>
     <message>
         <source>Representation</source>
-        <translation type="unfinished"></translation>
+        <translation>Repräsentation</translation>
     </message>
     <message>
         <source>Model</source>
-        <translation type="unfinished"></translation>
+        <translation>Modell</translation>
     </message>
     <message>
         <source>best action</source>
-        <translation type="unfinished"></translation>
+        <translation>beste Aktion</translation>
     </message>
     <message>
         <source>greedy action</source>
-        <translation type="unfinished"></translation>
+        <translation>Greedy-Aktion</translation>
     </message>
     <message>
         <source>greedy %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, greedy</translation>
     </message>
     <message>
         <source>risk of a fall</source>
-        <translation type="unfinished"></translation>
+        <translation>Sturzrisiko</translation>
     </message>
     <message>
         <source>visits</source>
-        <translation type="unfinished"></translation>
+        <translation>Besuche</translation>
     </message>
     <message>
         <source>eligibility</source>
-        <translation type="unfinished"></translation>
+        <translation>Eligibility</translation>
     </message>
     <message>
         <source>%1 others</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 andere</translation>
     </message>
     <message>
         <source>%1 live %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 live %2</translation>
     </message>
     <message>
         <source>%1 live</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 live</translation>
     </message>
     <message>
         <source>%1 fixed %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 fest %2</translation>
     </message>
     <message>
         <source>mean over %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittel über %1</translation>
     </message>
     <message>
         <source>least over %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Min. über %1</translation>
     </message>
     <message>
         <source>most over %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Max. über %1</translation>
     </message>
     <message>
         <source> s</source>
-        <translation type="unfinished"></translation>
+        <translation> s</translation>
     </message>
     <message>
         <source> steps</source>
-        <translation type="unfinished"></translation>
+        <translation> Schritte</translation>
     </message>
     <message>
         <source>not known here</source>
-        <translation type="unfinished"></translation>
+        <translation>hier nicht bekannt</translation>
     </message>
     <message>
         <source>on</source>
@@ -225,23 +225,23 @@
     </message>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s</translation>
     </message>
     <message>
         <source>step %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritt %1</translation>
     </message>
     <message>
         <source>Reward</source>
-        <translation type="unfinished"></translation>
+        <translation>Belohnung</translation>
     </message>
     <message>
         <source>Feet</source>
-        <translation type="unfinished"></translation>
+        <translation>Füße</translation>
     </message>
     <message>
         <source>On and off</source>
-        <translation type="unfinished"></translation>
+        <translation>An und aus</translation>
     </message>
     <message>
         <source>There is not enough memory to try this Q-function.</source>
@@ -277,15 +277,15 @@
     </message>
     <message>
         <source>fall %1, episode %2, at half speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Sturz %1, Episode %2, halbes Tempo</translation>
     </message>
     <message>
         <source>roll-out, greedy, seed %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Rollout, greedy, Seed %1</translation>
     </message>
     <message>
         <source>the last minutes</source>
-        <translation type="unfinished"></translation>
+        <translation>die letzten Minuten</translation>
     </message>
     <message>
         <source>There is not enough memory for this; take fewer tiles or tilings.</source>
@@ -293,7 +293,7 @@
     </message>
     <message>
         <source>Remove earlier runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Frühere Läufe entfernen</translation>
     </message>
     <message>
         <source>More was changed than a journal holds; save the session instead.</source>
@@ -349,15 +349,23 @@
     </message>
     <message>
         <source>It takes %1. Default: %2 (%3).</source>
-        <translation type="unfinished"></translation>
+        <translation>Zulässig: %1. Standard: %2 (%3).</translation>
     </message>
     <message>
         <source>Source: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle: %1.</translation>
     </message>
     <message>
         <source>The handbook is not there.</source>
         <translation>Das Handbuch ist nicht da.</translation>
+    </message>
+    <message>
+        <source>Another %1 is in this class now; take another name, such as %1 2.</source>
+        <translation>Ein anderer Name „%1“ ist jetzt in dieser Klasse; nehmen Sie einen anderen, etwa %1 2.</translation>
+    </message>
+    <message>
+        <source>It is kept on this computer, and goes there when it can.</source>
+        <translation>Es wird auf diesem Computer aufgehoben und geht dorthin, sobald es möglich ist.</translation>
     </message>
 </context>
 <context>
@@ -432,7 +440,7 @@
     </message>
     <message>
         <source>Beyond the thesis</source>
-        <translation>Über die Arbeit hinaus</translation>
+        <translation>Über die Masterarbeit hinaus</translation>
     </message>
     <message>
         <source>Caution: falling less</source>
@@ -456,7 +464,7 @@
     </message>
     <message>
         <source>Tiles per %1 of the %2: few generalise far, many tell states apart.</source>
-        <translation>Kacheln je %1 von „%2“: Wenige verallgemeinern weit, viele unterscheiden Zustände.</translation>
+        <translation>Kacheln je %1 von „%2“: Wenige generalisieren weit, viele trennen Zustände.</translation>
     </message>
     <message>
         <source>Tiles per %1 of the %2: few let near actions share more.</source>
@@ -468,7 +476,7 @@
     </message>
     <message>
         <source>Width σ of the Gaussians along the %1: a wide one generalises far.</source>
-        <translation>Breite σ der Gaußfunktionen längs „%1“: Eine breite verallgemeinert weit.</translation>
+        <translation>Breite σ der Gauß-Funktionen entlang „%1“: Eine große generalisiert weit.</translation>
     </message>
     <message>
         <source>Centres per %1 of the %2.</source>
@@ -480,7 +488,7 @@
     </message>
     <message>
         <source>thesis</source>
-        <translation>Arbeit</translation>
+        <translation>Masterarbeit</translation>
     </message>
     <message>
         <source>chapter</source>
@@ -516,75 +524,75 @@
     </message>
     <message>
         <source>1 Realistic</source>
-        <translation type="unfinished"></translation>
+        <translation>1 Realistisch</translation>
     </message>
     <message>
         <source>10 % more damping, a little friction.</source>
-        <translation type="unfinished"></translation>
+        <translation>10 % mehr Dämpfung, etwas Reibung.</translation>
     </message>
     <message>
         <source>2 Half damping, low friction</source>
-        <translation type="unfinished"></translation>
+        <translation>2 Halbe Dämpfung, wenig Reibung</translation>
     </message>
     <message>
         <source>3 Low damping, high friction</source>
-        <translation type="unfinished"></translation>
+        <translation>3 Wenig Dämpfung, viel Reibung</translation>
     </message>
     <message>
         <source>4 More power</source>
-        <translation type="unfinished"></translation>
+        <translation>4 Mehr Leistung</translation>
     </message>
     <message>
         <source>5 Less power</source>
-        <translation type="unfinished"></translation>
+        <translation>5 Weniger Leistung</translation>
     </message>
     <message>
         <source>6 Power + friction</source>
-        <translation type="unfinished"></translation>
+        <translation>6 Leistung + Reibung</translation>
     </message>
     <message>
         <source>A Softmax whose temperature 1/β fits each state: where actions differ much it is nearly greedy, where they hardly differ nearly even. One ω holds for all states.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Softmax, dessen Temperatur 1/β sich jedem Zustand anpasst: fast greedy, wo sich Aktionen stark unterscheiden, fast gleichverteilt, wo kaum. Ein ω gilt für alle Zustände.</translation>
     </message>
     <message>
         <source>A beam that a servo tilts; the ball rolls and must come to rest in the middle. Off the beam is a fall.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Servo kippt den Balken; die Kugel rollt und soll in der Mitte zur Ruhe kommen. Fällt sie herunter, ist das ein Sturz.</translation>
     </message>
     <message>
         <source>A body on one leg with a spring in it; a servo holds the angle of the leg, a piston presses the spring.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Körper auf einem Bein mit Feder; ein Servo hält den Winkel des Beins, ein Kolben spannt die Feder.</translation>
     </message>
     <message>
         <source>A car that is too weak for the slope has to swing. It cannot fall.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Auto, das für den Hang zu schwach ist, muss Schwung holen. Es kann nicht stürzen.</translation>
     </message>
     <message>
         <source>A certain fall costs an action so much of its value.</source>
-        <translation type="unfinished"></translation>
+        <translation>So viel ihres Werts verliert eine Aktion durch einen sicheren Sturz.</translation>
     </message>
     <message>
         <source>A fall costs more and more while the robot falls more often than the budget allows.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Sturz kostet immer mehr, solange der Roboter öfter stürzt, als das Budget erlaubt.</translation>
     </message>
     <message>
         <source>A floor that rises by 2 %: harder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Boden, der um 2 % steigt: schwieriger.</translation>
     </message>
     <message>
         <source>A grid of 10 × 10 with a bad region in the middle, which is a fall.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Gitter von 10 × 10 mit einem schlechten Gebiet in der Mitte, das als Sturz gilt.</translation>
     </message>
     <message>
         <source>A grid of 10 × 10 with a bad region in the middle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Gitter von 10 × 10 mit einem schlechten Gebiet in der Mitte.</translation>
     </message>
     <message>
         <source>A grid of 4 × 12 with a cliff along one side: Q-learning walks the edge, Sarsa the safe path.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Gitter von 4 × 12 mit einer Klippe an einer Seite: Q-Learning geht an der Kante, Sarsa den sicheren Weg.</translation>
     </message>
     <message>
         <source>A hull on two legs of two links, after Gymnasium&apos;s BipedalWalker; four motors of three levels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Rumpf auf zwei Beinen aus zwei Gliedern, nach BipedalWalker aus Gymnasium; vier Motoren mit drei Stufen.</translation>
     </message>
     <message>
         <source>A life is one learner with one seed; an episode goes from its start to its end, a step from action to action.</source>
@@ -592,15 +600,15 @@
     </message>
     <message>
         <source>A pair visited again: its trace is set to 1, or 1 is added.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei wieder besuchtem Paar: Der Trace-Wert wird auf 1 gesetzt, oder 1 kommt hinzu.</translation>
     </message>
     <message>
         <source>A pole on a cart with a driven wheel. The state is its angle α, its rate α̇ and the wheel&apos;s rate β̇; an action is one of five torques, every 5 ms.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Stab auf einem Wagen mit angetriebenem Rad. Der Zustand: Winkel α, Drehrate α̇ und Raddrehrate β̇; eine Aktion ist eines von fünf Drehmomenten, alle 5 ms.</translation>
     </message>
     <message>
         <source>A pole on a driven wheel, DC motor with gears; it should drive on at 0.5 m/s and not fall.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Stab auf einem angetriebenen Rad, Gleichstrommotor mit Getriebe; er soll mit 0,5 m/s fahren und nicht stürzen.</translation>
     </message>
     <message>
         <source>A threshold from the length of an episode: what a pair is worth from which the goal is n* steps away.</source>
@@ -608,43 +616,43 @@
     </message>
     <message>
         <source>A trace below this is forgotten.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Trace-Wert darunter wird vergessen.</translation>
     </message>
     <message>
         <source>About its centre of mass.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um seinen Schwerpunkt.</translation>
     </message>
     <message>
         <source>Acrobot</source>
-        <translation type="unfinished"></translation>
+        <translation>Acrobot</translation>
     </message>
     <message>
         <source>Actions that fall with a higher probability are left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktionen, die mit höherer Wahrscheinlichkeit stürzen, sind ausgeschlossen.</translation>
     </message>
     <message>
         <source>Actions with decreased power.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktionen mit weniger Leistung.</translation>
     </message>
     <message>
         <source>Actions with increased power.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktionen mit mehr Leistung.</translation>
     </message>
     <message>
         <source>Adds the change of a coarse value function to the reward; it learns from these rewards.</source>
-        <translation type="unfinished"></translation>
+        <translation>Addiert die Änderung einer groben Wertefunktion zur Belohnung; sie lernt aus diesen Belohnungen.</translation>
     </message>
     <message>
         <source>After a fall the world goes back so many steps, and the episode goes on from there; it counts as a rewind and not as a fall. For simulations; 0: a fall ends the episode.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach einem Sturz geht die Welt so viele Schritte zurück, und die Episode geht von dort weiter; das zählt als Zurücknahme und nicht als Sturz. Für Simulationen; 0: Ein Sturz beendet die Episode.</translation>
     </message>
     <message>
         <source>Always takes an action that is worth most, so it never explores.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählt immer eine Aktion mit dem höchsten Wert, exploriert also nie.</translation>
     </message>
     <message>
         <source>Always the best action.</source>
-        <translation type="unfinished"></translation>
+        <translation>Immer die beste Aktion.</translation>
     </message>
     <message>
         <source>An episode is cut off after so many steps; no fall.</source>
@@ -656,7 +664,7 @@
     </message>
     <message>
         <source>An episode is cut off after this many steps.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach so vielen Schritten wird eine Episode abgebrochen.</translation>
     </message>
     <message>
         <source>An episode is cut off after this many steps; that is not a fall.</source>
@@ -664,39 +672,39 @@
     </message>
     <message>
         <source>An episode starts at rest, anywhere within ± this angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Episode beginnt in Ruhe, irgendwo innerhalb ± dieses Winkels.</translation>
     </message>
     <message>
         <source>An exploring step picks among the actions worth more than this.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Explorationsschritt wählt unter den Aktionen, die mehr wert sind.</translation>
     </message>
     <message>
         <source>Angle of the body when an episode begins, at rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel des Körpers, wenn eine Episode beginnt, in Ruhe.</translation>
     </message>
     <message>
         <source>Angle of the stance leg at the start.</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel des Standbeins beim Start.</translation>
     </message>
     <message>
         <source>Angle of the swing leg at the start.</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel des Schwungbeins beim Start.</translation>
     </message>
     <message>
         <source>Ankle above x</source>
-        <translation type="unfinished"></translation>
+        <translation>Knöchel oben x</translation>
     </message>
     <message>
         <source>Ankle above y</source>
-        <translation type="unfinished"></translation>
+        <translation>Knöchel oben y</translation>
     </message>
     <message>
         <source>Ankle below x</source>
-        <translation type="unfinished"></translation>
+        <translation>Knöchel unten x</translation>
     </message>
     <message>
         <source>Ankle below y</source>
-        <translation type="unfinished"></translation>
+        <translation>Knöchel unten y</translation>
     </message>
     <message>
         <source>Ankle damper</source>
@@ -704,39 +712,39 @@
     </message>
     <message>
         <source>Ankle high</source>
-        <translation type="unfinished"></translation>
+        <translation>Knöchel max</translation>
     </message>
     <message>
         <source>Ankle low</source>
-        <translation type="unfinished"></translation>
+        <translation>Knöchel min</translation>
     </message>
     <message>
         <source>Ankle stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Knöchelanschlag</translation>
     </message>
     <message>
         <source>Ankle stop damping</source>
-        <translation type="unfinished"></translation>
+        <translation>Knöchelanschlag, Dämpfung</translation>
     </message>
     <message>
         <source>Ankle target</source>
-        <translation type="unfinished"></translation>
+        <translation>Knöchel, Soll</translation>
     </message>
     <message>
         <source>Ankles</source>
-        <translation type="unfinished"></translation>
+        <translation>Knöchel</translation>
     </message>
     <message>
         <source>Another motor: 9.5 Ω, and more dry friction.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein anderer Motor: 9,5 Ω, und mehr trockene Reibung.</translation>
     </message>
     <message>
         <source>Armature</source>
-        <translation type="unfinished"></translation>
+        <translation>Ankerträgheit</translation>
     </message>
     <message>
         <source>As Softmax, with a temperature that fits each state by itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie Softmax, mit einer Temperatur, die sich jedem Zustand selbst anpasst.</translation>
     </message>
     <message>
         <source>Asymmetry</source>
@@ -744,7 +752,7 @@
     </message>
     <message>
         <source>Asymmetry of errors</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehlerasymmetrie</translation>
     </message>
     <message>
         <source>At most</source>
@@ -756,43 +764,43 @@
     </message>
     <message>
         <source>Balanced angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Balancewinkel</translation>
     </message>
     <message>
         <source>Balanced rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Balancedrehrate</translation>
     </message>
     <message>
         <source>Balanced: the angle is at most this, and the rate as well.</source>
-        <translation type="unfinished"></translation>
+        <translation>Balanciert: Der Winkel ist höchstens so groß, die Drehrate innerhalb ihrer Grenze.</translation>
     </message>
     <message>
         <source>Balanced: the rate is at most this, and the angle as well.</source>
-        <translation type="unfinished"></translation>
+        <translation>Balanciert: Die Drehrate ist höchstens so groß, der Winkel innerhalb seiner Grenze.</translation>
     </message>
     <message>
         <source>Ball on a beam</source>
-        <translation type="unfinished"></translation>
+        <translation>Kugel auf Balken</translation>
     </message>
     <message>
         <source>Base mass</source>
-        <translation type="unfinished"></translation>
+        <translation>Wagenmasse</translation>
     </message>
     <message>
         <source>Biped</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweibeiner</translation>
     </message>
     <message>
         <source>Boom force</source>
-        <translation type="unfinished"></translation>
+        <translation>Auslegerkraft</translation>
     </message>
     <message>
         <source>Boom point x</source>
-        <translation type="unfinished"></translation>
+        <translation>Auslegerpunkt x</translation>
     </message>
     <message>
         <source>Boom point y</source>
-        <translation type="unfinished"></translation>
+        <translation>Auslegerpunkt y</translation>
     </message>
     <message>
         <source>Budget</source>
@@ -800,47 +808,47 @@
     </message>
     <message>
         <source>Cart-pole</source>
-        <translation type="unfinished"></translation>
+        <translation>Cart-Pole</translation>
     </message>
     <message>
         <source>Caution</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorsicht</translation>
     </message>
     <message>
         <source>Centre of a circle that meets the floor, in its body&apos;s frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittelpunkt eines Kreises, der den Boden berührt, im Koordinatensystem seines Körpers.</translation>
     </message>
     <message>
         <source>Centre of mass, in the body&apos;s own frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwerpunkt, im eigenen Koordinatensystem des Körpers.</translation>
     </message>
     <message>
         <source>Chain</source>
-        <translation type="unfinished"></translation>
+        <translation>Kette</translation>
     </message>
     <message>
         <source>Cliff</source>
-        <translation type="unfinished"></translation>
+        <translation>Klippe</translation>
     </message>
     <message>
         <source>Column</source>
-        <translation type="unfinished"></translation>
+        <translation>Spalte</translation>
     </message>
     <message>
         <source>Compass walker</source>
-        <translation type="unfinished"></translation>
+        <translation>Compass Walker</translation>
     </message>
     <message>
         <source>Compass walker (from a file)</source>
-        <translation type="unfinished"></translation>
+        <translation>Compass Walker (aus Datei)</translation>
     </message>
     <message>
         <source>Constants calibrated to the episode lengths that the thesis reports.</source>
-        <translation type="unfinished"></translation>
+        <translation>Konstanten, kalibriert auf die Episodenlängen, die die Masterarbeit berichtet.</translation>
     </message>
     <message>
         <source>Constants of the same laboratory&apos;s published simulation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Konstanten der veröffentlichten Simulation desselben Labors.</translation>
     </message>
     <message>
         <source>Counted in</source>
@@ -848,31 +856,31 @@
     </message>
     <message>
         <source>Damping</source>
-        <translation type="unfinished"></translation>
+        <translation>Dämpfung</translation>
     </message>
     <message>
         <source>Damping of the joint&apos;s stops.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dämpfung der Anschläge des Gelenks.</translation>
     </message>
     <message>
         <source>Delft lab file</source>
-        <translation type="unfinished"></translation>
+        <translation>Delfter Labordatei</translation>
     </message>
     <message>
         <source>Discount</source>
-        <translation type="unfinished"></translation>
+        <translation>Diskontfaktor</translation>
     </message>
     <message>
         <source>Discount of risk</source>
-        <translation type="unfinished"></translation>
+        <translation>Risiko-Diskontfaktor</translation>
     </message>
     <message>
         <source>Displaced grids of tiles, in a dense or hashed table.</source>
-        <translation type="unfinished"></translation>
+        <translation>Versetzte Gitter aus Kacheln, in dichter oder Hashtabelle.</translation>
     </message>
     <message>
         <source>Displaced grids that lie over each other; a power of two is best.</source>
-        <translation type="unfinished"></translation>
+        <translation>Versetzte Gitter, die übereinanderliegen; am besten eine Zweierpotenz.</translation>
     </message>
     <message>
         <source>Distance of a greedy test, last 10</source>
@@ -884,27 +892,27 @@
     </message>
     <message>
         <source>Doomed beyond this lean of the stance thigh: 0.36π.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jenseits dieser Neigung des Oberschenkels (Stand) ist er verloren: 0,36π.</translation>
     </message>
     <message>
         <source>Doomed beyond this lean of the torso.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jenseits dieser Neigung des Rumpfs ist er verloren.</translation>
     </message>
     <message>
         <source>Dry friction</source>
-        <translation type="unfinished"></translation>
+        <translation>Trockene Reibung</translation>
     </message>
     <message>
         <source>Dry friction on the hinge of the pole.</source>
-        <translation type="unfinished"></translation>
+        <translation>Trockene Reibung am Gelenk des Stabs.</translation>
     </message>
     <message>
         <source>Each term of the reward goes its own way, or their sum goes by its sign.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeder Term der Belohnung geht seinen eigenen Weg, oder ihre Summe geht nach Vorzeichen.</translation>
     </message>
     <message>
         <source>Efficiency</source>
-        <translation type="unfinished"></translation>
+        <translation>Wirkungsgrad</translation>
     </message>
     <message>
         <source>End of learning</source>
@@ -916,7 +924,7 @@
     </message>
     <message>
         <source>Energy</source>
-        <translation type="unfinished"></translation>
+        <translation>Energie</translation>
     </message>
     <message>
         <source>Energy of a greedy test, last 10</source>
@@ -928,83 +936,83 @@
     </message>
     <message>
         <source>Episodes between two tests of the greedy policy, which are not counted; 0: none.</source>
-        <translation type="unfinished"></translation>
+        <translation>Episoden zwischen zwei Tests der Greedy-Policy, die nicht mitzählen; 0: keine.</translation>
     </message>
     <message>
         <source>Errors below 0 count 1 + κ times, those above 1 − κ times: with κ &gt; 0 it is risk-averse.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler unter 0 zählen (1 + κ)-fach, solche über 0 (1 − κ)-fach: Mit κ &gt; 0 ist das risikoscheu.</translation>
     </message>
     <message>
         <source>Expected Sarsa</source>
-        <translation type="unfinished"></translation>
+        <translation>Expected Sarsa</translation>
     </message>
     <message>
         <source>Expected Sarsa(λ): the mean over the policy in place of one draw.</source>
-        <translation type="unfinished"></translation>
+        <translation>Expected Sarsa(λ): der Mittelwert über die Policy statt einer Ziehung.</translation>
     </message>
     <message>
         <source>Expected losses count so many times.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit diesem Faktor zählen erwartete Verluste.</translation>
     </message>
     <message>
         <source>Exploration</source>
-        <translation type="unfinished"></translation>
+        <translation>Exploration</translation>
     </message>
     <message>
         <source>Exploration, clock</source>
-        <translation type="unfinished"></translation>
+        <translation>Exploration, Zeitmaß</translation>
     </message>
     <message>
         <source>Exploration, end</source>
-        <translation type="unfinished"></translation>
+        <translation>Exploration, Ende</translation>
     </message>
     <message>
         <source>Exploration, schedule</source>
-        <translation type="unfinished"></translation>
+        <translation>Exploration, Verlauf</translation>
     </message>
     <message>
         <source>Exploration, time</source>
-        <translation type="unfinished"></translation>
+        <translation>Exploration, Dauer</translation>
     </message>
     <message>
         <source>Factor of losses</source>
-        <translation type="unfinished"></translation>
+        <translation>Verlustfaktor</translation>
     </message>
     <message>
         <source>Factor of losses, clock</source>
-        <translation type="unfinished"></translation>
+        <translation>Verlustfaktor, Zeitmaß</translation>
     </message>
     <message>
         <source>Factor of losses, end</source>
-        <translation type="unfinished"></translation>
+        <translation>Verlustfaktor, Ende</translation>
     </message>
     <message>
         <source>Factor of losses, schedule</source>
-        <translation type="unfinished"></translation>
+        <translation>Verlustfaktor, Verlauf</translation>
     </message>
     <message>
         <source>Factor of losses, time</source>
-        <translation type="unfinished"></translation>
+        <translation>Verlustfaktor, Dauer</translation>
     </message>
     <message>
         <source>Fall</source>
-        <translation type="unfinished"></translation>
+        <translation>Sturz</translation>
     </message>
     <message>
         <source>Fall angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Sturzwinkel</translation>
     </message>
     <message>
         <source>Fall, stance leg</source>
-        <translation type="unfinished"></translation>
+        <translation>Sturz, Standbein</translation>
     </message>
     <message>
         <source>Fall, stance thigh</source>
-        <translation type="unfinished"></translation>
+        <translation>Sturz, Oberschenkel (Stand)</translation>
     </message>
     <message>
         <source>Fall, swing leg</source>
-        <translation type="unfinished"></translation>
+        <translation>Sturz, Schwungbein</translation>
     </message>
     <message>
         <source>Fall, thigh</source>
@@ -1012,7 +1020,7 @@
     </message>
     <message>
         <source>Fall, torso</source>
-        <translation type="unfinished"></translation>
+        <translation>Sturz, Rumpf</translation>
     </message>
     <message>
         <source>Falls</source>
@@ -1020,7 +1028,7 @@
     </message>
     <message>
         <source>Falls an episode</source>
-        <translation type="unfinished"></translation>
+        <translation>Stürze je Episode</translation>
     </message>
     <message>
         <source>Falls an hour</source>
@@ -1028,7 +1036,7 @@
     </message>
     <message>
         <source>Falls budget</source>
-        <translation type="unfinished"></translation>
+        <translation>Sturzbudget</translation>
     </message>
     <message>
         <source>Falls of a greedy test, last 10</source>
@@ -1036,39 +1044,39 @@
     </message>
     <message>
         <source>Falls taken back in an episode, at most</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurückgenommene Stürze je Episode, höchstens</translation>
     </message>
     <message>
         <source>Foot centre x</source>
-        <translation type="unfinished"></translation>
+        <translation>Fuß-SP x</translation>
     </message>
     <message>
         <source>Foot centre y</source>
-        <translation type="unfinished"></translation>
+        <translation>Fuß-SP y</translation>
     </message>
     <message>
         <source>Foot inertia</source>
-        <translation type="unfinished"></translation>
+        <translation>Fußträgheit</translation>
     </message>
     <message>
         <source>Foot mass</source>
-        <translation type="unfinished"></translation>
+        <translation>Fußmasse</translation>
     </message>
     <message>
         <source>Foot radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Fußradius</translation>
     </message>
     <message>
         <source>Footstep</source>
-        <translation type="unfinished"></translation>
+        <translation>Gehschritt</translation>
     </message>
     <message>
         <source>For worlds of few states: nothing is shared, nothing is generalised.</source>
-        <translation type="unfinished"></translation>
+        <translation>Für Welten mit wenigen Zuständen: Nichts wird geteilt, nichts generalisiert.</translation>
     </message>
     <message>
         <source>Friction</source>
-        <translation type="unfinished"></translation>
+        <translation>Reibung</translation>
     </message>
     <message>
         <source>From</source>
@@ -1088,31 +1096,31 @@
     </message>
     <message>
         <source>From the hip to the sole.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von der Hüfte bis zur Sohle.</translation>
     </message>
     <message>
         <source>Gaussians on a grid, width and spacing set apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gauß-Funktionen auf einem Gitter, Breite und Abstand getrennt gewählt.</translation>
     </message>
     <message>
         <source>Gaussians on a grid. Their width can be set apart from their spacing, which tiles cannot do.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gauß-Funktionen auf einem Gitter. Ihre Breite lässt sich unabhängig vom Abstand wählen; das können Kacheln nicht.</translation>
     </message>
     <message>
         <source>Gear ratio</source>
-        <translation type="unfinished"></translation>
+        <translation>Übersetzung</translation>
     </message>
     <message>
         <source>Goal</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziel</translation>
     </message>
     <message>
         <source>Gravity</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwerkraft</translation>
     </message>
     <message>
         <source>Greedy</source>
-        <translation type="unfinished"></translation>
+        <translation>Greedy</translation>
     </message>
     <message>
         <source>Greedy test</source>
@@ -1120,19 +1128,19 @@
     </message>
     <message>
         <source>Greedy test every</source>
-        <translation type="unfinished"></translation>
+        <translation>Greedy-Test alle</translation>
     </message>
     <message>
         <source>Grid world</source>
-        <translation type="unfinished"></translation>
+        <translation>Gitterwelt</translation>
     </message>
     <message>
         <source>Grip</source>
-        <translation type="unfinished"></translation>
+        <translation>Haftung</translation>
     </message>
     <message>
         <source>Guardian</source>
-        <translation type="unfinished"></translation>
+        <translation>Wächter</translation>
     </message>
     <message>
         <source>Guardian from</source>
@@ -1140,59 +1148,59 @@
     </message>
     <message>
         <source>Gymnasium&apos;s CartPole-v1: a pole on a cart that is pushed left or right.</source>
-        <translation type="unfinished"></translation>
+        <translation>CartPole-v1 aus Gymnasium: ein Stab auf einem Wagen, der nach links oder rechts gestoßen wird.</translation>
     </message>
     <message>
         <source>Half of it sits on each leg, at the hip.</source>
-        <translation type="unfinished"></translation>
+        <translation>Je die Hälfte sitzt an einem Bein, an der Hüfte.</translation>
     </message>
     <message>
         <source>Half the damping, low friction.</source>
-        <translation type="unfinished"></translation>
+        <translation>Halbe Dämpfung, wenig Reibung.</translation>
     </message>
     <message>
         <source>Hand-made</source>
-        <translation type="unfinished"></translation>
+        <translation>Fester Regler</translation>
     </message>
     <message>
         <source>Hashed tiles</source>
-        <translation type="unfinished"></translation>
+        <translation>Hash-Kacheln</translation>
     </message>
     <message>
         <source>Heel radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Fersenradius</translation>
     </message>
     <message>
         <source>Heel x</source>
-        <translation type="unfinished"></translation>
+        <translation>Ferse x</translation>
     </message>
     <message>
         <source>Heel y</source>
-        <translation type="unfinished"></translation>
+        <translation>Ferse y</translation>
     </message>
     <message>
         <source>High: nearly equal chances. Low: nearly greedy.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hoch: fast gleiche Wahrscheinlichkeiten. Niedrig: fast greedy.</translation>
     </message>
     <message>
         <source>Highest value of a pair before anything is learned.</source>
-        <translation type="unfinished"></translation>
+        <translation>Höchster Wert eines Paars, bevor etwas gelernt ist.</translation>
     </message>
     <message>
         <source>Hip above x</source>
-        <translation type="unfinished"></translation>
+        <translation>Hüfte oben x</translation>
     </message>
     <message>
         <source>Hip above y</source>
-        <translation type="unfinished"></translation>
+        <translation>Hüfte oben y</translation>
     </message>
     <message>
         <source>Hip below x</source>
-        <translation type="unfinished"></translation>
+        <translation>Hüfte unten x</translation>
     </message>
     <message>
         <source>Hip below y</source>
-        <translation type="unfinished"></translation>
+        <translation>Hüfte unten y</translation>
     </message>
     <message>
         <source>Hip damper</source>
@@ -1200,31 +1208,31 @@
     </message>
     <message>
         <source>Hip high</source>
-        <translation type="unfinished"></translation>
+        <translation>Hüfte max</translation>
     </message>
     <message>
         <source>Hip low</source>
-        <translation type="unfinished"></translation>
+        <translation>Hüfte min</translation>
     </message>
     <message>
         <source>Hip mass</source>
-        <translation type="unfinished"></translation>
+        <translation>Hüftmasse</translation>
     </message>
     <message>
         <source>Hip stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Hüftanschlag</translation>
     </message>
     <message>
         <source>Hip stop damping</source>
-        <translation type="unfinished"></translation>
+        <translation>Hüftanschlag, Dämpfung</translation>
     </message>
     <message>
         <source>Hip target</source>
-        <translation type="unfinished"></translation>
+        <translation>Hüfte, Soll</translation>
     </message>
     <message>
         <source>Hopper</source>
-        <translation type="unfinished"></translation>
+        <translation>Hopper</translation>
     </message>
     <message>
         <source>How a walker walks with what it has learned so far.</source>
@@ -1232,23 +1240,23 @@
     </message>
     <message>
         <source>How far back along the way a surprise is felt; 0: one step.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie weit zurück auf dem Weg eine Überraschung wirkt; 0: ein Schritt.</translation>
     </message>
     <message>
         <source>How far the simulation is from the actual system: the rows of the thesis&apos;s table.</source>
-        <translation>Wie weit die Simulation vom wirklichen System entfernt ist: die Zeilen der Tabelle der Arbeit.</translation>
+        <translation>Wie weit die Simulation vom wirklichen System entfernt ist: die Zeilen der Tabelle der Masterarbeit.</translation>
     </message>
     <message>
         <source>How it changes while the life goes on: not at all, in a straight line, by halves, or as the rule of thumb says.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie sie sich im Lauf des Lebens ändert: gar nicht, geradlinig, durch Halbieren oder nach der Faustregel.</translation>
     </message>
     <message>
         <source>How it changes while the life goes on: not at all, in a straight line, or by halves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie sie sich im Lauf des Lebens ändert: gar nicht, geradlinig oder durch Halbieren.</translation>
     </message>
     <message>
         <source>How long a linear schedule takes to its end; the half-life of an exponential one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie lange ein linearer Verlauf bis zum Ende braucht; bei einem exponentiellen die Halbwertszeit.</translation>
     </message>
     <message>
         <source>How many steps the learner takes to the goal. The rule of thumb is made from it.</source>
@@ -1256,7 +1264,7 @@
     </message>
     <message>
         <source>How much more a fall costs after an episode with one fall too many.</source>
-        <translation type="unfinished"></translation>
+        <translation>Um wie viel mehr ein Sturz nach einer Episode mit einem Sturz zu viel kostet.</translation>
     </message>
     <message>
         <source>How well it does by now. 198 of 200 counts as converged.</source>
@@ -1264,59 +1272,59 @@
     </message>
     <message>
         <source>Increased power with the realistic errors of 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mehr Leistung mit den realistischen Fehlern von 1.</translation>
     </message>
     <message>
         <source>Inertia of a rotor as the joint feels it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Trägheit eines Rotors, wie das Gelenk sie spürt.</translation>
     </message>
     <message>
         <source>Initial Q</source>
-        <translation type="unfinished"></translation>
+        <translation>Anfangs-Q</translation>
     </message>
     <message>
         <source>Initial Q, low</source>
-        <translation type="unfinished"></translation>
+        <translation>Anfangs-Q, min</translation>
     </message>
     <message>
         <source>Initial risk</source>
-        <translation type="unfinished"></translation>
+        <translation>Anfangsrisiko</translation>
     </message>
     <message>
         <source>It has fallen beyond this angle of the stance leg.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jenseits dieses Winkels des Standbeins ist er gestürzt.</translation>
     </message>
     <message>
         <source>It has fallen beyond this angle of the swing leg.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jenseits dieses Winkels des Schwungbeins ist er gestürzt.</translation>
     </message>
     <message>
         <source>Knee above x</source>
-        <translation type="unfinished"></translation>
+        <translation>Knie oben x</translation>
     </message>
     <message>
         <source>Knee above y</source>
-        <translation type="unfinished"></translation>
+        <translation>Knie oben y</translation>
     </message>
     <message>
         <source>Knee below x</source>
-        <translation type="unfinished"></translation>
+        <translation>Knie unten x</translation>
     </message>
     <message>
         <source>Knee below y</source>
-        <translation type="unfinished"></translation>
+        <translation>Knie unten y</translation>
     </message>
     <message>
         <source>Knee cap radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Kniescheibenradius</translation>
     </message>
     <message>
         <source>Knee cap x</source>
-        <translation type="unfinished"></translation>
+        <translation>Kniescheibe x</translation>
     </message>
     <message>
         <source>Knee cap y</source>
-        <translation type="unfinished"></translation>
+        <translation>Kniescheibe y</translation>
     </message>
     <message>
         <source>Knee damper</source>
@@ -1324,31 +1332,31 @@
     </message>
     <message>
         <source>Knee high</source>
-        <translation type="unfinished"></translation>
+        <translation>Knie max</translation>
     </message>
     <message>
         <source>Knee low</source>
-        <translation type="unfinished"></translation>
+        <translation>Knie min</translation>
     </message>
     <message>
         <source>Knee stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Knieanschlag</translation>
     </message>
     <message>
         <source>Knee stop damping</source>
-        <translation type="unfinished"></translation>
+        <translation>Knieanschlag, Dämpfung</translation>
     </message>
     <message>
         <source>LEO</source>
-        <translation type="unfinished"></translation>
+        <translation>LEO</translation>
     </message>
     <message>
         <source>LEO (from a file)</source>
-        <translation type="unfinished"></translation>
+        <translation>LEO (aus Datei)</translation>
     </message>
     <message>
         <source>LEO walker</source>
-        <translation type="unfinished"></translation>
+        <translation>Laufroboter LEO</translation>
     </message>
     <message>
         <source>Learns flat out; the world shows another one at its usual pace, with the newest values.</source>
@@ -1356,215 +1364,215 @@
     </message>
     <message>
         <source>Learns how likely an action ends in a fall, beside its value.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lernt neben dem Wert einer Aktion, wie wahrscheinlich sie in einem Sturz endet.</translation>
     </message>
     <message>
         <source>Learns the value of the greedy policy, whatever is done meanwhile (Watkins). So at a cliff it learns the edge, and falls while it explores.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lernt den Wert der Greedy-Policy, was immer derweil getan wird (Watkins). Darum lernt es an einer Klippe die Kante und stürzt, während es exploriert.</translation>
     </message>
     <message>
         <source>Learns the value of what it does, exploring included: a′ is the action that is taken next.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lernt den Wert dessen, was tatsächlich getan wird, samt Exploration: a′ ist die Aktion, die als Nächstes ausgeführt wird.</translation>
     </message>
     <message>
         <source>Learns to walk within a few simulated minutes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lernt in wenigen simulierten Minuten zu gehen.</translation>
     </message>
     <message>
         <source>Leg inertia</source>
-        <translation type="unfinished"></translation>
+        <translation>Beinträgheit</translation>
     </message>
     <message>
         <source>Leg length</source>
-        <translation type="unfinished"></translation>
+        <translation>Beinlänge</translation>
     </message>
     <message>
         <source>Leg mass</source>
-        <translation type="unfinished"></translation>
+        <translation>Beinmasse</translation>
     </message>
     <message>
         <source>Length of the pole.</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge des Stabs.</translation>
     </message>
     <message>
         <source>Level floor</source>
-        <translation type="unfinished"></translation>
+        <translation>Ebener Boden</translation>
     </message>
     <message>
         <source>Levels</source>
-        <translation type="unfinished"></translation>
+        <translation>Stufen</translation>
     </message>
     <message>
         <source>Limit of risk</source>
-        <translation type="unfinished"></translation>
+        <translation>Risikogrenze</translation>
     </message>
     <message>
         <source>Limit of risk, clock</source>
-        <translation type="unfinished"></translation>
+        <translation>Risikogrenze, Zeitmaß</translation>
     </message>
     <message>
         <source>Limit of risk, end</source>
-        <translation type="unfinished"></translation>
+        <translation>Risikogrenze, Ende</translation>
     </message>
     <message>
         <source>Limit of risk, schedule</source>
-        <translation type="unfinished"></translation>
+        <translation>Risikogrenze, Verlauf</translation>
     </message>
     <message>
         <source>Limit of risk, time</source>
-        <translation type="unfinished"></translation>
+        <translation>Risikogrenze, Dauer</translation>
     </message>
     <message>
         <source>Limit of the guardian</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenze des Wächters</translation>
     </message>
     <message>
         <source>Linear damping of the wheel motors, per rad.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lineare Dämpfung der Radmotoren, je rad.</translation>
     </message>
     <message>
         <source>Low damping, high friction.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wenig Dämpfung, viel Reibung.</translation>
     </message>
     <message>
         <source>Low: nearly equal chances. High: nearly greedy.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niedrig: fast gleiche Wahrscheinlichkeiten. Hoch: fast greedy.</translation>
     </message>
     <message>
         <source>Lowest value of a pair before anything is learned.</source>
-        <translation type="unfinished"></translation>
+        <translation>Niedrigster Wert eines Paars, bevor etwas gelernt ist.</translation>
     </message>
     <message>
         <source>Mass of the cart without its wheel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Masse des Wagens ohne sein Rad.</translation>
     </message>
     <message>
         <source>Mass of the driven wheel, a solid cylinder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Masse des angetriebenen Rads, ein Vollzylinder.</translation>
     </message>
     <message>
         <source>Mass of the pole, a uniform rod.</source>
-        <translation type="unfinished"></translation>
+        <translation>Masse des Stabs, homogen.</translation>
     </message>
     <message>
         <source>Mellowmax</source>
-        <translation type="unfinished"></translation>
+        <translation>Mellowmax</translation>
     </message>
     <message>
         <source>Mellowness</source>
-        <translation type="unfinished"></translation>
+        <translation>Mellowness</translation>
     </message>
     <message>
         <source>Mellowness, clock</source>
-        <translation type="unfinished"></translation>
+        <translation>Mellowness, Zeitmaß</translation>
     </message>
     <message>
         <source>Mellowness, end</source>
-        <translation type="unfinished"></translation>
+        <translation>Mellowness, Ende</translation>
     </message>
     <message>
         <source>Mellowness, schedule</source>
-        <translation type="unfinished"></translation>
+        <translation>Mellowness, Verlauf</translation>
     </message>
     <message>
         <source>Mellowness, time</source>
-        <translation type="unfinished"></translation>
+        <translation>Mellowness, Dauer</translation>
     </message>
     <message>
         <source>Mismatched LEO</source>
-        <translation type="unfinished"></translation>
+        <translation>Abweichender LEO</translation>
     </message>
     <message>
         <source>Mostly greedy; in a share ε of the steps it takes any of the n actions with equal chance. So it also takes those that make the robot fall.</source>
-        <translation type="unfinished"></translation>
+        <translation>Meist greedy; in einem Anteil ε der Schritte irgendeine der n Aktionen mit gleicher Wahrscheinlichkeit. Also auch solche, die den Roboter stürzen lassen.</translation>
     </message>
     <message>
         <source>Mountain car</source>
-        <translation type="unfinished"></translation>
+        <translation>Mountain Car</translation>
     </message>
     <message>
         <source>Multiplies every resolution: the fraction of Q_opt in chapter 6.</source>
-        <translation type="unfinished"></translation>
+        <translation>Faktor für jede Auflösung: der Anteil von Q_opt in Kapitel 6.</translation>
     </message>
     <message>
         <source>Multiplies every width and leaves the centres where they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Faktor für jede Breite; die Zentren bleiben, wo sie sind.</translation>
     </message>
     <message>
         <source>Multiplies the torque of every action.</source>
-        <translation type="unfinished"></translation>
+        <translation>Faktor für das Drehmoment jeder Aktion.</translation>
     </message>
     <message>
         <source>Net footsteps of a greedy test, last 10</source>
-        <translation>Netto-Fußschritte eines Greedy-Tests, letzte 10</translation>
+        <translation>Netto-Gehschritte eines Greedy-Tests, letzte 10</translation>
     </message>
     <message>
         <source>Net footsteps of a life</source>
-        <translation>Netto-Fußschritte eines Lebens</translation>
+        <translation>Netto-Gehschritte eines Lebens</translation>
     </message>
     <message>
         <source>Nineteen states in a row and one action: only values are learned, and they are known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Neunzehn Zustände in einer Reihe und eine Aktion: Gelernt werden nur Werte, und sie sind bekannt.</translation>
     </message>
     <message>
         <source>Of a circle that meets the floor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eines Kreises, der den Boden berührt.</translation>
     </message>
     <message>
         <source>Of a motor&apos;s windings.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Wicklungen eines Motors.</translation>
     </message>
     <message>
         <source>Of a motor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eines Motors.</translation>
     </message>
     <message>
         <source>Of each voltage; actions are their combinations.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jeder Spannung; Aktionen sind ihre Kombinationen.</translation>
     </message>
     <message>
         <source>Of every joint.</source>
-        <translation type="unfinished"></translation>
+        <translation>In jedem Gelenk.</translation>
     </message>
     <message>
         <source>Of feet and floor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Von Füßen und Boden.</translation>
     </message>
     <message>
         <source>Of one leg about its centre.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eines Beins um seinen Schwerpunkt.</translation>
     </message>
     <message>
         <source>Of one leg, its centre in the middle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eines Beins, mit dem Schwerpunkt in der Mitte.</translation>
     </message>
     <message>
         <source>Of one such body; the torso&apos;s with boom and arm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eines solchen Körpers; beim Rumpf mit Ausleger und Arm.</translation>
     </message>
     <message>
         <source>Of the floor: below 0 it goes uphill.</source>
-        <translation type="unfinished"></translation>
+        <translation>Des Bodens: Unter 0 geht es bergauf.</translation>
     </message>
     <message>
         <source>Of the gears.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Getriebe.</translation>
     </message>
     <message>
         <source>Of the hip; the actions are −, 0 and + this.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Hüfte; die Aktionen sind −, 0 und + dieses Werts.</translation>
     </message>
     <message>
         <source>On the Earth 9.81.</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf der Erde 9,81.</translation>
     </message>
     <message>
         <source>One value a state, for states of whole numbers.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Wert je Zustand, für Zustände aus ganzen Zahlen.</translation>
     </message>
     <message>
         <source>Other actions</source>
-        <translation type="unfinished"></translation>
+        <translation>Andere Aktionen</translation>
     </message>
     <message>
         <source>Over</source>
@@ -1572,35 +1580,35 @@
     </message>
     <message>
         <source>Pendulum</source>
-        <translation type="unfinished"></translation>
+        <translation>Pendel</translation>
     </message>
     <message>
         <source>Pendulum (from a file)</source>
-        <translation type="unfinished"></translation>
+        <translation>Pendel (aus Datei)</translation>
     </message>
     <message>
         <source>Pendulum, actual system</source>
-        <translation type="unfinished"></translation>
+        <translation>Pendel, tatsächliches System</translation>
     </message>
     <message>
         <source>Pole angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Stabwinkel</translation>
     </message>
     <message>
         <source>Pole length</source>
-        <translation type="unfinished"></translation>
+        <translation>Stablänge</translation>
     </message>
     <message>
         <source>Pole mass</source>
-        <translation type="unfinished"></translation>
+        <translation>Stabmasse</translation>
     </message>
     <message>
         <source>Pole rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Stabdrehrate</translation>
     </message>
     <message>
         <source>Position</source>
-        <translation type="unfinished"></translation>
+        <translation>Position</translation>
     </message>
     <message>
         <source>Pre-learning</source>
@@ -1612,7 +1620,7 @@
     </message>
     <message>
         <source>Q-learning</source>
-        <translation type="unfinished"></translation>
+        <translation>Q-Learning</translation>
     </message>
     <message>
         <source>Q-learning, Q(λ)</source>
@@ -1620,7 +1628,7 @@
     </message>
     <message>
         <source>Radial basis</source>
-        <translation type="unfinished"></translation>
+        <translation>Radiale Basis</translation>
     </message>
     <message>
         <source>Radial basis functions</source>
@@ -1628,11 +1636,11 @@
     </message>
     <message>
         <source>Radius of the driven wheel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Radius des angetriebenen Rads.</translation>
     </message>
     <message>
         <source>Random walk</source>
-        <translation type="unfinished"></translation>
+        <translation>Random Walk</translation>
     </message>
     <message>
         <source>Rate</source>
@@ -1640,15 +1648,15 @@
     </message>
     <message>
         <source>Rate of the budget</source>
-        <translation type="unfinished"></translation>
+        <translation>Budgetrate</translation>
     </message>
     <message>
         <source>Rate of the stance leg at the start.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehrate des Standbeins beim Start.</translation>
     </message>
     <message>
         <source>Resistance</source>
-        <translation type="unfinished"></translation>
+        <translation>Widerstand</translation>
     </message>
     <message>
         <source>Resolution</source>
@@ -1656,7 +1664,7 @@
     </message>
     <message>
         <source>Reward for balancing the pole.</source>
-        <translation type="unfinished"></translation>
+        <translation>Belohnung für das Balancieren des Stabs.</translation>
     </message>
     <message>
         <source>Reward for being doomed to fall.</source>
@@ -1668,11 +1676,11 @@
     </message>
     <message>
         <source>Reward for letting the pole fall.</source>
-        <translation type="unfinished"></translation>
+        <translation>Belohnung, wenn der Stab umfällt.</translation>
     </message>
     <message>
         <source>Reward of a footstep, a metre of its length.</source>
-        <translation type="unfinished"></translation>
+        <translation>Belohnung eines Gehschritts, je Meter seiner Länge.</translation>
     </message>
     <message>
         <source>Reward of a greedy test, last 10</source>
@@ -1680,7 +1688,7 @@
     </message>
     <message>
         <source>Reward of a joule that hips and knees take.</source>
-        <translation type="unfinished"></translation>
+        <translation>Belohnung für ein Joule, das Hüften und Knie aufnehmen.</translation>
     </message>
     <message>
         <source>Reward of a metre by which the ankles part.</source>
@@ -1692,11 +1700,11 @@
     </message>
     <message>
         <source>Reward of every step; 0 or below.</source>
-        <translation type="unfinished"></translation>
+        <translation>Belohnung jedes Schritts; 0 oder darunter.</translation>
     </message>
     <message>
         <source>Reward shaping</source>
-        <translation type="unfinished"></translation>
+        <translation>Reward Shaping</translation>
     </message>
     <message>
         <source>Risk</source>
@@ -1704,11 +1712,11 @@
     </message>
     <message>
         <source>Risk of a fall</source>
-        <translation type="unfinished"></translation>
+        <translation>Sturzrisiko</translation>
     </message>
     <message>
         <source>Row</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile</translation>
     </message>
     <message>
         <source>Rule of thumb</source>
@@ -1716,35 +1724,35 @@
     </message>
     <message>
         <source>Sarsa</source>
-        <translation type="unfinished"></translation>
+        <translation>Sarsa</translation>
     </message>
     <message>
         <source>Sarsa with the mean over the policy in place of the one action that is drawn: the same values with less chance in them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sarsa mit dem Mittelwert über die Policy statt der einen gezogenen Aktion: dieselben Werte mit weniger Zufall darin.</translation>
     </message>
     <message>
         <source>Sarsa(λ) that equals its forward view, but for the cut-off of its traces.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sarsa(λ), gleich seiner Vorwärtssicht, bis auf das Abschneiden der Traces.</translation>
     </message>
     <message>
         <source>Sarsa(λ) with dutch traces and a correction, so that after every step the weights are those of the forward view, which looks ahead at the returns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sarsa(λ) mit Dutch Traces und einer Korrektur, sodass die Gewichte nach jedem Schritt die der Vorwärtssicht sind, die auf die Returns vorausblickt.</translation>
     </message>
     <message>
         <source>Sarsa(λ) with expected gains and losses in two Q-functions.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sarsa(λ) mit erwarteten Gewinnen und Verlusten in zwei Q-Funktionen.</translation>
     </message>
     <message>
         <source>Sarsa(λ), the on-policy rule of the thesis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sarsa(λ), die On-Policy-Regel der Masterarbeit.</translation>
     </message>
     <message>
         <source>Sarsa_2Q</source>
-        <translation type="unfinished"></translation>
+        <translation>Sarsa_2Q</translation>
     </message>
     <message>
         <source>Scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Skalierung</translation>
     </message>
     <message>
         <source>Scenario</source>
@@ -1756,35 +1764,35 @@
     </message>
     <message>
         <source>Seat radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesäßradius</translation>
     </message>
     <message>
         <source>Seat x</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesäß x</translation>
     </message>
     <message>
         <source>Seat y</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesäß y</translation>
     </message>
     <message>
         <source>Segway on bumpy ground</source>
-        <translation type="unfinished"></translation>
+        <translation>Segway auf holprigem Boden</translation>
     </message>
     <message>
         <source>Shank centre x</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterschenkel-SP x</translation>
     </message>
     <message>
         <source>Shank centre y</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterschenkel-SP y</translation>
     </message>
     <message>
         <source>Shank inertia</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterschenkelträgheit</translation>
     </message>
     <message>
         <source>Shank mass</source>
-        <translation type="unfinished"></translation>
+        <translation>Unterschenkelmasse</translation>
     </message>
     <message>
         <source>Shaping</source>
@@ -1792,195 +1800,195 @@
     </message>
     <message>
         <source>Shaping discount</source>
-        <translation type="unfinished"></translation>
+        <translation>Shaping, Diskontfaktor</translation>
     </message>
     <message>
         <source>Shaping step size</source>
-        <translation type="unfinished"></translation>
+        <translation>Shaping, Schrittweite</translation>
     </message>
     <message>
         <source>Share below</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil darunter</translation>
     </message>
     <message>
         <source>Share by which start angles and rates vary; in rad/s that of the swing leg.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil, um den Startwinkel und Drehraten streuen; in rad/s der des Schwungbeins.</translation>
     </message>
     <message>
         <source>Share of the error that one update closes, over all tilings together.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil des Fehlers, den ein Update ausgleicht, über alle Kachelungen zusammen.</translation>
     </message>
     <message>
         <source>Share of the exploring steps that pick an action below the threshold all the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der Explorationsschritte, die trotzdem eine Aktion unter der Schwelle wählen.</translation>
     </message>
     <message>
         <source>Share of the steps that explore instead of taking the best action.</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der Schritte, die explorieren, statt die beste Aktion zu wählen.</translation>
     </message>
     <message>
         <source>Slope</source>
-        <translation type="unfinished"></translation>
+        <translation>Neigung</translation>
     </message>
     <message>
         <source>So many falls an episode are allowed; with more a fall costs more.</source>
-        <translation type="unfinished"></translation>
+        <translation>So viele Stürze je Episode sind erlaubt; bei mehr kostet ein Sturz mehr.</translation>
     </message>
     <message>
         <source>So many times an episode goes on after a fall; the fall after that ends it.</source>
-        <translation type="unfinished"></translation>
+        <translation>So oft geht eine Episode nach einem Sturz weiter; der Sturz danach beendet sie.</translation>
     </message>
     <message>
         <source>Softmax</source>
-        <translation type="unfinished"></translation>
+        <translation>Softmax</translation>
     </message>
     <message>
         <source>Solid from</source>
-        <translation type="unfinished"></translation>
+        <translation>Kontakt ab</translation>
     </message>
     <message>
         <source>Split</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufteilung</translation>
     </message>
     <message>
         <source>Split of energy</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufteilung Energie</translation>
     </message>
     <message>
         <source>Split of fall</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufteilung Sturz</translation>
     </message>
     <message>
         <source>Split of footstep</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufteilung Gehschritt</translation>
     </message>
     <message>
         <source>Split of goal</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufteilung Ziel</translation>
     </message>
     <message>
         <source>Split of left</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufteilung links</translation>
     </message>
     <message>
         <source>Split of price_of_fall</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufteilung price_of_fall</translation>
     </message>
     <message>
         <source>Split of right</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufteilung rechts</translation>
     </message>
     <message>
         <source>Split of shaping</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufteilung Shaping</translation>
     </message>
     <message>
         <source>Split of time</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufteilung Zeit</translation>
     </message>
     <message>
         <source>Stance angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel (Stand)</translation>
     </message>
     <message>
         <source>Stance hip</source>
-        <translation type="unfinished"></translation>
+        <translation>Hüfte (Stand)</translation>
     </message>
     <message>
         <source>Stance hip rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Hüftdrehrate (Stand)</translation>
     </message>
     <message>
         <source>Stance hip voltage</source>
-        <translation type="unfinished"></translation>
+        <translation>Hüftspannung (Stand)</translation>
     </message>
     <message>
         <source>Stance knee</source>
-        <translation type="unfinished"></translation>
+        <translation>Knie (Stand)</translation>
     </message>
     <message>
         <source>Stance knee rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Kniedrehrate (Stand)</translation>
     </message>
     <message>
         <source>Stance rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehrate (Stand)</translation>
     </message>
     <message>
         <source>Start angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Startwinkel</translation>
     </message>
     <message>
         <source>Start noise</source>
-        <translation type="unfinished"></translation>
+        <translation>Startrauschen</translation>
     </message>
     <message>
         <source>Start rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Start, Drehrate</translation>
     </message>
     <message>
         <source>Start stance</source>
-        <translation type="unfinished"></translation>
+        <translation>Start, Standbein</translation>
     </message>
     <message>
         <source>Start swing</source>
-        <translation type="unfinished"></translation>
+        <translation>Start, Schwungbein</translation>
     </message>
     <message>
         <source>Start, stance foot</source>
-        <translation type="unfinished"></translation>
+        <translation>Start, Fuß (Stand)</translation>
     </message>
     <message>
         <source>Start, stance shank</source>
-        <translation type="unfinished"></translation>
+        <translation>Start, Unterschenkel (Stand)</translation>
     </message>
     <message>
         <source>Start, stance thigh</source>
-        <translation type="unfinished"></translation>
+        <translation>Start, Oberschenkel (Stand)</translation>
     </message>
     <message>
         <source>Start, swing foot</source>
-        <translation type="unfinished"></translation>
+        <translation>Start, Fuß (Schwung)</translation>
     </message>
     <message>
         <source>Start, swing shank</source>
-        <translation type="unfinished"></translation>
+        <translation>Start, Unterschenkel (Schwung)</translation>
     </message>
     <message>
         <source>Start, swing thigh</source>
-        <translation type="unfinished"></translation>
+        <translation>Start, Oberschenkel (Schwung)</translation>
     </message>
     <message>
         <source>Start, torso</source>
-        <translation type="unfinished"></translation>
+        <translation>Start, Rumpf</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand</translation>
     </message>
     <message>
         <source>Step limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittgrenze</translation>
     </message>
     <message>
         <source>Step size</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittweite</translation>
     </message>
     <message>
         <source>Step size, clock</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittweite, Zeitmaß</translation>
     </message>
     <message>
         <source>Step size, end</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittweite, Ende</translation>
     </message>
     <message>
         <source>Step size, schedule</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittweite, Verlauf</translation>
     </message>
     <message>
         <source>Step size, time</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittweite, Dauer</translation>
     </message>
     <message>
         <source>Step, episode, life, experiment</source>
@@ -1988,63 +1996,63 @@
     </message>
     <message>
         <source>Steps back after a fall</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte zurück nach Sturz</translation>
     </message>
     <message>
         <source>Steps of the simulation in one transition.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte der Simulation in einem Übergang.</translation>
     </message>
     <message>
         <source>Stiffness of the joint&apos;s stops.</source>
-        <translation type="unfinished"></translation>
+        <translation>Steifigkeit der Anschläge des Gelenks.</translation>
     </message>
     <message>
         <source>Substeps</source>
-        <translation type="unfinished"></translation>
+        <translation>Teilschritte</translation>
     </message>
     <message>
         <source>Sutton &amp; Barto&apos;s 19 states with one action: values only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die 19 Zustände von Sutton &amp; Barto mit einer Aktion: nur Werte.</translation>
     </message>
     <message>
         <source>Sutton &amp; Barto&apos;s car that is too weak for the slope.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Auto von Sutton &amp; Barto, das für den Hang zu schwach ist.</translation>
     </message>
     <message>
         <source>Sutton &amp; Barto&apos;s cliff walking, a grid of 4 × 12.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cliff Walking nach Sutton &amp; Barto, ein Gitter von 4 × 12.</translation>
     </message>
     <message>
         <source>Swing angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel (Schwung)</translation>
     </message>
     <message>
         <source>Swing hip</source>
-        <translation type="unfinished"></translation>
+        <translation>Hüfte (Schwung)</translation>
     </message>
     <message>
         <source>Swing hip rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Hüftdrehrate (Schwung)</translation>
     </message>
     <message>
         <source>Swing hip voltage</source>
-        <translation type="unfinished"></translation>
+        <translation>Hüftspannung (Schwung)</translation>
     </message>
     <message>
         <source>Swing knee</source>
-        <translation type="unfinished"></translation>
+        <translation>Knie (Schwung)</translation>
     </message>
     <message>
         <source>Swing knee rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Kniedrehrate (Schwung)</translation>
     </message>
     <message>
         <source>Swing knee voltage</source>
-        <translation type="unfinished"></translation>
+        <translation>Kniespannung (Schwung)</translation>
     </message>
     <message>
         <source>Swing rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehrate (Schwung)</translation>
     </message>
     <message>
         <source>TD error</source>
@@ -2052,7 +2060,7 @@
     </message>
     <message>
         <source>TRL</source>
-        <translation type="unfinished"></translation>
+        <translation>TRL</translation>
     </message>
     <message>
         <source>TRL&apos;s limit: what is worth no more than this is hardly ever tried.</source>
@@ -2060,63 +2068,63 @@
     </message>
     <message>
         <source>Table</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle</translation>
     </message>
     <message>
         <source>Temperature</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatur</translation>
     </message>
     <message>
         <source>Temperature, clock</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatur, Zeitmaß</translation>
     </message>
     <message>
         <source>Temperature, end</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatur, Ende</translation>
     </message>
     <message>
         <source>Temperature, schedule</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatur, Verlauf</translation>
     </message>
     <message>
         <source>Temperature, time</source>
-        <translation type="unfinished"></translation>
+        <translation>Temperatur, Dauer</translation>
     </message>
     <message>
         <source>Ten states in a row between a fall and the goal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zehn Zustände in einer Reihe zwischen Sturz und Ziel.</translation>
     </message>
     <message>
         <source>Ten states in a row, a fall at one end and the goal at the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zehn Zustände in einer Reihe, ein Sturz am einen Ende und das Ziel am anderen.</translation>
     </message>
     <message>
         <source>The Delft robot on two legs, in Box2D.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Delfter Roboter auf zwei Beinen, in Box2D.</translation>
     </message>
     <message>
         <source>The Delft robot on two legs, on the task of wcaarls/grl (addons/leosim), as a robot file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Delfter Roboter auf zwei Beinen, mit der Aufgabe von wcaarls/grl (addons/leosim), als Roboterdatei.</translation>
     </message>
     <message>
         <source>The Delft robot on two legs: ten state variables, motors with gears, feet with heel and toe. It is paid for metres, and pays for energy, time and falls.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Delfter Roboter auf zwei Beinen: zehn Zustandsgrößen, Motoren mit Getriebe, Füße mit Ferse und Zehe. Meter werden belohnt; Energie, Zeit und Stürze kosten.</translation>
     </message>
     <message>
         <source>The angle between the hips that the hand-made controller aims at.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Winkel zwischen den Hüften, den der feste Regler anstrebt.</translation>
     </message>
     <message>
         <source>The angle that the ankles hold.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Winkel, den die Knöchel halten.</translation>
     </message>
     <message>
         <source>The best action, but any with probability ε.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die beste Aktion, aber mit Wahrscheinlichkeit ε irgendeine.</translation>
     </message>
     <message>
         <source>The better an action, the likelier, by a temperature.</source>
-        <translation type="unfinished"></translation>
+        <translation>Je besser eine Aktion, desto wahrscheinlicher, je nach Temperatur.</translation>
     </message>
     <message>
         <source>The chance of every action in a state.</source>
@@ -2128,15 +2136,15 @@
     </message>
     <message>
         <source>The discount of the coarse value function V.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Diskontfaktor der groben Wertefunktion V.</translation>
     </message>
     <message>
         <source>The environment&apos;s own controller, which does not learn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der eigene Regler der Umgebung, der nicht lernt.</translation>
     </message>
     <message>
         <source>The environment&apos;s own controller. It does not learn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der eigene Regler der Umgebung. Er lernt nicht.</translation>
     </message>
     <message>
         <source>The episode from which on the average reward of all lives stands still. Falls are counted until then.</source>
@@ -2144,31 +2152,31 @@
     </message>
     <message>
         <source>The feet are round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Füße sind rund.</translation>
     </message>
     <message>
         <source>The guardian acts from this risk on, until the risk is below half of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ab diesem Risiko handelt der Wächter, bis das Risiko unter der Hälfte davon liegt.</translation>
     </message>
     <message>
         <source>The largest; actions are levels between ± this.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die größte; Aktionen sind Stufen zwischen ± diesem Wert.</translation>
     </message>
     <message>
         <source>The pole has fallen at this angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei diesem Winkel ist der Stab gestürzt.</translation>
     </message>
     <message>
         <source>The risk of an action of which nothing is known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Risiko einer Aktion, über die nichts bekannt ist.</translation>
     </message>
     <message>
         <source>The robot with motors of 8.6 Ω.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Roboter mit Motoren von 8,6 Ω.</translation>
     </message>
     <message>
         <source>The rule of thumb appears with the first footstep.</source>
-        <translation>Die Faustregel erscheint mit dem ersten Fußschritt.</translation>
+        <translation>Die Faustregel erscheint mit dem ersten Gehschritt.</translation>
     </message>
     <message>
         <source>The rule of thumb appears with the first success.</source>
@@ -2180,15 +2188,15 @@
     </message>
     <message>
         <source>The rule of thumb needs a learning rule that discounts.</source>
-        <translation>Die Faustregel verlangt eine Lernregel mit Diskontierung.</translation>
+        <translation>Die Faustregel verlangt eine Lernregel mit Diskontfaktor.</translation>
     </message>
     <message>
         <source>The span of the wheel rate that its tiles are counted in: 20 rad/s is 1 m/s of the cart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Spanne der Raddrehrate, in der ihre Kacheln gezählt werden: 20 rad/s sind 1 m/s des Wagens.</translation>
     </message>
     <message>
         <source>The step size of the coarse value function V.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Schrittweite der groben Wertefunktion V.</translation>
     </message>
     <message>
         <source>The surprise of a step: what came, and what is now expected, against what was expected.</source>
@@ -2196,159 +2204,159 @@
     </message>
     <message>
         <source>The swing foot meets the floor from this angle in front of the stance leg on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ab diesem Winkel vor dem Standbein trifft der Schwungfuß den Boden.</translation>
     </message>
     <message>
         <source>The thesis&apos;s inverted pendulum on a cart, as a robot file.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das inverse Pendel der Masterarbeit auf einem Wagen, als Roboterdatei.</translation>
     </message>
     <message>
         <source>The thesis&apos;s inverted pendulum on a cart, in Box2D.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das inverse Pendel der Masterarbeit auf einem Wagen, in Box2D.</translation>
     </message>
     <message>
         <source>The tiles cover the column from here to there; outside they are worth 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kacheln decken die Spalte von hier bis dort ab; außerhalb sind sie 0 wert.</translation>
     </message>
     <message>
         <source>The tiles cover the pole angle from here to there; outside they are worth 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kacheln decken den Stabwinkel von hier bis dort ab; außerhalb sind sie 0 wert.</translation>
     </message>
     <message>
         <source>The tiles cover the pole rate from here to there; outside they are worth 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kacheln decken die Stabdrehrate von hier bis dort ab; außerhalb sind sie 0 wert.</translation>
     </message>
     <message>
         <source>The tiles cover the position from here to there; outside they are worth 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kacheln decken die Position von hier bis dort ab; außerhalb sind sie 0 wert.</translation>
     </message>
     <message>
         <source>The tiles cover the row from here to there; outside they are worth 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kacheln decken die Zeile von hier bis dort ab; außerhalb sind sie 0 wert.</translation>
     </message>
     <message>
         <source>The tiles cover the stance angle from here to there; outside they are worth 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kacheln decken den Standbeinwinkel von hier bis dort ab; außerhalb sind sie 0 wert.</translation>
     </message>
     <message>
         <source>The tiles cover the stance hip from here to there; outside they are worth 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kacheln decken die Standbeinhüfte von hier bis dort ab; außerhalb sind sie 0 wert.</translation>
     </message>
     <message>
         <source>The tiles cover the stance hip rate from here to there; outside they are worth 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kacheln decken die Hüftdrehrate des Standbeins von hier bis dort ab; außerhalb sind sie 0 wert.</translation>
     </message>
     <message>
         <source>The tiles cover the stance knee from here to there; outside they are worth 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kacheln decken das Standbeinknie von hier bis dort ab; außerhalb sind sie 0 wert.</translation>
     </message>
     <message>
         <source>The tiles cover the stance knee rate from here to there; outside they are worth 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kacheln decken die Kniedrehrate des Standbeins von hier bis dort ab; außerhalb sind sie 0 wert.</translation>
     </message>
     <message>
         <source>The tiles cover the stance rate from here to there; outside they are worth 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kacheln decken die Drehrate des Standbeins von hier bis dort ab; außerhalb sind sie 0 wert.</translation>
     </message>
     <message>
         <source>The tiles cover the state from here to there; outside they are worth 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kacheln decken den Zustand von hier bis dort ab; außerhalb sind sie 0 wert.</translation>
     </message>
     <message>
         <source>The tiles cover the swing angle from here to there; outside they are worth 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kacheln decken den Schwungbeinwinkel von hier bis dort ab; außerhalb sind sie 0 wert.</translation>
     </message>
     <message>
         <source>The tiles cover the swing hip from here to there; outside they are worth 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kacheln decken die Schwungbeinhüfte von hier bis dort ab; außerhalb sind sie 0 wert.</translation>
     </message>
     <message>
         <source>The tiles cover the swing hip rate from here to there; outside they are worth 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kacheln decken die Hüftdrehrate des Schwungbeins von hier bis dort ab; außerhalb sind sie 0 wert.</translation>
     </message>
     <message>
         <source>The tiles cover the swing knee from here to there; outside they are worth 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kacheln decken das Schwungbeinknie von hier bis dort ab; außerhalb sind sie 0 wert.</translation>
     </message>
     <message>
         <source>The tiles cover the swing knee rate from here to there; outside they are worth 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kacheln decken die Kniedrehrate des Schwungbeins von hier bis dort ab; außerhalb sind sie 0 wert.</translation>
     </message>
     <message>
         <source>The tiles cover the swing rate from here to there; outside they are worth 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kacheln decken die Drehrate des Schwungbeins von hier bis dort ab; außerhalb sind sie 0 wert.</translation>
     </message>
     <message>
         <source>The tiles cover the torso from here to there; outside they are worth 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kacheln decken den Rumpfwinkel von hier bis dort ab; außerhalb sind sie 0 wert.</translation>
     </message>
     <message>
         <source>The tiles cover the torso rate from here to there; outside they are worth 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kacheln decken die Rumpfdrehrate von hier bis dort ab; außerhalb sind sie 0 wert.</translation>
     </message>
     <message>
         <source>The tiles cover the velocity from here to there; outside they are worth 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kacheln decken die Geschwindigkeit von hier bis dort ab; außerhalb sind sie 0 wert.</translation>
     </message>
     <message>
         <source>The tiles cover the wheel rate from here to there; outside they are worth 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Kacheln decken die Raddrehrate von hier bis dort ab; außerhalb sind sie 0 wert.</translation>
     </message>
     <message>
         <source>The value that the schedule goes to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Wert, auf den der Verlauf zugeht.</translation>
     </message>
     <message>
         <source>The worse an action, the rarer it is taken. The temperature τ says how much worse counts: high, and all actions are nearly alike; low, and it is nearly greedy.</source>
-        <translation type="unfinished"></translation>
+        <translation>Je schlechter eine Aktion, desto seltener wird sie gewählt. Wie viel schlechter zählt, sagt die Temperatur τ: hoch, und alle Aktionen sind fast gleich; niedrig, und es ist fast greedy.</translation>
     </message>
     <message>
         <source>Thesis</source>
-        <translation type="unfinished"></translation>
+        <translation>Masterarbeit</translation>
     </message>
     <message>
         <source>Thigh centre x</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberschenkel-SP x</translation>
     </message>
     <message>
         <source>Thigh centre y</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberschenkel-SP y</translation>
     </message>
     <message>
         <source>Thigh inertia</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberschenkelträgheit</translation>
     </message>
     <message>
         <source>Thigh mass</source>
-        <translation type="unfinished"></translation>
+        <translation>Oberschenkelmasse</translation>
     </message>
     <message>
         <source>Threshold</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwelle</translation>
     </message>
     <message>
         <source>Threshold, clock</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwelle, Zeitmaß</translation>
     </message>
     <message>
         <source>Threshold, end</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwelle, Ende</translation>
     </message>
     <message>
         <source>Threshold, schedule</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwelle, Verlauf</translation>
     </message>
     <message>
         <source>Threshold, time</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwelle, Dauer</translation>
     </message>
     <message>
         <source>Threshold-restricted learning: ε-greedy whose exploring steps pick among the actions that are worth more than a threshold, and only in a small share p (“share below”) among the others. If no action or every action is above, it is ε-greedy.</source>
-        <translation type="unfinished"></translation>
+        <translation>Threshold Restricted Learning: ε-greedy, dessen Explorationsschritte unter den Aktionen wählen, die mehr wert sind als eine Schwelle, und nur zu einem kleinen Anteil p („Anteil darunter“) unter den anderen. Liegt keine oder jede Aktion darüber, ist es ε-greedy.</translation>
     </message>
     <message>
         <source>Tile coder</source>
-        <translation type="unfinished"></translation>
+        <translation>Tile Coder</translation>
     </message>
     <message>
         <source>Tile coding</source>
@@ -2356,119 +2364,119 @@
     </message>
     <message>
         <source>Tiles per 2π rad of the pole angle: few generalise far, many tell states apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kacheln je 2π rad des Stabwinkels: Wenige generalisieren weit, viele trennen Zustände.</translation>
     </message>
     <message>
         <source>Tiles per 2π rad/s of the pole rate: few generalise far, many tell states apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kacheln je 2π rad/s der Stabdrehrate: Wenige generalisieren weit, viele trennen Zustände.</translation>
     </message>
     <message>
         <source>Tiles per V of the stance hip voltage: few let near actions share more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kacheln je V der Hüftspannung des Standbeins: Bei wenigen teilen nahe Aktionen mehr.</translation>
     </message>
     <message>
         <source>Tiles per V of the swing hip voltage: few let near actions share more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kacheln je V der Hüftspannung des Schwungbeins: Bei wenigen teilen nahe Aktionen mehr.</translation>
     </message>
     <message>
         <source>Tiles per V of the swing knee voltage: few let near actions share more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kacheln je V der Kniespannung des Schwungbeins: Bei wenigen teilen nahe Aktionen mehr.</translation>
     </message>
     <message>
         <source>Tiles per cell of the column: few generalise far, many tell states apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kacheln je Zelle der Spalte: Wenige generalisieren weit, viele trennen Zustände.</translation>
     </message>
     <message>
         <source>Tiles per cell of the row: few generalise far, many tell states apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kacheln je Zelle der Zeile: Wenige generalisieren weit, viele trennen Zustände.</translation>
     </message>
     <message>
         <source>Tiles per cell of the state: few generalise far, many tell states apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kacheln je Zelle des Zustands: Wenige generalisieren weit, viele trennen Zustände.</translation>
     </message>
     <message>
         <source>Tiles per m/s of the wheel rate: few generalise far, many tell states apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kacheln je m/s der Raddrehrate: Wenige generalisieren weit, viele trennen Zustände.</translation>
     </message>
     <message>
         <source>Tiles per rad of the stance angle: few generalise far, many tell states apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kacheln je rad des Standbeinwinkels: Wenige generalisieren weit, viele trennen Zustände.</translation>
     </message>
     <message>
         <source>Tiles per rad of the stance hip: few generalise far, many tell states apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kacheln je rad der Standbeinhüfte: Wenige generalisieren weit, viele trennen Zustände.</translation>
     </message>
     <message>
         <source>Tiles per rad of the stance knee: few generalise far, many tell states apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kacheln je rad des Standbeinknies: Wenige generalisieren weit, viele trennen Zustände.</translation>
     </message>
     <message>
         <source>Tiles per rad of the swing angle: few generalise far, many tell states apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kacheln je rad des Schwungbeinwinkels: Wenige generalisieren weit, viele trennen Zustände.</translation>
     </message>
     <message>
         <source>Tiles per rad of the swing hip: few generalise far, many tell states apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kacheln je rad der Schwungbeinhüfte: Wenige generalisieren weit, viele trennen Zustände.</translation>
     </message>
     <message>
         <source>Tiles per rad of the swing knee: few generalise far, many tell states apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kacheln je rad des Schwungbeinknies: Wenige generalisieren weit, viele trennen Zustände.</translation>
     </message>
     <message>
         <source>Tiles per rad of the torso: few generalise far, many tell states apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kacheln je rad des Rumpfwinkels: Wenige generalisieren weit, viele trennen Zustände.</translation>
     </message>
     <message>
         <source>Tiles per rad/s of the stance hip rate: few generalise far, many tell states apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kacheln je rad/s der Hüftdrehrate des Standbeins: Wenige generalisieren weit, viele trennen Zustände.</translation>
     </message>
     <message>
         <source>Tiles per rad/s of the stance knee rate: few generalise far, many tell states apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kacheln je rad/s der Kniedrehrate des Standbeins: Wenige generalisieren weit, viele trennen Zustände.</translation>
     </message>
     <message>
         <source>Tiles per rad/s of the stance rate: few generalise far, many tell states apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kacheln je rad/s der Drehrate des Standbeins: Wenige generalisieren weit, viele trennen Zustände.</translation>
     </message>
     <message>
         <source>Tiles per rad/s of the swing hip rate: few generalise far, many tell states apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kacheln je rad/s der Hüftdrehrate des Schwungbeins: Wenige generalisieren weit, viele trennen Zustände.</translation>
     </message>
     <message>
         <source>Tiles per rad/s of the swing knee rate: few generalise far, many tell states apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kacheln je rad/s der Kniedrehrate des Schwungbeins: Wenige generalisieren weit, viele trennen Zustände.</translation>
     </message>
     <message>
         <source>Tiles per rad/s of the swing rate: few generalise far, many tell states apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kacheln je rad/s der Drehrate des Schwungbeins: Wenige generalisieren weit, viele trennen Zustände.</translation>
     </message>
     <message>
         <source>Tiles per rad/s of the torso rate: few generalise far, many tell states apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kacheln je rad/s der Rumpfdrehrate: Wenige generalisieren weit, viele trennen Zustände.</translation>
     </message>
     <message>
         <source>Tiles per span of a variable. Few generalise far, many tell states apart.</source>
-        <translation>Kacheln je Spanne einer Variablen. Wenige verallgemeinern weit, viele unterscheiden Zustände.</translation>
+        <translation>Kacheln je Spanne einer Variablen. Wenige generalisieren weit, viele trennen Zustände.</translation>
     </message>
     <message>
         <source>Tiles per the whole range of the position: few generalise far, many tell states apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kacheln auf den ganzen Bereich der Position: Wenige generalisieren weit, viele trennen Zustände.</translation>
     </message>
     <message>
         <source>Tiles per the whole range of the velocity: few generalise far, many tell states apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kacheln auf den ganzen Bereich der Geschwindigkeit: Wenige generalisieren weit, viele trennen Zustände.</translation>
     </message>
     <message>
         <source>Tiles that a hashed table of fixed size holds; 0: a dense table with room for all.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kacheln, die in eine Hashtabelle fester Größe passen; 0: eine dichte Tabelle mit Platz für alle.</translation>
     </message>
     <message>
         <source>Tilings</source>
-        <translation type="unfinished"></translation>
+        <translation>Kachelungen</translation>
     </message>
     <message>
         <source>Time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit</translation>
     </message>
     <message>
         <source>Time to the first greedy walk</source>
@@ -2492,67 +2500,67 @@
     </message>
     <message>
         <source>Toe radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Zehenradius</translation>
     </message>
     <message>
         <source>Toe x</source>
-        <translation type="unfinished"></translation>
+        <translation>Zehe x</translation>
     </message>
     <message>
         <source>Toe y</source>
-        <translation type="unfinished"></translation>
+        <translation>Zehe y</translation>
     </message>
     <message>
         <source>Torque</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehmoment</translation>
     </message>
     <message>
         <source>Torque constant</source>
-        <translation type="unfinished"></translation>
+        <translation>Momentkonstante</translation>
     </message>
     <message>
         <source>Torso</source>
-        <translation type="unfinished"></translation>
+        <translation>Rumpf</translation>
     </message>
     <message>
         <source>Torso centre x</source>
-        <translation type="unfinished"></translation>
+        <translation>Rumpf-SP x</translation>
     </message>
     <message>
         <source>Torso centre y</source>
-        <translation type="unfinished"></translation>
+        <translation>Rumpf-SP y</translation>
     </message>
     <message>
         <source>Torso inertia</source>
-        <translation type="unfinished"></translation>
+        <translation>Rumpfträgheit</translation>
     </message>
     <message>
         <source>Torso mass</source>
-        <translation type="unfinished"></translation>
+        <translation>Rumpfmasse</translation>
     </message>
     <message>
         <source>Torso rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Rumpfdrehrate</translation>
     </message>
     <message>
         <source>Trace</source>
-        <translation type="unfinished"></translation>
+        <translation>Trace</translation>
     </message>
     <message>
         <source>Trace cut-off</source>
-        <translation type="unfinished"></translation>
+        <translation>Trace-Grenze</translation>
     </message>
     <message>
         <source>Trace decay</source>
-        <translation type="unfinished"></translation>
+        <translation>Trace-Abfall</translation>
     </message>
     <message>
         <source>Traces of the actions not taken in a state visited again: kept, or cleared.</source>
-        <translation type="unfinished"></translation>
+        <translation>Traces der nicht gewählten Aktionen in einem wieder besuchten Zustand: behalten oder löschen.</translation>
     </message>
     <message>
         <source>True online Sarsa</source>
-        <translation type="unfinished"></translation>
+        <translation>True Online Sarsa</translation>
     </message>
     <message>
         <source>True online Sarsa(λ)</source>
@@ -2564,75 +2572,75 @@
     </message>
     <message>
         <source>Two Sarsa learners: Q⁺ expects the gains, Q⁻ the losses, each with its own resolution, α and λ. Actions are chosen on the sum. A coarse Q⁻ generalises falls to states where none has happened yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Sarsa-Lerner: Q⁺ erwartet die Gewinne, Q⁻ die Verluste, jeder mit eigener Auflösung, eigenem α und λ. Aktionen werden nach der Summe gewählt. Ein grobes Q⁻ generalisiert Stürze auf Zustände, in denen noch keiner geschah.</translation>
     </message>
     <message>
         <source>Two links that hang, a motor between them; the tip must rise one link above the pivot (Sutton &amp; Barto).</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei hängende Glieder, dazwischen ein Motor; die Spitze muss ein Glied hoch über den Drehpunkt (Sutton &amp; Barto).</translation>
     </message>
     <message>
         <source>Two straight legs and a hip motor: the simplest thing that walks.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei gerade Beine und ein Hüftmotor: das Einfachste, was gehen kann.</translation>
     </message>
     <message>
         <source>Two straight legs and a hip. The swing foot passes through the floor until it is in front.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei gerade Beine und eine Hüfte. Der Schwungfuß geht durch den Boden, bis er vorn ist.</translation>
     </message>
     <message>
         <source>Two straight legs and a hip: the simplest thing that walks.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei gerade Beine und eine Hüfte: das Einfachste, was gehen kann.</translation>
     </message>
     <message>
         <source>Uphill</source>
-        <translation type="unfinished"></translation>
+        <translation>Bergauf</translation>
     </message>
     <message>
         <source>Velocity</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>Voltage</source>
-        <translation type="unfinished"></translation>
+        <translation>Spannung</translation>
     </message>
     <message>
         <source>Voltage by which ankles hold their angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Spannung, mit der die Knöchel ihren Winkel halten.</translation>
     </message>
     <message>
         <source>Voltage by which the stance knee stretches itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Spannung, mit der sich das Knie des Standbeins streckt.</translation>
     </message>
     <message>
         <source>Watkins&apos;s Q(λ), off-policy.</source>
-        <translation type="unfinished"></translation>
+        <translation>Q(λ) nach Watkins, off-policy.</translation>
     </message>
     <message>
         <source>Weight of risk</source>
-        <translation type="unfinished"></translation>
+        <translation>Risikogewicht</translation>
     </message>
     <message>
         <source>Weight of risk, clock</source>
-        <translation type="unfinished"></translation>
+        <translation>Risikogewicht, Zeitmaß</translation>
     </message>
     <message>
         <source>Weight of risk, end</source>
-        <translation type="unfinished"></translation>
+        <translation>Risikogewicht, Ende</translation>
     </message>
     <message>
         <source>Weight of risk, schedule</source>
-        <translation type="unfinished"></translation>
+        <translation>Risikogewicht, Verlauf</translation>
     </message>
     <message>
         <source>Weight of risk, time</source>
-        <translation type="unfinished"></translation>
+        <translation>Risikogewicht, Dauer</translation>
     </message>
     <message>
         <source>What a fall one step later still counts; 1: all falls of the episode count.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was ein Sturz einen Schritt später noch zählt; 1: Alle Stürze der Episode zählen.</translation>
     </message>
     <message>
         <source>What a reward one step later is still worth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was eine Belohnung einen Schritt später noch wert ist.</translation>
     </message>
     <message>
         <source>What is expected from action a in state s on: the sum of rewards, later ones worth less.</source>
@@ -2640,7 +2648,7 @@
     </message>
     <message>
         <source>What is learned in a simulation that is a little wrong is carried over to the robot.</source>
-        <translation>Was in einer etwas falschen Simulation gelernt wurde, wird auf den Roboter übertragen.</translation>
+        <translation>Was in einer Simulation gelernt wurde, die ein wenig abweicht, wird auf den Roboter übertragen.</translation>
     </message>
     <message>
         <source>What is to be avoided, while it learns as well: a fall can break the robot.</source>
@@ -2648,59 +2656,59 @@
     </message>
     <message>
         <source>What the boom adds, upwards positive.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was der Ausleger hinzufügt, nach oben positiv.</translation>
     </message>
     <message>
         <source>What the policy does with the risk of a fall, or with the losses of Sarsa_2Q.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Policy mit dem Sturzrisiko macht oder mit den Verlusten von Sarsa_2Q.</translation>
     </message>
     <message>
         <source>What the robot is meant to be.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was der Roboter sein soll.</translation>
     </message>
     <message>
         <source>What the time of the schedule is counted in.</source>
-        <translation type="unfinished"></translation>
+        <translation>Worin die Dauer des Verlaufs gezählt wird.</translation>
     </message>
     <message>
         <source>Wheel mass</source>
-        <translation type="unfinished"></translation>
+        <translation>Radmasse</translation>
     </message>
     <message>
         <source>Wheel radius</source>
-        <translation type="unfinished"></translation>
+        <translation>Radradius</translation>
     </message>
     <message>
         <source>Wheel rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Raddrehrate</translation>
     </message>
     <message>
         <source>Wheel span</source>
-        <translation type="unfinished"></translation>
+        <translation>Radspanne</translation>
     </message>
     <message>
         <source>Where the boom&apos;s force acts on the torso.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo die Kraft des Auslegers am Rumpf angreift.</translation>
     </message>
     <message>
         <source>Where the joint is in the body above it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo das Gelenk im Körper darüber sitzt.</translation>
     </message>
     <message>
         <source>Where the joint is in the body below it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo das Gelenk im Körper darunter sitzt.</translation>
     </message>
     <message>
         <source>Where the joint&apos;s stop is, bent backwards.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo der Anschlag des Gelenks ist, nach hinten gebeugt.</translation>
     </message>
     <message>
         <source>Where the joint&apos;s stop is, bent forwards.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wo der Anschlag des Gelenks ist, nach vorn gebeugt.</translation>
     </message>
     <message>
         <source>Which estimate learns from this reward: by its sign, Q⁺, Q⁻ or both.</source>
-        <translation type="unfinished"></translation>
+        <translation>Welcher Schätzwert aus dieser Belohnung lernt: nach Vorzeichen, Q⁺, Q⁻ oder beide.</translation>
     </message>
     <message>
         <source>Which weights a surprise still reaches: those of the last steps, the older the less.</source>
@@ -2708,11 +2716,11 @@
     </message>
     <message>
         <source>Who acts while the policy&apos;s action is too risky: the robot&apos;s own controller, or a Q-function of a file. The learner learns from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wer handelt, solange die Aktion der Policy zu riskant ist: der eigene Regler des Roboters oder eine Q-Funktion aus einer Datei. Der Lerner lernt daraus.</translation>
     </message>
     <message>
         <source>Width</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite</translation>
     </message>
     <message>
         <source>Width column</source>
@@ -2728,91 +2736,91 @@
     </message>
     <message>
         <source>Width σ of the Gaussians along the column: a wide one generalises far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite σ der Gauß-Funktionen entlang der Spalte: Eine große generalisiert weit.</translation>
     </message>
     <message>
         <source>Width σ of the Gaussians along the pole angle: a wide one generalises far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite σ der Gauß-Funktionen entlang des Stabwinkels: Eine große generalisiert weit.</translation>
     </message>
     <message>
         <source>Width σ of the Gaussians along the pole rate: a wide one generalises far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite σ der Gauß-Funktionen entlang der Stabdrehrate: Eine große generalisiert weit.</translation>
     </message>
     <message>
         <source>Width σ of the Gaussians along the position: a wide one generalises far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite σ der Gauß-Funktionen entlang der Position: Eine große generalisiert weit.</translation>
     </message>
     <message>
         <source>Width σ of the Gaussians along the row: a wide one generalises far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite σ der Gauß-Funktionen entlang der Zeile: Eine große generalisiert weit.</translation>
     </message>
     <message>
         <source>Width σ of the Gaussians along the stance angle: a wide one generalises far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite σ der Gauß-Funktionen entlang des Standbeinwinkels: Eine große generalisiert weit.</translation>
     </message>
     <message>
         <source>Width σ of the Gaussians along the stance hip rate: a wide one generalises far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite σ der Gauß-Funktionen entlang der Hüftdrehrate des Standbeins: Eine große generalisiert weit.</translation>
     </message>
     <message>
         <source>Width σ of the Gaussians along the stance hip: a wide one generalises far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite σ der Gauß-Funktionen entlang der Standbeinhüfte: Eine große generalisiert weit.</translation>
     </message>
     <message>
         <source>Width σ of the Gaussians along the stance knee rate: a wide one generalises far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite σ der Gauß-Funktionen entlang der Kniedrehrate des Standbeins: Eine große generalisiert weit.</translation>
     </message>
     <message>
         <source>Width σ of the Gaussians along the stance knee: a wide one generalises far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite σ der Gauß-Funktionen entlang des Standbeinknies: Eine große generalisiert weit.</translation>
     </message>
     <message>
         <source>Width σ of the Gaussians along the stance rate: a wide one generalises far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite σ der Gauß-Funktionen entlang der Drehrate des Standbeins: Eine große generalisiert weit.</translation>
     </message>
     <message>
         <source>Width σ of the Gaussians along the state: a wide one generalises far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite σ der Gauß-Funktionen entlang des Zustands: Eine große generalisiert weit.</translation>
     </message>
     <message>
         <source>Width σ of the Gaussians along the swing angle: a wide one generalises far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite σ der Gauß-Funktionen entlang des Schwungbeinwinkels: Eine große generalisiert weit.</translation>
     </message>
     <message>
         <source>Width σ of the Gaussians along the swing hip rate: a wide one generalises far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite σ der Gauß-Funktionen entlang der Hüftdrehrate des Schwungbeins: Eine große generalisiert weit.</translation>
     </message>
     <message>
         <source>Width σ of the Gaussians along the swing hip: a wide one generalises far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite σ der Gauß-Funktionen entlang der Schwungbeinhüfte: Eine große generalisiert weit.</translation>
     </message>
     <message>
         <source>Width σ of the Gaussians along the swing knee rate: a wide one generalises far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite σ der Gauß-Funktionen entlang der Kniedrehrate des Schwungbeins: Eine große generalisiert weit.</translation>
     </message>
     <message>
         <source>Width σ of the Gaussians along the swing knee: a wide one generalises far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite σ der Gauß-Funktionen entlang des Schwungbeinknies: Eine große generalisiert weit.</translation>
     </message>
     <message>
         <source>Width σ of the Gaussians along the swing rate: a wide one generalises far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite σ der Gauß-Funktionen entlang der Drehrate des Schwungbeins: Eine große generalisiert weit.</translation>
     </message>
     <message>
         <source>Width σ of the Gaussians along the torso rate: a wide one generalises far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite σ der Gauß-Funktionen entlang der Rumpfdrehrate: Eine große generalisiert weit.</translation>
     </message>
     <message>
         <source>Width σ of the Gaussians along the torso: a wide one generalises far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite σ der Gauß-Funktionen entlang des Rumpfwinkels: Eine große generalisiert weit.</translation>
     </message>
     <message>
         <source>Width σ of the Gaussians along the velocity: a wide one generalises far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite σ der Gauß-Funktionen entlang der Geschwindigkeit: Eine große generalisiert weit.</translation>
     </message>
     <message>
         <source>Width σ of the Gaussians along the wheel rate: a wide one generalises far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite σ der Gauß-Funktionen entlang der Raddrehrate: Eine große generalisiert weit.</translation>
     </message>
     <message>
         <source>X, significant</source>
@@ -2824,7 +2832,7 @@
     </message>
     <message>
         <source>accumulating</source>
-        <translation>anhäufend</translation>
+        <translation>akkumulierend</translation>
     </message>
     <message>
         <source>action</source>
@@ -2840,7 +2848,7 @@
     </message>
     <message>
         <source>asymmetry of errors</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehlerasymmetrie</translation>
     </message>
     <message>
         <source>average reward</source>
@@ -2884,11 +2892,11 @@
     </message>
     <message>
         <source>cliff</source>
-        <translation type="unfinished"></translation>
+        <translation>Klippe</translation>
     </message>
     <message>
         <source>column</source>
-        <translation type="unfinished"></translation>
+        <translation>Spalte</translation>
     </message>
     <message>
         <source>compare</source>
@@ -2908,7 +2916,7 @@
     </message>
     <message>
         <source>discount</source>
-        <translation type="unfinished"></translation>
+        <translation>Diskontfaktor</translation>
     </message>
     <message>
         <source>distance</source>
@@ -2940,7 +2948,7 @@
     </message>
     <message>
         <source>energy</source>
-        <translation type="unfinished"></translation>
+        <translation>Energie</translation>
     </message>
     <message>
         <source>energy of a greedy test, last 10</source>
@@ -2988,7 +2996,7 @@
     </message>
     <message>
         <source>fall</source>
-        <translation type="unfinished"></translation>
+        <translation>Sturz</translation>
     </message>
     <message>
         <source>falls</source>
@@ -3036,7 +3044,7 @@
     </message>
     <message>
         <source>falls so far</source>
-        <translation>Stürze bisher</translation>
+        <translation>bisherige Stürze</translation>
     </message>
     <message>
         <source>falls taken back</source>
@@ -3056,7 +3064,7 @@
     </message>
     <message>
         <source>footstep</source>
-        <translation type="unfinished"></translation>
+        <translation>Gehschritt</translation>
     </message>
     <message>
         <source>forward</source>
@@ -3088,7 +3096,7 @@
     </message>
     <message>
         <source>goal</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziel</translation>
     </message>
     <message>
         <source>hand-made</source>
@@ -3096,7 +3104,7 @@
     </message>
     <message>
         <source>hashed tiles</source>
-        <translation type="unfinished"></translation>
+        <translation>Hash-Kacheln</translation>
     </message>
     <message>
         <source>highest value</source>
@@ -3156,7 +3164,7 @@
     </message>
     <message>
         <source>left ankle rate</source>
-        <translation>Knöchelgeschwindigkeit (links)</translation>
+        <translation>Knöcheldrehrate (links)</translation>
     </message>
     <message>
         <source>left ankle voltage</source>
@@ -3188,7 +3196,7 @@
     </message>
     <message>
         <source>left hip rate</source>
-        <translation>Hüftgeschwindigkeit (links)</translation>
+        <translation>Hüftdrehrate (links)</translation>
     </message>
     <message>
         <source>left hip voltage</source>
@@ -3208,7 +3216,7 @@
     </message>
     <message>
         <source>left knee rate</source>
-        <translation>Kniegeschwindigkeit (links)</translation>
+        <translation>Kniedrehrate (links)</translation>
     </message>
     <message>
         <source>left knee voltage</source>
@@ -3216,7 +3224,7 @@
     </message>
     <message>
         <source>left toe</source>
-        <translation>linker Zeh</translation>
+        <translation>linke Zehe</translation>
     </message>
     <message>
         <source>linear</source>
@@ -3248,7 +3256,7 @@
     </message>
     <message>
         <source>n grids lie over each other, displaced. A state is in one tile of each; states that share tiles share what is learned.</source>
-        <translation type="unfinished"></translation>
+        <translation>n Gitter liegen versetzt übereinander. In jedem liegt ein Zustand in einer Kachel; Zustände, die Kacheln teilen, teilen auch das Gelernte.</translation>
     </message>
     <message>
         <source>n*, transitions of a success</source>
@@ -3260,15 +3268,15 @@
     </message>
     <message>
         <source>net footsteps</source>
-        <translation>Netto-Fußschritte</translation>
+        <translation>Netto-Gehschritte</translation>
     </message>
     <message>
         <source>net footsteps of a greedy test, last 10</source>
-        <translation>Netto-Fußschritte eines Greedy-Tests, letzte 10</translation>
+        <translation>Netto-Gehschritte eines Greedy-Tests, letzte 10</translation>
     </message>
     <message>
         <source>net footsteps of a life</source>
-        <translation>Netto-Fußschritte eines Lebens</translation>
+        <translation>Netto-Gehschritte eines Lebens</translation>
     </message>
     <message>
         <source>nobody</source>
@@ -3304,19 +3312,19 @@
     </message>
     <message>
         <source>ours (thesis, section 6.5)</source>
-        <translation>von uns (Arbeit, Abschnitt 6.5)</translation>
+        <translation>von uns (Masterarbeit, Abschnitt 6.5)</translation>
     </message>
     <message>
         <source>ours: 0, as in the thesis</source>
-        <translation>von uns: 0, wie in der Arbeit</translation>
+        <translation>von uns: 0, wie in der Masterarbeit</translation>
     </message>
     <message>
         <source>ours: 0, as in the thesis (Mihatsch &amp; Neuneier 2002)</source>
-        <translation>von uns: 0, wie in der Arbeit (Mihatsch &amp; Neuneier 2002)</translation>
+        <translation>von uns: 0, wie in der Masterarbeit (Mihatsch &amp; Neuneier 2002)</translation>
     </message>
     <message>
         <source>ours: 1 is Sarsa_2Q of the thesis</source>
-        <translation>von uns: 1 ist Sarsa_2Q der Arbeit</translation>
+        <translation>von uns: 1 ist Sarsa_2Q der Masterarbeit</translation>
     </message>
     <message>
         <source>ours: as the learner&apos;s</source>
@@ -3328,11 +3336,11 @@
     </message>
     <message>
         <source>ours: nobody, as in the thesis</source>
-        <translation>von uns: niemand, wie in der Arbeit</translation>
+        <translation>von uns: niemand, wie in der Masterarbeit</translation>
     </message>
     <message>
         <source>ours: off, as in the thesis</source>
-        <translation>von uns: aus, wie in der Arbeit</translation>
+        <translation>von uns: aus, wie in der Masterarbeit</translation>
     </message>
     <message>
         <source>ours: on top of the reward of a fall</source>
@@ -3356,15 +3364,15 @@
     </message>
     <message>
         <source>pole angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Stabwinkel</translation>
     </message>
     <message>
         <source>pole rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Stabdrehrate</translation>
     </message>
     <message>
         <source>position</source>
-        <translation type="unfinished"></translation>
+        <translation>Position</translation>
     </message>
     <message>
         <source>positive</source>
@@ -3448,7 +3456,7 @@
     </message>
     <message>
         <source>right ankle rate</source>
-        <translation>Knöchelgeschwindigkeit (rechts)</translation>
+        <translation>Knöcheldrehrate (rechts)</translation>
     </message>
     <message>
         <source>right ankle voltage</source>
@@ -3480,7 +3488,7 @@
     </message>
     <message>
         <source>right hip rate</source>
-        <translation>Hüftgeschwindigkeit (rechts)</translation>
+        <translation>Hüftdrehrate (rechts)</translation>
     </message>
     <message>
         <source>right hip voltage</source>
@@ -3500,7 +3508,7 @@
     </message>
     <message>
         <source>right knee rate</source>
-        <translation>Kniegeschwindigkeit (rechts)</translation>
+        <translation>Kniedrehrate (rechts)</translation>
     </message>
     <message>
         <source>right knee voltage</source>
@@ -3512,7 +3520,7 @@
     </message>
     <message>
         <source>right toe</source>
-        <translation>rechter Zeh</translation>
+        <translation>rechte Zehe</translation>
     </message>
     <message>
         <source>risk of a fall, said at the end</source>
@@ -3524,7 +3532,7 @@
     </message>
     <message>
         <source>row</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile</translation>
     </message>
     <message>
         <source>rule</source>
@@ -3532,7 +3540,7 @@
     </message>
     <message>
         <source>scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Skalierung</translation>
     </message>
     <message>
         <source>schedule</source>
@@ -3560,7 +3568,7 @@
     </message>
     <message>
         <source>stance angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel (Stand)</translation>
     </message>
     <message>
         <source>stance foot</source>
@@ -3568,27 +3576,27 @@
     </message>
     <message>
         <source>stance hip</source>
-        <translation type="unfinished"></translation>
+        <translation>Hüfte (Stand)</translation>
     </message>
     <message>
         <source>stance hip rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Hüftdrehrate (Stand)</translation>
     </message>
     <message>
         <source>stance hip voltage</source>
-        <translation type="unfinished"></translation>
+        <translation>Hüftspannung (Stand)</translation>
     </message>
     <message>
         <source>stance knee</source>
-        <translation type="unfinished"></translation>
+        <translation>Knie (Stand)</translation>
     </message>
     <message>
         <source>stance knee rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Kniedrehrate (Stand)</translation>
     </message>
     <message>
         <source>stance rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehrate (Stand)</translation>
     </message>
     <message>
         <source>stance shank</source>
@@ -3612,27 +3620,27 @@
     </message>
     <message>
         <source>state</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand</translation>
     </message>
     <message>
         <source>step size</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittweite</translation>
     </message>
     <message>
         <source>step size, clock</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittweite, Zeitmaß</translation>
     </message>
     <message>
         <source>step size, end</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittweite, Ende</translation>
     </message>
     <message>
         <source>step size, schedule</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittweite, Verlauf</translation>
     </message>
     <message>
         <source>step size, time</source>
-        <translation type="unfinished"></translation>
+        <translation>Schrittweite, Dauer</translation>
     </message>
     <message>
         <source>steps</source>
@@ -3644,7 +3652,7 @@
     </message>
     <message>
         <source>swing angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Winkel (Schwung)</translation>
     </message>
     <message>
         <source>swing foot</source>
@@ -3652,31 +3660,31 @@
     </message>
     <message>
         <source>swing hip</source>
-        <translation type="unfinished"></translation>
+        <translation>Hüfte (Schwung)</translation>
     </message>
     <message>
         <source>swing hip rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Hüftdrehrate (Schwung)</translation>
     </message>
     <message>
         <source>swing hip voltage</source>
-        <translation type="unfinished"></translation>
+        <translation>Hüftspannung (Schwung)</translation>
     </message>
     <message>
         <source>swing knee</source>
-        <translation type="unfinished"></translation>
+        <translation>Knie (Schwung)</translation>
     </message>
     <message>
         <source>swing knee rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Kniedrehrate (Schwung)</translation>
     </message>
     <message>
         <source>swing knee voltage</source>
-        <translation type="unfinished"></translation>
+        <translation>Kniespannung (Schwung)</translation>
     </message>
     <message>
         <source>swing rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehrate (Schwung)</translation>
     </message>
     <message>
         <source>swing shank</source>
@@ -3708,11 +3716,11 @@
     </message>
     <message>
         <source>tilings</source>
-        <translation type="unfinished"></translation>
+        <translation>Kachelungen</translation>
     </message>
     <message>
         <source>time</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit</translation>
     </message>
     <message>
         <source>time to the first greedy walk</source>
@@ -3740,7 +3748,7 @@
     </message>
     <message>
         <source>torque</source>
-        <translation type="unfinished"></translation>
+        <translation>Drehmoment</translation>
     </message>
     <message>
         <source>torque of the wheel</source>
@@ -3752,15 +3760,15 @@
     </message>
     <message>
         <source>torso</source>
-        <translation type="unfinished"></translation>
+        <translation>Rumpf</translation>
     </message>
     <message>
         <source>torso rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Rumpfdrehrate</translation>
     </message>
     <message>
         <source>trace decay</source>
-        <translation type="unfinished"></translation>
+        <translation>Trace-Abfall</translation>
     </message>
     <message>
         <source>transitions of a failure, after learning</source>
@@ -3800,11 +3808,11 @@
     </message>
     <message>
         <source>velocity</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschwindigkeit</translation>
     </message>
     <message>
         <source>voltage</source>
-        <translation type="unfinished"></translation>
+        <translation>Spannung</translation>
     </message>
     <message>
         <source>voltages</source>
@@ -3828,11 +3836,11 @@
     </message>
     <message>
         <source>wheel rate</source>
-        <translation type="unfinished"></translation>
+        <translation>Raddrehrate</translation>
     </message>
     <message>
         <source>width</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite</translation>
     </message>
     <message>
         <source>width column</source>
@@ -3864,7 +3872,7 @@
     </message>
     <message>
         <source>ε-greedy that explores among the actions above a threshold.</source>
-        <translation type="unfinished"></translation>
+        <translation>ε-greedy, das unter den Aktionen über einer Schwelle exploriert.</translation>
     </message>
     <message>
         <source>π, policy</source>
@@ -3924,7 +3932,7 @@
     </message>
     <message>
         <source>T = scale·T(a)</source>
-        <translation>T = Faktor·T(a)</translation>
+        <translation>T = Skalierung·T(a)</translation>
     </message>
     <message>
         <source>T in v = start + (end − start)·min(t/T, 1) and v = end + (start − end)·2^(−t/T)</source>
@@ -4028,7 +4036,7 @@
     </message>
     <message>
         <source>low ≤ joint angle ≤ high</source>
-        <translation>tief ≤ Gelenkwinkel ≤ hoch</translation>
+        <translation>min ≤ Gelenkwinkel ≤ max</translation>
     </message>
     <message>
         <source>mean total reward of the last 80 episodes</source>
@@ -4052,7 +4060,7 @@
     </message>
     <message>
         <source>r = footstep·length of the step [m]; fall, and the episode ends</source>
-        <translation>r = Fußschritt·Länge des Schritts [m]; Sturz, und die Episode endet</translation>
+        <translation>r = Gehschritt·Länge des Schritts [m]; Sturz, und die Episode endet</translation>
     </message>
     <message>
         <source>r = goal when it is reached, which ends the episode</source>
@@ -4072,7 +4080,7 @@
     </message>
     <message>
         <source>r ← r + footstep·Δx, Δx the metres gained [m]</source>
-        <translation>r ← r + Fußschritt·Δx, Δx die gewonnenen Meter [m]</translation>
+        <translation>r ← r + Gehschritt·Δx, Δx die gewonnenen Meter [m]</translation>
     </message>
     <message>
         <source>r ← r + time at every step</source>
@@ -4084,7 +4092,7 @@
     </message>
     <message>
         <source>replacing: z(s, a) ← 1; accumulating: z(s, a) ← γ·λ·z(s, a) + 1</source>
-        <translation>ersetzend: z(s, a) ← 1; anhäufend: z(s, a) ← γ·λ·z(s, a) + 1</translation>
+        <translation>ersetzend: z(s, a) ← 1; akkumulierend: z(s, a) ← γ·λ·z(s, a) + 1</translation>
     </message>
     <message>
         <source>sign: r⁺ = max(r, 0), r⁻ = min(r, 0); both: r⁺ = r⁻ = r</source>
@@ -4100,7 +4108,7 @@
     </message>
     <message>
         <source>stance rate(0) = this·(1 ± noise)</source>
-        <translation>Rate Standbein(0) = dies·(1 ± Rauschen)</translation>
+        <translation>Drehrate Standbein(0) = dies·(1 ± Rauschen)</translation>
     </message>
     <message>
         <source>start = usual start·(1 + noise·U[−1, 1])</source>
@@ -4144,19 +4152,19 @@
     </message>
     <message>
         <source>tile width = 1/(resolution·scale)</source>
-        <translation>Kachelbreite = 1/(Auflösung·Faktor)</translation>
+        <translation>Kachelbreite = 1/(Auflösung·Skalierung)</translation>
     </message>
     <message>
         <source>tile width = span/(resolution·scale)</source>
-        <translation>Kachelbreite = Spanne/(Auflösung·Faktor)</translation>
+        <translation>Kachelbreite = Spanne/(Auflösung·Skalierung)</translation>
     </message>
     <message>
         <source>tile width of the wheel rate = wheel span/(resolution·scale)</source>
-        <translation>Kachelbreite der Radgeschwindigkeit = Radspanne/(Auflösung·Faktor)</translation>
+        <translation>Kachelbreite der Raddrehrate = Radspanne/(Auflösung·Skalierung)</translation>
     </message>
     <message>
         <source>tile width, or spacing of centres = span/(resolution·scale)</source>
-        <translation>Kachelbreite oder Abstand der Mittelpunkte = Spanne/(Auflösung·Faktor)</translation>
+        <translation>Kachelbreite oder Abstand der Mittelpunkte = Spanne/(Auflösung·Skalierung)</translation>
     </message>
     <message>
         <source>torque = I·dω/dt</source>
@@ -4192,7 +4200,7 @@
     </message>
     <message>
         <source>w = U[low, high]/n at the start, so that Q lies between low and high</source>
-        <translation>w = U[tief, hoch]/n am Anfang, sodass Q zwischen tief und hoch liegt</translation>
+        <translation>w = U[min, max]/n am Anfang, sodass Q zwischen min und max liegt</translation>
     </message>
     <message>
         <source>w ← w + α/n·δ·z for every weight w with trace z, n tilings</source>
@@ -4208,7 +4216,7 @@
     </message>
     <message>
         <source>z &lt; cut-off: z ← 0</source>
-        <translation>z &lt; Abschneidegrenze: z ← 0</translation>
+        <translation>z &lt; Trace-Grenze: z ← 0</translation>
     </message>
     <message>
         <source>z ← γ·λ·z after every step</source>
@@ -4240,7 +4248,7 @@
     </message>
     <message>
         <source>|α| ≤ angle and |α̇| ≤ rate: balanced</source>
-        <translation>|α| ≤ Winkel und |α̇| ≤ Rate: balanciert</translation>
+        <translation>|α| ≤ Winkel und |α̇| ≤ Drehrate: balanciert</translation>
     </message>
     <message>
         <source>|α| ≥ fall angle: fallen</source>
@@ -4308,7 +4316,7 @@
     </message>
     <message>
         <source>σ of a Gaussian = width·its own σ</source>
-        <translation>σ einer Gaußfunktion = Breite·eigenes σ</translation>
+        <translation>σ einer Gauß-Funktion = Breite·eigenes σ</translation>
     </message>
     <message>
         <source>speed</source>
@@ -4347,27 +4355,27 @@
     <name>surefoot::AboutDialog</name>
     <message>
         <source>About Surefoot</source>
-        <translation type="unfinished"></translation>
+        <translation>Über Surefoot</translation>
     </message>
     <message>
         <source>Pages</source>
-        <translation type="unfinished"></translation>
+        <translation>Seiten</translation>
     </message>
     <message>
         <source>The page</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Seite</translation>
     </message>
     <message>
         <source>Copy the versions</source>
-        <translation type="unfinished"></translation>
+        <translation>Versionen kopieren</translation>
     </message>
     <message>
         <source>To the clipboard, for a report of a fault</source>
-        <translation type="unfinished"></translation>
+        <translation>In die Zwischenablage, für eine Fehlermeldung</translation>
     </message>
     <message>
         <source>Surefoot</source>
-        <translation type="unfinished"></translation>
+        <translation>Surefoot</translation>
     </message>
     <message>
         <source># Surefoot %1
@@ -4377,74 +4385,80 @@ Reinforcement learning that avoids falling.
 The methods are those of M. van Diepen&apos;s thesis *Avoiding failure states during Reinforcement Learning*, Delft.
 
 Free software under the GNU General Public License, version 3 or later: you may use, study, share and change it. It comes without any warranty.</source>
-        <translation type="unfinished"></translation>
+        <translation># Surefoot %1
+
+Reinforcement Learning, das Stürze vermeidet.
+
+Die Methoden stammen aus der Masterarbeit von M. van Diepen, *Avoiding failure states during Reinforcement Learning*, Delft.
+
+Freie Software unter der GNU General Public License, Version 3 oder später: Sie dürfen sie benutzen, untersuchen, weitergeben und ändern. Sie kommt ohne jede Gewährleistung.</translation>
     </message>
     <message>
         <source>Versions</source>
-        <translation type="unfinished"></translation>
+        <translation>Versionen</translation>
     </message>
     <message>
         <source>Citing</source>
-        <translation type="unfinished"></translation>
+        <translation>Zitieren</translation>
     </message>
     <message>
         <source>Contributing</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitwirken</translation>
     </message>
     <message>
         <source>Security</source>
-        <translation type="unfinished"></translation>
+        <translation>Sicherheit</translation>
     </message>
 </context>
 <context>
     <name>surefoot::ActionRows</name>
     <message>
         <source>max Q</source>
-        <translation type="unfinished"></translation>
+        <translation>max Q</translation>
     </message>
     <message>
         <source>in force</source>
-        <translation type="unfinished"></translation>
+        <translation>aktiv</translation>
     </message>
     <message>
         <source>threshold %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwelle %1</translation>
     </message>
     <message>
         <source>risk of the next action %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Risiko der nächsten Aktion %1 %</translation>
     </message>
     <message>
         <source>%1 of %2 actions are below the limit of %3 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Aktionen liegen unter der Grenze von %3 %</translation>
     </message>
     <message>
         <source>%1 and %2 are left out: %3 to %4 in 100 such actions end in a fall.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 und %2 sind ausgeschlossen: Von 100 solchen Aktionen enden %3 bis %4 im Sturz.</translation>
     </message>
     <message>
         <source>%1 is worth most, but its risk of %2 % counts as −%3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat den höchsten Wert, aber das Risiko von %2 % zählt als −%3.</translation>
     </message>
     <message>
         <source>All are above the limit: the least risky is taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle liegen über der Grenze: Gewählt wird die mit dem kleinsten Risiko.</translation>
     </message>
     <message>
         <source>All are above the limit: only the best is taken.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle liegen über der Grenze: Gewählt wird nur die beste.</translation>
     </message>
     <message>
         <source>%1 is worth most, but %2 in 100 such actions end in a fall.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 hat den höchsten Wert, aber von 100 solchen Aktionen enden %2 im Sturz.</translation>
     </message>
     <message>
         <source>%1 is worth nearly as much as the best, but %2 in 100 such actions end in a fall.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist fast so viel wert wie die beste, aber von 100 solchen Aktionen enden %2 im Sturz.</translation>
     </message>
     <message>
         <source>%1 is left out: %2 in 100 such actions end in a fall.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist ausgeschlossen: Von 100 solchen Aktionen enden %2 im Sturz.</translation>
     </message>
     <message>
         <source>Risk</source>
@@ -4452,150 +4466,150 @@ Free software under the GNU General Public License, version 3 or later: you may 
     </message>
     <message>
         <source>limit %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Grenze %1 %</translation>
     </message>
 </context>
 <context>
     <name>surefoot::Autosave</name>
     <message>
         <source>%1 cannot be made.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 lässt sich nicht anlegen.</translation>
     </message>
 </context>
 <context>
     <name>surefoot::ChoiceBox</name>
     <message>
         <source>Find the mistake</source>
-        <translation type="unfinished"></translation>
+        <translation>Fehler finden</translation>
     </message>
     <message>
         <source>Your answer</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Antwort</translation>
     </message>
     <message>
         <source>because … one sentence, your own words</source>
-        <translation type="unfinished"></translation>
+        <translation>weil … ein Satz, in Ihren Worten</translation>
     </message>
     <message>
         <source>Because</source>
-        <translation type="unfinished"></translation>
+        <translation>Weil</translation>
     </message>
     <message>
         <source>Choose one first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Erst etwas wählen.</translation>
     </message>
 </context>
 <context>
     <name>surefoot::ClaimsTable</name>
     <message>
         <source>Claims of the thesis</source>
-        <translation type="unfinished"></translation>
+        <translation>Aussagen der Masterarbeit</translation>
     </message>
     <message>
         <source>Code</source>
-        <translation type="unfinished"></translation>
+        <translation>Code</translation>
     </message>
     <message>
         <source>Claim of the thesis</source>
-        <translation type="unfinished"></translation>
+        <translation>Aussage der Masterarbeit</translation>
     </message>
     <message>
         <source>Thesis</source>
-        <translation type="unfinished"></translation>
+        <translation>Masterarb.</translation>
     </message>
     <message>
         <source>Ours (95 % interval)</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier (95-%-Intervall)</translation>
     </message>
     <message>
         <source>p</source>
-        <translation type="unfinished"></translation>
+        <translation>p</translation>
     </message>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished"></translation>
+        <translation>Urteil</translation>
     </message>
     <message>
         <source>Why</source>
-        <translation type="unfinished"></translation>
+        <translation>Grund</translation>
     </message>
     <message>
         <source>The claim&apos;s number in the recipe and in RESULTS.md: a letter for the topic, counted within it</source>
-        <translation type="unfinished"></translation>
+        <translation>Nummer der Aussage im Rezept und in RESULTS.md: ein Buchstabe für das Thema und eine laufende Zahl</translation>
     </message>
     <message>
         <source>, p %1</source>
-        <translation type="unfinished"></translation>
+        <translation>, p %1</translation>
     </message>
     <message>
         <source>not significant (p ≥ .01)</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht signifikant (p ≥ 0,01)</translation>
     </message>
 </context>
 <context>
     <name>surefoot::CompareBox</name>
     <message>
         <source>Compare</source>
-        <translation type="unfinished"></translation>
+        <translation>Vergleichen</translation>
     </message>
     <message>
         <source>One cannot tell from these lives</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus diesen Leben nicht zu entscheiden</translation>
     </message>
     <message>
         <source>The lives are still being lived.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Leben laufen noch.</translation>
     </message>
     <message>
         <source>Choose one first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Erst etwas wählen.</translation>
     </message>
 </context>
 <context>
     <name>surefoot::CompareStrip</name>
     <message>
         <source>began with an empty table</source>
-        <translation type="unfinished"></translation>
+        <translation>Beginn: leere Tabelle</translation>
     </message>
     <message>
         <source>began %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Beginn: %1</translation>
     </message>
     <message>
         <source>Learning rule of the second</source>
-        <translation type="unfinished"></translation>
+        <translation>Lernregel des zweiten Lerners</translation>
     </message>
     <message>
         <source>Policy of the second</source>
-        <translation type="unfinished"></translation>
+        <translation>Policy des zweiten Lerners</translation>
     </message>
     <message>
         <source>Start of the second</source>
-        <translation type="unfinished"></translation>
+        <translation>Start des zweiten Lerners</translation>
     </message>
     <message>
         <source>Parameters …</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter …</translation>
     </message>
     <message>
         <source>Falls of both</source>
-        <translation type="unfinished"></translation>
+        <translation>Stürze beider Lerner</translation>
     </message>
     <message>
         <source>Parameters of the second</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter des zweiten Lerners</translation>
     </message>
     <message>
         <source>What is changed there holds for the second only</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderungen dort gelten nur für den zweiten Lerner</translation>
     </message>
     <message>
         <source>First</source>
-        <translation type="unfinished"></translation>
+        <translation>Erster</translation>
     </message>
     <message>
         <source>Second</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweiter</translation>
     </message>
     <message>
         <source>Falls</source>
@@ -4603,90 +4617,90 @@ Free software under the GNU General Public License, version 3 or later: you may 
     </message>
     <message>
         <source>same start</source>
-        <translation type="unfinished"></translation>
+        <translation>gleicher Start</translation>
     </message>
     <message>
         <source>empty</source>
-        <translation type="unfinished"></translation>
+        <translation>leer</translation>
     </message>
     <message>
         <source>a file …</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Datei …</translation>
     </message>
     <message>
         <source>What the second begins with</source>
-        <translation type="unfinished"></translation>
+        <translation>Womit der zweite Lerner beginnt</translation>
     </message>
     <message>
         <source>Q-functions (*.safetensors *.surefoot);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Q-Funktionen (*.safetensors *.surefoot);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>The second has not finished an episode yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der zweite Lerner hat noch keine Episode beendet.</translation>
     </message>
     <message>
         <source>No episode has ended in both yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch haben nicht beide eine Episode beendet.</translation>
     </message>
     <message>
         <source>after %1 %2 : %3</source>
-        <translation type="unfinished"></translation>
+        <translation>nach %1 %2 : %3</translation>
     </message>
     <message>
         <source>; after %1 min %2 : %3</source>
-        <translation type="unfinished"></translation>
+        <translation>; nach %1 min %2 : %3</translation>
     </message>
     <message>
         <source>%1; its own: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; eigene: %2</translation>
     </message>
 </context>
 <context>
     <name>surefoot::ConditionForm</name>
     <message>
         <source>Name of the condition</source>
-        <translation type="unfinished"></translation>
+        <translation>Name der Bedingung</translation>
     </message>
     <message>
         <source>Length of a life</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge eines Lebens</translation>
     </message>
     <message>
         <source>Average reward that ends the pre-learning</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittlere Belohnung, die das Vorlernen beendet</translation>
     </message>
     <message>
         <source>Q-functions in the pool</source>
-        <translation type="unfinished"></translation>
+        <translation>Q-Funktionen im Pool</translation>
     </message>
     <message>
         <source>Environment of the condition</source>
-        <translation type="unfinished"></translation>
+        <translation>Umgebung der Bedingung</translation>
     </message>
     <message>
         <source>Scenario of the condition</source>
-        <translation type="unfinished"></translation>
+        <translation>Szenario der Bedingung</translation>
     </message>
     <message>
         <source>Learning rule of the condition</source>
-        <translation type="unfinished"></translation>
+        <translation>Lernregel der Bedingung</translation>
     </message>
     <message>
         <source>Representation of the condition</source>
-        <translation type="unfinished"></translation>
+        <translation>Repräsentation der Bedingung</translation>
     </message>
     <message>
         <source>Policy of the condition</source>
-        <translation type="unfinished"></translation>
+        <translation>Policy der Bedingung</translation>
     </message>
     <message>
         <source>Pre-learning of the condition</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorlernen der Bedingung</translation>
     </message>
     <message>
         <source>Environment</source>
-        <translation type="unfinished"></translation>
+        <translation>Umgebung</translation>
     </message>
     <message>
         <source>Scenario</source>
@@ -4694,94 +4708,94 @@ Free software under the GNU General Public License, version 3 or later: you may 
     </message>
     <message>
         <source>Learning rule</source>
-        <translation type="unfinished"></translation>
+        <translation>Lernregel</translation>
     </message>
     <message>
         <source>Representation</source>
-        <translation type="unfinished"></translation>
+        <translation>Repräsentation</translation>
     </message>
     <message>
         <source>Policy</source>
-        <translation type="unfinished"></translation>
+        <translation>Policy</translation>
     </message>
     <message>
         <source>Parameter %1 to set</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu setzender Parameter %1</translation>
     </message>
     <message>
         <source>Values of parameter %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Werte von Parameter %1</translation>
     </message>
     <message>
         <source>one, or several: 0; 50; 100</source>
-        <translation type="unfinished"></translation>
+        <translation>einer oder mehrere: 0; 50; 100</translation>
     </message>
     <message>
         <source>Set or vary</source>
-        <translation type="unfinished"></translation>
+        <translation>Setzen/variieren</translation>
     </message>
     <message>
         <source>and</source>
-        <translation type="unfinished"></translation>
+        <translation>und</translation>
     </message>
     <message>
         <source>made from policy and values</source>
-        <translation type="unfinished"></translation>
+        <translation>aus Policy und Werten gebildet</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>A life [episodes]</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Leben [Episoden]</translation>
     </message>
     <message>
         <source>A life [min]</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Leben [min]</translation>
     </message>
     <message>
         <source>Pre-learned on</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorgelernt auf</translation>
     </message>
     <message>
         <source>until reward</source>
-        <translation type="unfinished"></translation>
+        <translation>bis Belohnung</translation>
     </message>
     <message>
         <source>Q-functions</source>
-        <translation type="unfinished"></translation>
+        <translation>Q-Funktionen</translation>
     </message>
     <message>
         <source>nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts</translation>
     </message>
 </context>
 <context>
     <name>surefoot::ConditionList</name>
     <message>
         <source>Conditions</source>
-        <translation type="unfinished"></translation>
+        <translation>Bedingungen</translation>
     </message>
     <message>
         <source>pairs of Q-functions, p &lt; .01</source>
-        <translation type="unfinished"></translation>
+        <translation>Paare von Q-Funktionen, p &lt; 0,01</translation>
     </message>
     <message>
         <source>%1 Q-functions, p &lt; .01</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Q-Funktionen, p &lt; 0,01</translation>
     </message>
     <message>
         <source>pairs of lives, p &lt; .01</source>
-        <translation type="unfinished"></translation>
+        <translation>Paare von Leben, p &lt; 0,01</translation>
     </message>
     <message>
         <source>one-way ANOVA, p &lt; .01</source>
-        <translation type="unfinished"></translation>
+        <translation>einfaktorielle ANOVA, p &lt; 0,01</translation>
     </message>
     <message>
         <source>Environment</source>
-        <translation type="unfinished"></translation>
+        <translation>Umgebung</translation>
     </message>
     <message>
         <source>Pre-learning</source>
@@ -4789,410 +4803,410 @@ Free software under the GNU General Public License, version 3 or later: you may 
     </message>
     <message>
         <source>scenario %1, to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Szenario %1, bis %2</translation>
     </message>
     <message>
         <source>scenario %1, %2 min</source>
-        <translation type="unfinished"></translation>
+        <translation>Szenario %1, %2 min</translation>
     </message>
     <message>
         <source>Q-functions</source>
-        <translation type="unfinished"></translation>
+        <translation>Q-Funktionen</translation>
     </message>
     <message>
         <source>one a life</source>
-        <translation type="unfinished"></translation>
+        <translation>eine je Leben</translation>
     </message>
     <message>
         <source>A life</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Leben</translation>
     </message>
     <message>
         <source>%1 simulated min</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 min simuliert</translation>
     </message>
     <message>
         <source>Lives</source>
-        <translation type="unfinished"></translation>
+        <translation>Leben</translation>
     </message>
     <message>
         <source>%1 a condition</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 je Bedingung</translation>
     </message>
     <message>
         <source>Seeds</source>
-        <translation type="unfinished"></translation>
+        <translation>Seeds</translation>
     </message>
     <message>
         <source>paired, from %1</source>
-        <translation type="unfinished"></translation>
+        <translation>gepaart, ab %1</translation>
     </message>
     <message>
         <source>independent, from %1</source>
-        <translation type="unfinished"></translation>
+        <translation>unabhängig, ab %1</translation>
     </message>
     <message>
         <source>Test</source>
-        <translation type="unfinished"></translation>
+        <translation>Test</translation>
     </message>
     <message>
         <source>Lives grow</source>
-        <translation type="unfinished"></translation>
+        <translation>Anzahl wächst</translation>
     </message>
     <message>
         <source>until it is decided</source>
-        <translation type="unfinished"></translation>
+        <translation>bis es entschieden ist</translation>
     </message>
     <message>
         <source>Takes</source>
-        <translation type="unfinished"></translation>
+        <translation>Dauer</translation>
     </message>
     <message>
         <source>about %1</source>
-        <translation type="unfinished"></translation>
+        <translation>etwa %1</translation>
     </message>
     <message>
         <source>Conditions appear here. Choose a plan above, or open one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier erscheinen Bedingungen. Wählen Sie oben einen Plan oder öffnen Sie einen.</translation>
     </message>
     <message>
         <source>DESIGN</source>
-        <translation type="unfinished"></translation>
+        <translation>DESIGN</translation>
     </message>
 </context>
 <context>
     <name>surefoot::CurveNames</name>
     <message>
         <source>from nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>von null an</translation>
     </message>
     <message>
         <source>learned before</source>
-        <translation type="unfinished"></translation>
+        <translation>vorgelernt</translation>
     </message>
 </context>
 <context>
     <name>surefoot::Experiment</name>
     <message>
         <source>Appears with the first lives.</source>
-        <translation type="unfinished"></translation>
+        <translation>Erscheint mit den ersten Leben.</translation>
     </message>
     <message>
         <source>Choose a plan, and run it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Plan wählen und starten.</translation>
     </message>
     <message>
         <source>Appears when the plan runs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Erscheint, wenn der Plan läuft.</translation>
     </message>
     <message>
         <source>it is being read …</source>
-        <translation type="unfinished"></translation>
+        <translation>wird gelesen …</translation>
     </message>
     <message>
         <source>all lives are there</source>
-        <translation type="unfinished"></translation>
+        <translation>alle Leben sind da</translation>
     </message>
     <message>
         <source>it is being written</source>
-        <translation type="unfinished"></translation>
+        <translation>wird gerade geschrieben</translation>
     </message>
     <message>
         <source>no process writes it now</source>
-        <translation type="unfinished"></translation>
+        <translation>zurzeit schreibt kein Prozess daran</translation>
     </message>
     <message>
         <source>no life is over yet</source>
-        <translation type="unfinished"></translation>
+        <translation>noch kein Leben beendet</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2</translation>
     </message>
     <message>
         <source>last change %1</source>
-        <translation type="unfinished"></translation>
+        <translation>letzte Änderung %1</translation>
     </message>
     <message>
         <source>about %1 left</source>
-        <translation type="unfinished"></translation>
+        <translation>noch etwa %1</translation>
     </message>
     <message>
         <source>%1 is followed, read only; stop following first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei %1 wird nur mitgelesen; beenden Sie erst das Mitlesen.</translation>
     </message>
     <message>
         <source>What these results had in hand is still being kept; run them again in a moment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die letzten Ergebnisse werden noch gesichert; starten Sie gleich noch einmal.</translation>
     </message>
     <message>
         <source>The results have no place: %1 cannot be made.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ergebnisse lassen sich nicht ablegen: %1 kann nicht angelegt werden.</translation>
     </message>
 </context>
 <context>
     <name>surefoot::ExperimentPage</name>
     <message>
         <source>Stop following</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitlesen beenden</translation>
     </message>
     <message>
         <source>The results stay, as if the store had been opened</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ergebnisse bleiben, als wäre die Datei geöffnet worden</translation>
     </message>
     <message>
         <source>The results are kept. They stand in the list of experiments, and here: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Ergebnisse bleiben erhalten. Sie stehen in der Liste der Experimente und hier: %1</translation>
     </message>
     <message>
         <source>What was lived so far is kept and can be gone on with. It stands in the list of experiments, and here: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bisherige bleibt erhalten und lässt sich fortsetzen. Es steht in der Liste der Experimente und hier: %1</translation>
     </message>
     <message>
         <source>%1 (%2 of %3 lives)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2 von %3 Leben)</translation>
     </message>
     <message>
         <source>Run the experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>Experiment starten</translation>
     </message>
     <message>
         <source>Start again: forget what was lived</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu beginnen: alle bisherigen Leben verwerfen</translation>
     </message>
     <message>
         <source>Experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>Experiment</translation>
     </message>
     <message>
         <source>CSV</source>
-        <translation type="unfinished"></translation>
+        <translation>CSV</translation>
     </message>
     <message>
         <source>LaTeX</source>
-        <translation type="unfinished"></translation>
+        <translation>LaTeX</translation>
     </message>
     <message>
         <source>Copy the table as CSV</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle als CSV kopieren</translation>
     </message>
     <message>
         <source>Copy the table as LaTeX</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle als LaTeX kopieren</translation>
     </message>
     <message>
         <source>Copy as</source>
-        <translation type="unfinished"></translation>
+        <translation>Kopieren als</translation>
     </message>
     <message>
         <source>Conditions</source>
-        <translation type="unfinished"></translation>
+        <translation>Bedingungen</translation>
     </message>
     <message>
         <source>lives done</source>
-        <translation type="unfinished"></translation>
+        <translation>fertige Leben</translation>
     </message>
     <message>
         <source>Edit the plan</source>
-        <translation type="unfinished"></translation>
+        <translation>Plan bearbeiten</translation>
     </message>
     <message>
         <source>Following %1, read only</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur mitgelesen: %1</translation>
     </message>
     <message>
         <source>Show the results</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse zeigen</translation>
     </message>
     <message>
         <source>Go on all the same</source>
-        <translation type="unfinished"></translation>
+        <translation>Trotzdem fortfahren</translation>
     </message>
     <message>
         <source>Allow it, and go on</source>
-        <translation type="unfinished"></translation>
+        <translation>Erlauben und fortfahren</translation>
     </message>
     <message>
         <source>Pause: lives stand still where they are</source>
-        <translation type="unfinished"></translation>
+        <translation>Pause: Die Leben bleiben stehen, wo sie sind</translation>
     </message>
     <message>
         <source>%1 in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 in %2</translation>
     </message>
     <message>
         <source>, and %1 in lives that are not over</source>
-        <translation type="unfinished"></translation>
+        <translation>, dazu %1 in Leben, die noch laufen</translation>
     </message>
     <message>
         <source>Open a plan or results</source>
-        <translation type="unfinished"></translation>
+        <translation>Plan oder Ergebnisse öffnen</translation>
     </message>
     <message>
         <source>Plans and results (*.toml *.sqlite);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Pläne und Ergebnisse (*.toml *.sqlite);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Save the plan</source>
-        <translation type="unfinished"></translation>
+        <translation>Plan speichern</translation>
     </message>
     <message>
         <source>Plans (*.toml)</source>
-        <translation type="unfinished"></translation>
+        <translation>Pläne (*.toml)</translation>
     </message>
     <message>
         <source>The plan is in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Plan ist in %1.</translation>
     </message>
     <message>
         <source>There is nothing to copy yet; run the experiment first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt noch nichts zu kopieren; starten Sie erst das Experiment.</translation>
     </message>
     <message>
         <source>The table is on the clipboard, as CSV.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tabelle ist in der Zwischenablage, als CSV.</translation>
     </message>
     <message>
         <source>The table is on the clipboard, as LaTeX.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Tabelle ist in der Zwischenablage, als LaTeX.</translation>
     </message>
     <message>
         <source>Results can be exported when the experiment is complete or paused.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse lassen sich exportieren, wenn das Experiment fertig oder angehalten ist.</translation>
     </message>
     <message>
         <source>Folder for the tables</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner für die Tabellen</translation>
     </message>
     <message>
         <source>Writing the tables</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabellen werden geschrieben</translation>
     </message>
     <message>
         <source>conditions.csv, lives.csv and episodes.csv are in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>conditions.csv, lives.csv und episodes.csv sind in %1.</translation>
     </message>
     <message>
         <source>There is no chart yet; run the experiment first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt noch kein Diagramm; starten Sie erst das Experiment.</translation>
     </message>
     <message>
         <source>Folder for the charts</source>
-        <translation type="unfinished"></translation>
+        <translation>Ordner für die Diagramme</translation>
     </message>
     <message>
         <source>Drawing the charts</source>
-        <translation type="unfinished"></translation>
+        <translation>Diagramme werden gezeichnet</translation>
     </message>
     <message>
         <source>Every chart is in %1, as PNG, SVG, PDF and CSV.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Diagramme sind in %1, als PNG, SVG, PDF und CSV.</translation>
     </message>
     <message>
         <source>Something is being written; wait for its end.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es wird gerade geschrieben; warten Sie das Ende ab.</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>It was cancelled; what was written before is there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Abgebrochen; was vorher geschrieben wurde, ist da.</translation>
     </message>
     <message>
         <source>Table</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle</translation>
     </message>
     <message>
         <source>The thesis&apos;s claims</source>
-        <translation type="unfinished"></translation>
+        <translation>Aussagen der Masterarbeit</translation>
     </message>
     <message>
         <source>falls during learning, against the reference of each condition</source>
-        <translation type="unfinished"></translation>
+        <translation>Stürze beim Lernen, gegenüber der Referenz jeder Bedingung</translation>
     </message>
     <message>
         <source>what the thesis claims, and what came out here</source>
-        <translation type="unfinished"></translation>
+        <translation>was die Masterarbeit aussagt und was hier herauskam</translation>
     </message>
     <message>
         <source>so far · %1</source>
-        <translation type="unfinished"></translation>
+        <translation>bisher · %1</translation>
     </message>
     <message>
         <source>The conditions</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bedingungen</translation>
     </message>
     <message>
         <source> (95 % interval %1 to %2 %)</source>
-        <translation type="unfinished"></translation>
+        <translation> (95-%-Intervall %1 bis %2 %)</translation>
     </message>
     <message>
         <source>It is being opened …</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird geöffnet …</translation>
     </message>
     <message>
         <source>The finding in one sentence appears here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier erscheint das Ergebnis in einem Satz.</translation>
     </message>
     <message>
         <source>No condition falls significantly less than its reference (p &amp;lt; .01).</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Bedingung stürzt signifikant seltener als ihre Referenz (p &amp;lt; 0,01).</translation>
     </message>
     <message>
         <source>So far no condition falls significantly less than its reference (p &amp;lt; .01).</source>
-        <translation type="unfinished"></translation>
+        <translation>Bisher stürzt keine Bedingung signifikant seltener als ihre Referenz (p &amp;lt; 0,01).</translation>
     </message>
     <message numerus="yes">
         <source>So far (%1 of %2 lives) </source>
         <translation>
-            <numerusform>Bisher (%1 von %2 Leben) </numerusform>
-            <numerusform>Bisher (%1 von %2 Leben) </numerusform>
+            <numerusform>Bisher (%1 von %2 Leben): </numerusform>
+            <numerusform>Bisher (%1 von %2 Leben): </numerusform>
         </translation>
     </message>
     <message>
         <source>%1&lt;b&gt;%2 falls %3 % less than %4&lt;/b&gt;%5.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1&lt;b&gt;%2 stürzt um %3 % seltener als %4&lt;/b&gt;%5.</translation>
     </message>
     <message>
         <source> The thesis reports %1.</source>
-        <translation type="unfinished"></translation>
+        <translation> Die Masterarbeit berichtet %1.</translation>
     </message>
     <message>
         <source> Q-functions carry %1 % of the variance.</source>
-        <translation type="unfinished"></translation>
+        <translation> Auf die Q-Funktionen entfallen %1 % der Varianz.</translation>
     </message>
     <message>
         <source>Lives a condition</source>
-        <translation type="unfinished"></translation>
+        <translation>Leben je Bedingung</translation>
     </message>
     <message>
         <source>How many lives each condition lives; more make intervals narrower. Another number begins again, what was lived is kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahl der Leben je Bedingung; mehr machen die Intervalle schmaler. Eine andere Zahl beginnt neu, die bisherigen Leben bleiben erhalten.</translation>
     </message>
     <message>
         <source> lives</source>
-        <translation type="unfinished"></translation>
+        <translation> Leben</translation>
     </message>
     <message>
         <source>a search</source>
-        <translation type="unfinished"></translation>
+        <translation>Suche</translation>
     </message>
     <message>
         <source>until decided</source>
-        <translation type="unfinished"></translation>
+        <translation>bis entschieden</translation>
     </message>
     <message>
         <source>The plan has edits that are not used yet, so the number of lives is written there; Use this plan takes all of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Plan hat Änderungen, die noch nicht verwendet werden; die Zahl der Leben steht darum dort. „Plan verwenden“ übernimmt alles.</translation>
     </message>
 </context>
 <context>
     <name>surefoot::ExperimentProgress</name>
     <message>
         <source>Progress</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt</translation>
     </message>
     <message numerus="yes">
         <source>%1 of %2 lives</source>
@@ -5203,43 +5217,43 @@ Free software under the GNU General Public License, version 3 or later: you may 
     </message>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s</translation>
     </message>
     <message>
         <source>%1 min</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 min</translation>
     </message>
     <message>
         <source>elapsed %1</source>
-        <translation type="unfinished"></translation>
+        <translation>vergangen: %1</translation>
     </message>
     <message>
         <source>about %1 left</source>
-        <translation type="unfinished"></translation>
+        <translation>noch etwa %1</translation>
     </message>
     <message>
         <source>it is being opened …</source>
-        <translation type="unfinished"></translation>
+        <translation>wird geöffnet …</translation>
     </message>
     <message>
         <source>paused</source>
-        <translation type="unfinished"></translation>
+        <translation>angehalten</translation>
     </message>
     <message>
         <source>takes about %1</source>
-        <translation type="unfinished"></translation>
+        <translation>dauert etwa %1</translation>
     </message>
     <message>
         <source>complete</source>
-        <translation type="unfinished"></translation>
+        <translation>fertig</translation>
     </message>
     <message>
         <source>followed, read only</source>
-        <translation type="unfinished"></translation>
+        <translation>nur mitgelesen</translation>
     </message>
 </context>
 <context>
@@ -5247,49 +5261,50 @@ Free software under the GNU General Public License, version 3 or later: you may 
     <message>
         <source>The next falls appear here.
 Those before were not recorded in this window.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier erscheinen die nächsten Stürze.
+Frühere wurden in diesem Fenster nicht aufgezeichnet.</translation>
     </message>
     <message>
         <source>Falls appear here. None so far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier erscheinen Stürze. Bisher keine.</translation>
     </message>
 </context>
 <context>
     <name>surefoot::FigurePanel</name>
     <message>
         <source>Figure</source>
-        <translation type="unfinished"></translation>
+        <translation>Diagramm</translation>
     </message>
     <message>
         <source>Another figure</source>
-        <translation type="unfinished"></translation>
+        <translation>Anderes Diagramm</translation>
     </message>
     <message>
         <source>mean and 95 % interval</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittel und 95-%-Intervall</translation>
     </message>
     <message>
         <source>mean and 95 % band</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittel und 95-%-Band</translation>
     </message>
     <message>
         <source>so far · %1</source>
-        <translation type="unfinished"></translation>
+        <translation>bisher · %1</translation>
     </message>
     <message>
         <source>It is being drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird gezeichnet.</translation>
     </message>
 </context>
 <context>
     <name>surefoot::FigureView</name>
     <message>
         <source>Bars that have no room</source>
-        <translation type="unfinished"></translation>
+        <translation>Balken ohne Platz</translation>
     </message>
     <message>
         <source>All of the time axis	Home</source>
-        <translation type="unfinished"></translation>
+        <translation>Ganze Zeitachse	Pos1</translation>
     </message>
 </context>
 <context>
@@ -5303,31 +5318,31 @@ Those before were not recorded in this window.</source>
     </message>
     <message>
         <source>Film</source>
-        <translation type="unfinished"></translation>
+        <translation>Film</translation>
     </message>
     <message>
         <source>the last minutes</source>
-        <translation type="unfinished"></translation>
+        <translation>die letzten Minuten</translation>
     </message>
     <message>
         <source>What is filmed</source>
-        <translation type="unfinished"></translation>
+        <translation>Was gefilmt wird</translation>
     </message>
     <message>
         <source>Of</source>
-        <translation type="unfinished"></translation>
+        <translation>Was</translation>
     </message>
     <message>
         <source>Film from</source>
-        <translation type="unfinished"></translation>
+        <translation>Film ab</translation>
     </message>
     <message>
         <source> s</source>
-        <translation type="unfinished"></translation>
+        <translation> s</translation>
     </message>
     <message>
         <source>Film up to</source>
-        <translation type="unfinished"></translation>
+        <translation>Film bis</translation>
     </message>
     <message>
         <source>From</source>
@@ -5339,142 +5354,142 @@ Those before were not recorded in this window.</source>
     </message>
     <message>
         <source>Speed of the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo des Films</translation>
     </message>
     <message>
         <source>as it was</source>
-        <translation type="unfinished"></translation>
+        <translation>wie es war</translation>
     </message>
     <message>
         <source>half</source>
-        <translation type="unfinished"></translation>
+        <translation>halb</translation>
     </message>
     <message>
         <source>a quarter</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Viertel</translation>
     </message>
     <message>
         <source>Speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo</translation>
     </message>
     <message>
         <source>Width of the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Breite des Films</translation>
     </message>
     <message>
         <source>Height of the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhe des Films</translation>
     </message>
     <message>
         <source>Size</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>×</source>
-        <translation type="unfinished"></translation>
+        <translation>×</translation>
     </message>
     <message>
         <source>pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Pixel</translation>
     </message>
     <message>
         <source>Colours of the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Farben des Films</translation>
     </message>
     <message>
         <source>light</source>
-        <translation type="unfinished"></translation>
+        <translation>hell</translation>
     </message>
     <message>
         <source>dark</source>
-        <translation type="unfinished"></translation>
+        <translation>dunkel</translation>
     </message>
     <message>
         <source>Colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Farben</translation>
     </message>
     <message>
         <source>below the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>unter dem Bild</translation>
     </message>
     <message>
         <source>Signals below the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Signale unter dem Bild</translation>
     </message>
     <message>
         <source>Signals</source>
-        <translation type="unfinished"></translation>
+        <translation>Signale</translation>
     </message>
     <message>
         <source>Progress of the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortschritt des Films</translation>
     </message>
     <message>
         <source>Make the film …</source>
-        <translation type="unfinished"></translation>
+        <translation>Film erstellen …</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
     <message>
         <source>The strips of the Signals layout, with a cursor that goes along</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Streifen des Layouts Signale, mit einem Zeiger, der mitläuft</translation>
     </message>
     <message>
         <source>None were written down: they are while the Signals layout is shown</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine aufgezeichnet: Das geschieht nur, solange das Layout Signale gezeigt wird</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Stopp</translation>
     </message>
     <message>
         <source>%1 of %2 pictures. The life goes on meanwhile.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Bildern. Das Leben geht inzwischen weiter.</translation>
     </message>
     <message>
         <source>There is nothing to film yet: nothing has moved in the window.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt noch nichts zu filmen: Im Fenster hat sich nichts bewegt.</translation>
     </message>
     <message>
         <source>A film ends after it begins.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Film endet nach seinem Beginn.</translation>
     </message>
     <message>
         <source>A film of %1 s, in %2.%3</source>
-        <translation type="unfinished"></translation>
+        <translation>Film von %1 s: %2.%3</translation>
     </message>
     <message>
         <source> WebP only: all others are made by the program ffmpeg, which is not installed.</source>
-        <translation type="unfinished"></translation>
+        <translation> Nur WebP: Alle anderen erstellt das Programm ffmpeg, und das ist nicht installiert.</translation>
     </message>
     <message>
         <source>Make the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Film erstellen</translation>
     </message>
     <message>
         <source>The film is in %1 (%2).</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Film ist in %1 (%2).</translation>
     </message>
 </context>
 <context>
     <name>surefoot::FindingsTable</name>
     <message>
         <source>%1 falls</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Stürze</translation>
     </message>
     <message>
         <source>Results</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse</translation>
     </message>
     <message>
         <source>Condition</source>
-        <translation type="unfinished"></translation>
+        <translation>Bedingung</translation>
     </message>
     <message>
         <source>Lives</source>
-        <translation type="unfinished"></translation>
+        <translation>Leben</translation>
     </message>
     <message>
         <source>Falls</source>
@@ -5482,302 +5497,302 @@ Those before were not recorded in this window.</source>
     </message>
     <message>
         <source>± (95 %)</source>
-        <translation type="unfinished"></translation>
+        <translation>± (95 %)</translation>
     </message>
     <message>
         <source>Change %</source>
-        <translation type="unfinished"></translation>
+        <translation>Änd. %</translation>
     </message>
     <message>
         <source>% (95 % interval)</source>
-        <translation type="unfinished"></translation>
+        <translation>% (95-%-Intervall)</translation>
     </message>
     <message>
         <source>p</source>
-        <translation type="unfinished"></translation>
+        <translation>p</translation>
     </message>
     <message>
         <source>p Holm</source>
-        <translation type="unfinished"></translation>
+        <translation>p Holm</translation>
     </message>
     <message>
         <source>X</source>
-        <translation type="unfinished"></translation>
+        <translation>X</translation>
     </message>
     <message>
         <source>Time min</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeit min</translation>
     </message>
     <message>
         <source>Expl. %</source>
-        <translation type="unfinished"></translation>
+        <translation>Expl. %</translation>
     </message>
     <message>
         <source>End %</source>
-        <translation type="unfinished"></translation>
+        <translation>Ende %</translation>
     </message>
     <message>
         <source>Thesis</source>
-        <translation type="unfinished"></translation>
+        <translation>Masterarb.</translation>
     </message>
     <message>
         <source>Verdict</source>
-        <translation type="unfinished"></translation>
+        <translation>Urteil</translation>
     </message>
     <message>
         <source>pre(3): its lives began with what was learned on scenario 3</source>
-        <translation type="unfinished"></translation>
+        <translation>pre(3): Die Leben begannen mit dem auf Szenario 3 Gelernten</translation>
     </message>
     <message>
         <source>Half of the 95 % interval of the mean, in falls</source>
-        <translation type="unfinished"></translation>
+        <translation>Halbes 95-%-Intervall des Mittels, in Stürzen</translation>
     </message>
     <message>
         <source>Of the falls, against the reference</source>
-        <translation type="unfinished"></translation>
+        <translation>Änderung der Stürze gegenüber der Referenz</translation>
     </message>
     <message>
         <source>The 95 % interval of the change, in per cent</source>
-        <translation type="unfinished"></translation>
+        <translation>95-%-Intervall der Änderung, in Prozent</translation>
     </message>
     <message>
         <source>This condition against its reference: by pairs of lives or Q-functions where both have the same, by the Q-functions where lives share them, else the one-way analysis of variance of the lives</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Bedingung gegen ihre Referenz: über Paare von Leben oder Q-Funktionen, wo beide dieselben haben, über die Q-Funktionen, wo sich Leben diese teilen, sonst die einfaktorielle Varianzanalyse der Leben</translation>
     </message>
     <message>
         <source>The same, corrected for all comparisons with this reference (Holm 1979)</source>
-        <translation type="unfinished"></translation>
+        <translation>Dasselbe, korrigiert für alle Vergleiche mit dieser Referenz (Holm 1979)</translation>
     </message>
     <message>
         <source>X: differs from the reference with p &lt; .01</source>
-        <translation type="unfinished"></translation>
+        <translation>X: weicht von der Referenz ab, p &lt; 0,01</translation>
     </message>
     <message>
         <source>Simulated minutes until the end of learning; – for a task without a clock</source>
-        <translation type="unfinished"></translation>
+        <translation>Simulierte Minuten bis zum Ende des Lernens; – bei einer Aufgabe ohne Uhr</translation>
     </message>
     <message>
         <source>Share of actions that were not the best by the values at that moment: who explores less falls less</source>
-        <translation type="unfinished"></translation>
+        <translation>Anteil der Aktionen, die nach den Werten dieses Augenblicks nicht die besten waren: Wer weniger exploriert, stürzt seltener</translation>
     </message>
     <message>
         <source>Of 100 episodes of the greedy policy at the end of a life, when nothing is learned any more, how many fall</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viele von 100 Episoden der Greedy-Policy am Ende eines Lebens, wenn nichts mehr gelernt wird, im Sturz enden</translation>
     </message>
     <message>
         <source>The condition of the chosen row stands out in the figures; Escape lets go</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Bedingung der gewählten Zeile ist in den Diagrammen hervorgehoben; Esc hebt das auf</translation>
     </message>
     <message>
         <source>%1 (reference)</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (Referenz)</translation>
     </message>
     <message>
         <source>So far: not all lives of this condition, or of what it is compared with</source>
-        <translation type="unfinished"></translation>
+        <translation>Bisher: noch nicht alle Leben dieser Bedingung oder derjenigen, mit der sie verglichen wird</translation>
     </message>
     <message>
         <source>✕ so far</source>
-        <translation type="unfinished"></translation>
+        <translation>✕ bisher</translation>
     </message>
     <message>
         <source>%1 so far</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, bisher</translation>
     </message>
     <message>
         <source>Claims %1 of the thesis; all of them stand under &quot;The thesis&apos;s claims&quot;</source>
-        <translation type="unfinished"></translation>
+        <translation>Aussagen %1 der Masterarbeit; alle stehen unter „Aussagen der Masterarbeit“</translation>
     </message>
 </context>
 <context>
     <name>surefoot::Following</name>
     <message>
         <source> What it held before is shown.</source>
-        <translation type="unfinished"></translation>
+        <translation> Gezeigt wird der vorige Inhalt.</translation>
     </message>
     <message>
         <source>It is gone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei ist weg.</translation>
     </message>
     <message>
         <source>It is not there yet; this page waits for it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Datei ist noch nicht da; diese Seite wartet darauf.</translation>
     </message>
 </context>
 <context>
     <name>surefoot::HandbookBrowser</name>
     <message>
         <source>Page of the handbook</source>
-        <translation type="unfinished"></translation>
+        <translation>Seite des Handbuchs</translation>
     </message>
 </context>
 <context>
     <name>surefoot::HandbookContents</name>
     <message>
         <source>No page has all of these words.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Seite enthält alle diese Wörter.</translation>
     </message>
     <message>
         <source>Search</source>
-        <translation type="unfinished"></translation>
+        <translation>Suchen</translation>
     </message>
     <message>
         <source>Search the handbook</source>
-        <translation type="unfinished"></translation>
+        <translation>Handbuch durchsuchen</translation>
     </message>
     <message>
         <source>Contents</source>
-        <translation type="unfinished"></translation>
+        <translation>Inhalt</translation>
     </message>
 </context>
 <context>
     <name>surefoot::HandbookWindow</name>
     <message>
         <source>Handbook</source>
-        <translation type="unfinished"></translation>
+        <translation>Handbuch</translation>
     </message>
     <message>
         <source>‹ Back</source>
-        <translation type="unfinished"></translation>
+        <translation>‹ Zurück</translation>
     </message>
     <message>
         <source>The page before (Alt+←)</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorige Seite (Alt+←)</translation>
     </message>
     <message>
         <source>Forward ›</source>
-        <translation type="unfinished"></translation>
+        <translation>Vor ›</translation>
     </message>
     <message>
         <source>The page after (Alt+→)</source>
-        <translation type="unfinished"></translation>
+        <translation>Nächste Seite (Alt+→)</translation>
     </message>
     <message>
         <source>Find</source>
-        <translation type="unfinished"></translation>
+        <translation>Finden</translation>
     </message>
     <message>
         <source>A word on this page (Ctrl+F)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Wort auf dieser Seite (Strg+F)</translation>
     </message>
     <message>
         <source>Find; Return: the next one, Escape: done</source>
-        <translation type="unfinished"></translation>
+        <translation>Suchen; Enter: nächste Stelle, Esc: fertig</translation>
     </message>
     <message>
         <source>Find on this page</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf dieser Seite suchen</translation>
     </message>
     <message>
         <source>It does not stand on this page.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das steht nicht auf dieser Seite.</translation>
     </message>
 </context>
 <context>
     <name>surefoot::Handout</name>
     <message>
         <source>%1 minutes, level %2 of 3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Minuten, Stufe %2 von 3</translation>
     </message>
     <message>
         <source>Name _______________________________   Date ______________</source>
-        <translation type="unfinished"></translation>
+        <translation>Name _______________________________   Datum ______________</translation>
     </message>
     <message>
         <source>For the teacher: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Für die Lehrkraft: %1</translation>
     </message>
     <message>
         <source>You know now: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie wissen jetzt: %1</translation>
     </message>
     <message>
         <source>To discuss: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zur Diskussion: %1</translation>
     </message>
     <message>
         <source>%1  %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1  %2</translation>
     </message>
     <message>
         <source>I set: ____________________   It came to: ____________</source>
-        <translation type="unfinished"></translation>
+        <translation>Ich stelle ein: ____________________   Ergebnis: ____________</translation>
     </message>
     <message>
         <source>Hint: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Tipp: %1</translation>
     </message>
     <message>
         <source>about %1 min</source>
-        <translation type="unfinished"></translation>
+        <translation>etwa %1 min</translation>
     </message>
     <message>
         <source>I say: ____________ %1 (%2 to %3). It came to: ____________</source>
-        <translation type="unfinished"></translation>
+        <translation>Ich sage: ____________ %1 (%2 bis %3). Ergebnis: ____________</translation>
     </message>
     <message>
         <source>It comes to %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Ergebnis: %1.</translation>
     </message>
     <message>
         <source>because</source>
-        <translation type="unfinished"></translation>
+        <translation>weil</translation>
     </message>
     <message>
         <source>____________ %1</source>
-        <translation type="unfinished"></translation>
+        <translation>____________ %1</translation>
     </message>
 </context>
 <context>
     <name>surefoot::HelpButton</name>
     <message>
         <source>%1, in the handbook</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, im Handbuch</translation>
     </message>
 </context>
 <context>
     <name>surefoot::History</name>
     <message>
         <source>the new life</source>
-        <translation type="unfinished"></translation>
+        <translation>neues Leben</translation>
     </message>
 </context>
 <context>
     <name>surefoot::KioskFoot</name>
     <message>
         <source>How much they explore</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viel sie ausprobieren</translation>
     </message>
     <message>
         <source>in 100 steps both try something else than the best</source>
-        <translation type="unfinished"></translation>
+        <translation>in 100 Schritten probieren beide etwas anderes als das Beste</translation>
     </message>
     <message>
         <source>of 100</source>
-        <translation type="unfinished"></translation>
+        <translation>von 100</translation>
     </message>
     <message>
         <source>the lesson&apos;s word</source>
-        <translation type="unfinished"></translation>
+        <translation>das Wort der Lektion</translation>
     </message>
     <message>
         <source>The lesson&apos;s word</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Wort der Lektion</translation>
     </message>
     <message>
         <source>What you see</source>
-        <translation type="unfinished"></translation>
+        <translation>Was Sie sehen</translation>
     </message>
 </context>
 <context>
     <name>surefoot::KioskRobot</name>
     <message>
         <source>Touch the pole</source>
-        <translation type="unfinished"></translation>
+        <translation>Stab antippen</translation>
     </message>
     <message>
         <source>both get the same push</source>
-        <translation type="unfinished"></translation>
+        <translation>beide bekommen denselben Stoß</translation>
     </message>
     <message>
         <source>falls</source>
@@ -5785,7 +5800,7 @@ Those before were not recorded in this window.</source>
     </message>
     <message>
         <source>World of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Welt von %1</translation>
     </message>
 </context>
 <context>
@@ -5796,54 +5811,54 @@ Those before were not recorded in this window.</source>
     </message>
     <message>
         <source>tries anything</source>
-        <translation type="unfinished"></translation>
+        <translation>probiert alles</translation>
     </message>
     <message>
         <source>Softmax</source>
-        <translation type="unfinished"></translation>
+        <translation>Softmax</translation>
     </message>
     <message>
         <source>tries what is nearly as good</source>
-        <translation type="unfinished"></translation>
+        <translation>probiert, was fast so gut ist</translation>
     </message>
     <message>
         <source>Start again</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu beginnen</translation>
     </message>
     <message>
         <source>by itself in %1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>von selbst in %1 s</translation>
     </message>
     <message>
         <source>ε-greedy %1 falls, Softmax %2 falls</source>
-        <translation type="unfinished"></translation>
+        <translation>ε-greedy: %1 Stürze, Softmax: %2 Stürze</translation>
     </message>
     <message>
         <source>It is being made ready …</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird vorbereitet …</translation>
     </message>
     <message>
         <source>ε = %1 against τ = %2, %3 episodes each</source>
-        <translation type="unfinished"></translation>
+        <translation>ε = %1 gegen τ = %2, je %3 Episoden</translation>
     </message>
     <message>
         <source>After %1 episodes: %2 falls against %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach %1 Episoden: %2 Stürze gegen %3.</translation>
     </message>
     <message>
         <source>Now neither tries anything: both always take what they think is best.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetzt probiert keiner etwas: Beide tun stets, was sie für das Beste halten.</translation>
     </message>
 </context>
 <context>
     <name>surefoot::KnobRows</name>
     <message>
         <source>Policy</source>
-        <translation type="unfinished"></translation>
+        <translation>Policy</translation>
     </message>
     <message>
         <source>Learning rule</source>
-        <translation type="unfinished"></translation>
+        <translation>Lernregel</translation>
     </message>
     <message>
         <source>Scenario</source>
@@ -5854,15 +5869,15 @@ Those before were not recorded in this window.</source>
     <name>surefoot::LearningChart</name>
     <message>
         <source>episode %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Episode %1</translation>
     </message>
     <message>
         <source>%1 min</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 min</translation>
     </message>
     <message>
         <source>%1: %2, %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2, %3</translation>
     </message>
     <message numerus="yes">
         <source>%1 falls</source>
@@ -5873,55 +5888,55 @@ Those before were not recorded in this window.</source>
     </message>
     <message>
         <source>Whole life	Home</source>
-        <translation type="unfinished"></translation>
+        <translation>Ganzes Leben	Pos1</translation>
     </message>
     <message>
         <source>While it learned</source>
-        <translation type="unfinished"></translation>
+        <translation>Solange es lernte</translation>
     </message>
     <message>
         <source>Remove %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 entfernen</translation>
     </message>
     <message>
         <source>Remove all earlier runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle früheren Läufe entfernen</translation>
     </message>
     <message>
         <source>pushed by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>von Hand gestoßen</translation>
     </message>
     <message>
         <source>placed by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>von Hand platziert</translation>
     </message>
     <message>
         <source>gone on from an earlier moment</source>
-        <translation type="unfinished"></translation>
+        <translation>ab einem früheren Augenblick fortgesetzt</translation>
     </message>
     <message>
         <source>end of learning</source>
-        <translation type="unfinished"></translation>
+        <translation>Ende des Lernens</translation>
     </message>
     <message>
         <source>A fall after a person placed or pushed the body. A click replays it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Sturz, nachdem jemand den Körper platziert oder gestoßen hat. Ein Klick spielt ihn ab.</translation>
     </message>
     <message>
         <source>A click replays this fall.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Klick spielt diesen Sturz ab.</translation>
     </message>
     <message>
         <source>This fall is no longer kept; it cannot be replayed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Sturz ist nicht mehr gespeichert und lässt sich nicht abspielen.</translation>
     </message>
     <message>
         <source>Falls appear here. None so far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier erscheinen Stürze. Bisher keine.</translation>
     </message>
     <message>
         <source>The average appears with the first episodes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Mittel erscheint mit den ersten Episoden.</translation>
     </message>
     <message>
         <source>simulated time [min]</source>
@@ -5933,78 +5948,78 @@ Those before were not recorded in this window.</source>
     </message>
     <message>
         <source>2nd: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>2.: %1</translation>
     </message>
     <message>
         <source>live: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>live: %1</translation>
     </message>
     <message>
         <source>run %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Lauf %1: %2</translation>
     </message>
     <message>
         <source>00,000 you said</source>
-        <translation type="unfinished"></translation>
+        <translation>00,000 Sie sagten</translation>
     </message>
     <message>
         <source>greedy tests</source>
-        <translation type="unfinished"></translation>
+        <translation>Greedy-Tests</translation>
     </message>
     <message>
         <source>you said</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie sagten</translation>
     </message>
     <message>
         <source>you say</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie sagen</translation>
     </message>
     <message>
         <source>%1 at %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 bei %2</translation>
     </message>
     <message>
         <source>%1 more</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mehr</translation>
     </message>
     <message>
         <source>%1 fewer</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 weniger</translation>
     </message>
 </context>
 <context>
     <name>surefoot::LessonBar</name>
     <message>
         <source>‹  All lessons</source>
-        <translation type="unfinished"></translation>
+        <translation>‹  Alle Lektionen</translation>
     </message>
     <message>
         <source>The list of lessons; this one waits at its step</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Liste der Lektionen; diese wartet bei ihrem Schritt</translation>
     </message>
     <message>
         <source>Teacher</source>
-        <translation type="unfinished"></translation>
+        <translation>Lehrkraft</translation>
     </message>
     <message>
         <source>Notes, answers and the class, in a window for the teacher&apos;s own screen</source>
-        <translation type="unfinished"></translation>
+        <translation>Notizen, Antworten und der Kurs, in einem Fenster für den Bildschirm der Lehrkraft</translation>
     </message>
     <message>
         <source>Run</source>
-        <translation type="unfinished"></translation>
+        <translation>Start</translation>
     </message>
     <message>
         <source>Run or pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Start oder Pause</translation>
     </message>
     <message>
         <source>Restart</source>
-        <translation type="unfinished"></translation>
+        <translation>Neustart</translation>
     </message>
     <message>
         <source>Start the life again with the same seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Leben mit demselben Seed neu beginnen</translation>
     </message>
     <message>
         <source>Turbo</source>
@@ -6012,23 +6027,23 @@ Those before were not recorded in this window.</source>
     </message>
     <message>
         <source>Learn flat out</source>
-        <translation type="unfinished"></translation>
+        <translation>Lernen mit Höchsttempo</translation>
     </message>
     <message>
         <source>Pace</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo</translation>
     </message>
     <message>
         <source>How fast the world runs; real time is in the middle</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie schnell die Welt läuft; in der Mitte ist Echtzeit</translation>
     </message>
     <message>
         <source>How long the robot has lived, by its own clock</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie lange der Roboter gelebt hat, nach seiner eigenen Uhr</translation>
     </message>
     <message>
         <source>minutes</source>
-        <translation type="unfinished"></translation>
+        <translation>Minuten</translation>
     </message>
     <message>
         <source>falls</source>
@@ -6040,106 +6055,106 @@ Those before were not recorded in this window.</source>
     </message>
     <message>
         <source>Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Pause</translation>
     </message>
 </context>
 <context>
     <name>surefoot::LessonColumn</name>
     <message>
         <source>%1 % lived</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 % gelebt</translation>
     </message>
     <message>
         <source>Hint</source>
-        <translation type="unfinished"></translation>
+        <translation>Tipp</translation>
     </message>
     <message>
         <source>Reset step</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritt von vorn</translation>
     </message>
     <message>
         <source>Explore freely</source>
-        <translation type="unfinished"></translation>
+        <translation>Frei erkunden</translation>
     </message>
     <message>
         <source>A hint, if the step has one (F1)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Tipp, wenn der Schritt einen hat (F1)</translation>
     </message>
     <message>
         <source>The step begins again, as it was</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Schritt beginnt noch einmal, wie er war</translation>
     </message>
     <message>
         <source>The Live page with this robot as it is now; the lesson waits here</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Seite Live mit diesem Roboter, wie er jetzt ist; die Lektion wartet hier</translation>
     </message>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück</translation>
     </message>
     <message>
         <source>Next</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter</translation>
     </message>
     <message>
         <source>The step before (Alt+←)</source>
-        <translation type="unfinished"></translation>
+        <translation>Voriger Schritt (Alt+←)</translation>
     </message>
     <message>
         <source>Go on (Alt+→)</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter (Alt+→)</translation>
     </message>
     <message>
         <source>step %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritt %1 von %2</translation>
     </message>
     <message>
         <source>Knob</source>
-        <translation type="unfinished"></translation>
+        <translation>Regler</translation>
     </message>
     <message>
         <source>Knobs</source>
-        <translation type="unfinished"></translation>
+        <translation>Regler</translation>
     </message>
     <message>
         <source>Step %1 of %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritt %1 von %2: %3</translation>
     </message>
     <message>
         <source>%1 becomes %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wird %2</translation>
     </message>
     <message>
         <source>%1 when you commit</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, sobald Sie sich festlegen</translation>
     </message>
     <message>
         <source>done</source>
-        <translation type="unfinished"></translation>
+        <translation>fertig</translation>
     </message>
     <message>
         <source>The lesson is done. You know now: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Lektion ist fertig. Sie wissen jetzt: %1</translation>
     </message>
     <message>
         <source>Skip</source>
-        <translation type="unfinished"></translation>
+        <translation>Auslassen</translation>
     </message>
     <message>
         <source>Finish</source>
-        <translation type="unfinished"></translation>
+        <translation>Beenden</translation>
     </message>
     <message>
         <source>It is being made ready …</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird vorbereitet …</translation>
     </message>
     <message>
         <source>It is being lived …</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Leben läuft …</translation>
     </message>
     <message>
         <source>The lives are being lived …</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Leben laufen …</translation>
     </message>
 </context>
 <context>
@@ -6153,23 +6168,23 @@ Those before were not recorded in this window.</source>
     </message>
     <message>
         <source>%1 min, level %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 min, Stufe %2</translation>
     </message>
     <message>
         <source>Q on a map</source>
-        <translation type="unfinished"></translation>
+        <translation>Q als Karte</translation>
     </message>
     <message>
         <source>actions</source>
-        <translation type="unfinished"></translation>
+        <translation>Aktionen</translation>
     </message>
     <message>
         <source>one step</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Schritt</translation>
     </message>
     <message>
         <source>rule of thumb</source>
-        <translation type="unfinished"></translation>
+        <translation>Faustregel</translation>
     </message>
     <message>
         <source>average reward</source>
@@ -6177,47 +6192,47 @@ Those before were not recorded in this window.</source>
     </message>
     <message>
         <source>list of falls</source>
-        <translation type="unfinished"></translation>
+        <translation>Liste der Stürze</translation>
     </message>
     <message>
         <source>the learning rule</source>
-        <translation type="unfinished"></translation>
+        <translation>die Lernregel</translation>
     </message>
     <message>
         <source>Better after</source>
-        <translation type="unfinished"></translation>
+        <translation>Besser nach</translation>
     </message>
     <message>
         <source>On screen</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu sehen</translation>
     </message>
     <message>
         <source>Knobs</source>
-        <translation type="unfinished"></translation>
+        <translation>Regler</translation>
     </message>
     <message>
         <source>See again</source>
-        <translation type="unfinished"></translation>
+        <translation>Wieder ansehen</translation>
     </message>
     <message>
         <source>Continue at step %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter bei Schritt %1</translation>
     </message>
     <message>
         <source>Start</source>
-        <translation type="unfinished"></translation>
+        <translation>Start</translation>
     </message>
     <message>
         <source>Begin again</source>
-        <translation type="unfinished"></translation>
+        <translation>Von vorn</translation>
     </message>
     <message>
         <source>Explore freely</source>
-        <translation type="unfinished"></translation>
+        <translation>Frei erkunden</translation>
     </message>
     <message>
         <source>The Live page, as the lesson begins</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Seite Live im Anfangszustand der Lektion</translation>
     </message>
 </context>
 <context>
@@ -6228,147 +6243,147 @@ Those before were not recorded in this window.</source>
     </message>
     <message>
         <source>That life is over; restart it and try another way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Leben ist vorbei; starten Sie es neu und versuchen Sie es anders.</translation>
     </message>
     <message>
         <source>The lesson begins anew: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Lektion beginnt von vorn: %1</translation>
     </message>
 </context>
 <context>
     <name>surefoot::LessonEditor</name>
     <message>
         <source>Lesson</source>
-        <translation type="unfinished"></translation>
+        <translation>Lektion</translation>
     </message>
     <message>
         <source>Try it</source>
-        <translation type="unfinished"></translation>
+        <translation>Testen</translation>
     </message>
     <message>
         <source>Live through it</source>
-        <translation type="unfinished"></translation>
+        <translation>Durchspielen</translation>
     </message>
     <message>
         <source>All solutions are lived; what does not come out as the text says is told</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Lösungen werden durchgespielt; gemeldet wird, was anders ausgeht, als der Text sagt</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern</translation>
     </message>
     <message>
         <source>Save as …</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern unter …</translation>
     </message>
     <message>
         <source>All lessons</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Lektionen</translation>
     </message>
     <message>
         <source>It is being lived through …</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird durchgespielt …</translation>
     </message>
     <message>
         <source>Line %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1: %2</translation>
     </message>
     <message>
         <source>No errors. “Live through it” tries its solutions.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Fehler. „Durchspielen“ testet die Lösungen.</translation>
     </message>
     <message>
         <source>Well: all %1 steps were lived through.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gut: alle %1 Schritte wurden durchgespielt.</translation>
     </message>
     <message>
         <source>not saved yet</source>
-        <translation type="unfinished"></translation>
+        <translation>noch nicht gespeichert</translation>
     </message>
     <message>
         <source>%1, changed</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, geändert</translation>
     </message>
     <message>
         <source>The step under the caret is shown here.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier steht der Schritt, in dem der Cursor ist.</translation>
     </message>
     <message>
         <source>Step %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritt %1: %2</translation>
     </message>
     <message>
         <source>%1; as of the last text without an error</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; Stand des letzten Textes ohne Fehler</translation>
     </message>
     <message>
         <source>Save the lesson</source>
-        <translation type="unfinished"></translation>
+        <translation>Lektion speichern</translation>
     </message>
 </context>
 <context>
     <name>surefoot::LessonEnd</name>
     <message>
         <source>You know now</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie wissen jetzt</translation>
     </message>
     <message>
         <source>In your words</source>
-        <translation type="unfinished"></translation>
+        <translation>In Ihren Worten</translation>
     </message>
     <message>
         <source>One answer</source>
-        <translation type="unfinished"></translation>
+        <translation>Musterantwort</translation>
     </message>
     <message>
         <source>Next: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter: %1</translation>
     </message>
     <message>
         <source>All lessons</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Lektionen</translation>
     </message>
 </context>
 <context>
     <name>surefoot::LessonList</name>
     <message>
         <source>%1, it has an error</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, enthält einen Fehler</translation>
     </message>
     <message>
         <source>done</source>
-        <translation type="unfinished"></translation>
+        <translation>fertig</translation>
     </message>
     <message>
         <source>step %1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritt %1 von %2</translation>
     </message>
     <message>
         <source>not begun</source>
-        <translation type="unfinished"></translation>
+        <translation>nicht begonnen</translation>
     </message>
     <message>
         <source>Lesson %1 of %2, </source>
-        <translation type="unfinished"></translation>
+        <translation>Lektion %1 von %2, </translation>
     </message>
     <message>
         <source>%1%2, %3 minutes, level %4 of 3, %5</source>
-        <translation type="unfinished"></translation>
+        <translation>%1%2, %3 Minuten, Stufe %4 von 3, %5</translation>
     </message>
     <message>
         <source>Lessons</source>
-        <translation type="unfinished"></translation>
+        <translation>Lektionen</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2</translation>
     </message>
 </context>
 <context>
     <name>surefoot::LessonPanels</name>
     <message>
         <source>World</source>
-        <translation type="unfinished"></translation>
+        <translation>Welt</translation>
     </message>
     <message>
         <source>Falls</source>
@@ -6380,31 +6395,31 @@ Those before were not recorded in this window.</source>
     </message>
     <message>
         <source>cumulative; each mark is one, click it to replay</source>
-        <translation type="unfinished"></translation>
+        <translation>kumuliert; jede Marke ist ein Sturz, ein Klick spielt ihn ab</translation>
     </message>
     <message>
         <source>last 80 episodes</source>
-        <translation type="unfinished"></translation>
+        <translation>letzte 80 Episoden</translation>
     </message>
     <message>
         <source>What the robot would do now</source>
-        <translation type="unfinished"></translation>
+        <translation>Was der Roboter jetzt täte</translation>
     </message>
     <message>
         <source>% on a square-root scale</source>
-        <translation type="unfinished"></translation>
+        <translation>% auf einer Wurzelskala</translation>
     </message>
     <message>
         <source>Value maps</source>
-        <translation type="unfinished"></translation>
+        <translation>Wertekarten</translation>
     </message>
     <message>
         <source>This step</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Schritt</translation>
     </message>
     <message>
         <source>what the last one taught</source>
-        <translation type="unfinished"></translation>
+        <translation>was der letzte lehrte</translation>
     </message>
     <message>
         <source>Rule of thumb</source>
@@ -6412,346 +6427,346 @@ Those before were not recorded in this window.</source>
     </message>
     <message>
         <source>TRL&apos;s threshold</source>
-        <translation type="unfinished"></translation>
+        <translation>TRL-Schwelle</translation>
     </message>
     <message>
         <source>List of falls</source>
-        <translation type="unfinished"></translation>
+        <translation>Liste der Stürze</translation>
     </message>
     <message>
         <source>a click shows one again</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Klick zeigt einen noch einmal</translation>
     </message>
     <message>
         <source>Parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter</translation>
     </message>
     <message>
         <source>%1 lives of each</source>
-        <translation type="unfinished"></translation>
+        <translation>je %1 Leben</translation>
     </message>
     <message>
         <source>real time; the learner runs faster</source>
-        <translation type="unfinished"></translation>
+        <translation>Echtzeit; der Lerner läuft schneller</translation>
     </message>
     <message>
         <source>it learns; take hold of it</source>
-        <translation type="unfinished"></translation>
+        <translation>er lernt; greifen Sie zu</translation>
     </message>
     <message>
         <source>what it can do so far; it learns nothing now</source>
-        <translation type="unfinished"></translation>
+        <translation>was er bisher kann; jetzt lernt er nichts</translation>
     </message>
     <message>
         <source>held still</source>
-        <translation type="unfinished"></translation>
+        <translation>steht still</translation>
     </message>
 </context>
 <context>
     <name>surefoot::LessonRow</name>
     <message>
         <source>minutes</source>
-        <translation type="unfinished"></translation>
+        <translation>Minuten</translation>
     </message>
     <message>
         <source>level</source>
-        <translation type="unfinished"></translation>
+        <translation>Stufe</translation>
     </message>
     <message>
         <source>it has an error</source>
-        <translation type="unfinished"></translation>
+        <translation>enthält einen Fehler</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2</translation>
     </message>
 </context>
 <context>
     <name>surefoot::LessonView</name>
     <message>
         <source>Next</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiter</translation>
     </message>
     <message>
         <source>Back</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück</translation>
     </message>
     <message>
         <source>your prediction</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Vorhersage</translation>
     </message>
 </context>
 <context>
     <name>surefoot::LessonsPage</name>
     <message>
         <source>What you do cannot be kept: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Was Sie tun, lässt sich nicht speichern: %1</translation>
     </message>
     <message>
         <source>seed %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Seed %1</translation>
     </message>
     <message>
         <source>answers are kept on this computer only</source>
-        <translation type="unfinished"></translation>
+        <translation>Antworten bleiben nur auf diesem Computer</translation>
     </message>
     <message>
         <source>answers of %1 are kept in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Antworten von %1 werden in %2 gespeichert</translation>
     </message>
     <message>
         <source>Continue</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortsetzen</translation>
     </message>
     <message>
         <source>Lessons</source>
-        <translation type="unfinished"></translation>
+        <translation>Lektionen</translation>
     </message>
     <message>
         <source>thirteen, a good two hours in all; a double lesson of 90 minutes is 1, 2, 3, 5, 6, 7, 11, 13</source>
-        <translation type="unfinished"></translation>
+        <translation>dreizehn, insgesamt gut zwei Stunden; eine Doppelstunde von 90 Minuten: 1, 2, 3, 5, 6, 7, 11, 13</translation>
     </message>
     <message>
         <source>What was said and done in “%1” is forgotten when it begins again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was in „%1“ gesagt und getan wurde, wird vergessen, wenn die Lektion von vorn beginnt.</translation>
     </message>
     <message>
         <source>No lessons</source>
-        <translation type="unfinished"></translation>
+        <translation>Keine Lektionen</translation>
     </message>
     <message>
         <source>All are done</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle sind fertig</translation>
     </message>
     <message>
         <source>Lessons come with the program; none were found in %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lektionen gehören zum Programm; in %1 wurden keine gefunden.</translation>
     </message>
     <message>
         <source>Start with the first</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit der ersten beginnen</translation>
     </message>
     <message>
         <source>Start</source>
-        <translation type="unfinished"></translation>
+        <translation>Start</translation>
     </message>
     <message>
         <source>about %1 min left</source>
-        <translation type="unfinished"></translation>
+        <translation>noch etwa %1 min</translation>
     </message>
     <message>
         <source>%1   step %2 of %3, %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1   Schritt %2 von %3, %4</translation>
     </message>
     <message>
         <source>%1   %2 min</source>
-        <translation type="unfinished"></translation>
+        <translation>%1   %2 min</translation>
     </message>
     <message>
         <source>You were asked: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie wurden gefragt: %1</translation>
     </message>
     <message>
         <source>about %1 hours left</source>
-        <translation type="unfinished"></translation>
+        <translation>noch etwa %1 Stunden</translation>
     </message>
     <message>
         <source>%1 of %2 lessons</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 Lektionen</translation>
     </message>
     <message>
         <source>For teachers:</source>
-        <translation type="unfinished"></translation>
+        <translation>Für Lehrende:</translation>
     </message>
     <message>
         <source>a lesson file can also be dropped here</source>
-        <translation type="unfinished"></translation>
+        <translation>eine Lektionsdatei lässt sich auch hierher ziehen</translation>
     </message>
     <message>
         <source>Notes</source>
-        <translation type="unfinished"></translation>
+        <translation>Notizen</translation>
     </message>
     <message>
         <source>What the chosen lesson&apos;s teacher should know: answers, questions, times</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Lehrkraft zur gewählten Lektion wissen sollte: Antworten, Fragen, Zeiten</translation>
     </message>
     <message>
         <source>Open a lesson file …</source>
-        <translation type="unfinished"></translation>
+        <translation>Lektionsdatei öffnen …</translation>
     </message>
     <message>
         <source>Write …</source>
-        <translation type="unfinished"></translation>
+        <translation>Schreiben …</translation>
     </message>
     <message>
         <source>Class …</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurs …</translation>
     </message>
     <message>
         <source>Kiosk</source>
-        <translation type="unfinished"></translation>
+        <translation>Kiosk</translation>
     </message>
     <message>
         <source>Hand-out …</source>
-        <translation type="unfinished"></translation>
+        <translation>Arbeitsblatt …</translation>
     </message>
     <message>
         <source>A lesson of one&apos;s own: one text file</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine eigene Lektion: eine einzige Textdatei</translation>
     </message>
     <message>
         <source>Answers are kept in a shared folder, in a file for each student</source>
-        <translation type="unfinished"></translation>
+        <translation>Antworten kommen in einen gemeinsamen Ordner, eine Datei für jede Person</translation>
     </message>
     <message>
         <source>Two robots on the whole screen, for a booth; a window of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Roboter auf dem ganzen Bildschirm, für einen Stand; ein eigenes Fenster</translation>
     </message>
     <message>
         <source>The lesson on paper, with room to write, or with the answers</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Lektion auf Papier, mit Platz zum Schreiben oder mit den Antworten</translation>
     </message>
     <message>
         <source>A lesson of one&apos;s own as text, checked while it is typed</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine eigene Lektion als Text, beim Tippen geprüft</translation>
     </message>
     <message>
         <source>A new lesson</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine neue Lektion</translation>
     </message>
     <message>
         <source>The chosen one</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gewählte</translation>
     </message>
     <message>
         <source>For students …</source>
-        <translation type="unfinished"></translation>
+        <translation>Für Lernende …</translation>
     </message>
     <message>
         <source>With the answers …</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit Antworten …</translation>
     </message>
     <message>
         <source>Open a lesson</source>
-        <translation type="unfinished"></translation>
+        <translation>Lektion öffnen</translation>
     </message>
     <message>
         <source>Lessons (*.toml);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Lektionen (*.toml);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>%1 is written.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist gespeichert.</translation>
     </message>
     <message>
         <source>The text in hand is not saved; save it, and then take another.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der aktuelle Text ist nicht gespeichert; speichern Sie ihn, bevor Sie einen anderen nehmen.</translation>
     </message>
     <message>
         <source>This text was not saved; it is back as it was.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Text war nicht gespeichert; er ist wieder da, wie er war.</translation>
     </message>
     <message>
         <source>Class</source>
-        <translation type="unfinished"></translation>
+        <translation>Kurs</translation>
     </message>
     <message>
         <source>Every student has a file of their own in the folder. A name of your choosing will do.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Person hat in dem Ordner eine eigene Datei. Ein selbst gewählter Name genügt.</translation>
     </message>
     <message>
         <source>Join</source>
-        <translation type="unfinished"></translation>
+        <translation>Beitreten</translation>
     </message>
     <message>
         <source>Shared folder</source>
-        <translation type="unfinished"></translation>
+        <translation>Gemeinsamer Ordner</translation>
     </message>
     <message>
         <source>Name</source>
-        <translation type="unfinished"></translation>
+        <translation>Name</translation>
     </message>
     <message>
         <source>A name has up to 40 letters, digits, blanks, - and _.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Name hat bis zu 40 Buchstaben, Ziffern, Leerzeichen, - und _.</translation>
     </message>
     <message>
         <source>There is no such folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diesen Ordner gibt es nicht.</translation>
     </message>
     <message>
         <source>This lesson has no kiosk; these have one: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Lektion hat keinen Kiosk; diese haben einen: %1.</translation>
     </message>
     <message>
         <source>The kiosk could not be started.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Kiosk ließ sich nicht starten.</translation>
     </message>
     <message>
         <source>The kiosk opens. Ctrl+Shift+K and the word “%1” leave it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Kiosk öffnet sich. Strg+Umschalt+K und das Wort „%1“ beenden ihn.</translation>
     </message>
     <message>
         <source>Hand-out</source>
-        <translation type="unfinished"></translation>
+        <translation>Arbeitsblatt</translation>
     </message>
 </context>
 <context>
     <name>surefoot::LifeFollower</name>
     <message>
         <source>it is being read …</source>
-        <translation type="unfinished"></translation>
+        <translation>wird gelesen …</translation>
     </message>
     <message>
         <source>the life is complete</source>
-        <translation type="unfinished"></translation>
+        <translation>das Leben ist zu Ende</translation>
     </message>
     <message>
         <source>as of %1, %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Stand %1, %2</translation>
     </message>
     <message>
         <source>the body acts with its values, and learns nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>der Körper handelt nach den Werten und lernt nichts</translation>
     </message>
     <message>
         <source>it stands still</source>
-        <translation type="unfinished"></translation>
+        <translation>es steht still</translation>
     </message>
 </context>
 <context>
     <name>surefoot::LivePage</name>
     <message>
         <source>Parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter</translation>
     </message>
     <message>
         <source>preset %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Preset %1</translation>
     </message>
     <message>
         <source>More</source>
-        <translation type="unfinished"></translation>
+        <translation>Mehr</translation>
     </message>
     <message>
         <source>Reset all</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle zurücksetzen</translation>
     </message>
     <message>
         <source>Fewer</source>
-        <translation type="unfinished"></translation>
+        <translation>Weniger</translation>
     </message>
     <message>
         <source>What the robot would do now</source>
-        <translation type="unfinished"></translation>
+        <translation>Was der Roboter jetzt täte</translation>
     </message>
     <message>
         <source>This step</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Schritt</translation>
     </message>
     <message>
         <source>what the last one taught</source>
-        <translation type="unfinished"></translation>
+        <translation>was der letzte lehrte</translation>
     </message>
     <message>
         <source>Rule of thumb</source>
@@ -6759,15 +6774,15 @@ Those before were not recorded in this window.</source>
     </message>
     <message>
         <source>TRL&apos;s threshold</source>
-        <translation type="unfinished"></translation>
+        <translation>TRL-Schwelle</translation>
     </message>
     <message>
         <source>List of falls</source>
-        <translation type="unfinished"></translation>
+        <translation>Liste der Stürze</translation>
     </message>
     <message>
         <source>a click shows one again</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Klick zeigt einen noch einmal</translation>
     </message>
     <message>
         <source>Average reward</source>
@@ -6775,11 +6790,11 @@ Those before were not recorded in this window.</source>
     </message>
     <message>
         <source>last %1 episodes</source>
-        <translation type="unfinished"></translation>
+        <translation>letzte %1 Episoden</translation>
     </message>
     <message>
         <source>all %1 so far</source>
-        <translation type="unfinished"></translation>
+        <translation>bisher %1</translation>
     </message>
     <message>
         <source>Falls</source>
@@ -6787,496 +6802,496 @@ Those before were not recorded in this window.</source>
     </message>
     <message>
         <source>Whole life</source>
-        <translation type="unfinished"></translation>
+        <translation>Ganzes Leben</translation>
     </message>
     <message>
         <source>Show the whole life, or only as far as it learned. In the chart the wheel or a drag magnifies a part; a double click or Home shows the whole life.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ganze Leben zeigen oder nur die Zeit, in der es lernte. Im Diagramm vergrößern das Mausrad oder Ziehen einen Teil; ein Doppelklick oder Pos1 zeigt das ganze Leben.</translation>
     </message>
     <message>
         <source>A part</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Teil</translation>
     </message>
     <message>
         <source>While it learned</source>
-        <translation type="unfinished"></translation>
+        <translation>Solange es lernte</translation>
     </message>
     <message>
         <source>Time shown: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Gezeigte Zeit: %1</translation>
     </message>
     <message>
         <source>cumulative</source>
-        <translation type="unfinished"></translation>
+        <translation>kumuliert</translation>
     </message>
     <message>
         <source>up to minute %1</source>
-        <translation type="unfinished"></translation>
+        <translation>bis Minute %1</translation>
     </message>
     <message>
         <source>up to episode %1</source>
-        <translation type="unfinished"></translation>
+        <translation>bis Episode %1</translation>
     </message>
     <message>
         <source>%1; %2 after a push or placing by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; davon %2 nach Stoßen oder Platzieren von Hand</translation>
     </message>
     <message>
         <source>%1; click a mark to replay it</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; Klick auf eine Marke: Wiedergabe</translation>
     </message>
     <message>
         <source>Value maps</source>
-        <translation type="unfinished"></translation>
+        <translation>Wertekarten</translation>
     </message>
     <message>
         <source>in the state fixed on the map; Escape on the map lets go</source>
-        <translation type="unfinished"></translation>
+        <translation>im Zustand, der auf der Karte fixiert ist; Esc auf der Karte löst ihn</translation>
     </message>
     <message>
         <source>in the state under the cursor on the map</source>
-        <translation type="unfinished"></translation>
+        <translation>im Zustand unter dem Mauszeiger auf der Karte</translation>
     </message>
     <message>
         <source>the next action is shaded; %1 actions, by joint</source>
-        <translation type="unfinished"></translation>
+        <translation>die nächste Aktion ist schattiert; %1 Aktionen, je Gelenk</translation>
     </message>
     <message>
         <source>in the replay</source>
-        <translation type="unfinished"></translation>
+        <translation>in der Wiedergabe</translation>
     </message>
     <message>
         <source>in the real-time world</source>
-        <translation type="unfinished"></translation>
+        <translation>in der Echtzeitwelt</translation>
     </message>
     <message>
         <source>the next action is shaded</source>
-        <translation type="unfinished"></translation>
+        <translation>die nächste Aktion ist schattiert</translation>
     </message>
     <message>
         <source>%1; Escape: back to live</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; Esc: zurück zu Live</translation>
     </message>
     <message>
         <source>%1; ← → move, Escape: back to live</source>
-        <translation type="unfinished"></translation>
+        <translation>%1; ← → bewegen, Esc: zurück zu Live</translation>
     </message>
     <message>
         <source>real time, newest Q-function; nothing is learned</source>
-        <translation type="unfinished"></translation>
+        <translation>Echtzeit, neueste Q-Funktion; nichts wird gelernt</translation>
     </message>
     <message>
         <source>the life is complete</source>
-        <translation type="unfinished"></translation>
+        <translation>das Leben ist zu Ende</translation>
     </message>
     <message>
         <source>the learner&apos;s world, paused; turbo is on</source>
-        <translation type="unfinished"></translation>
+        <translation>die Welt des Lerners, angehalten; Turbo ist an</translation>
     </message>
     <message>
         <source>the learner&apos;s world, paused</source>
-        <translation type="unfinished"></translation>
+        <translation>die Welt des Lerners, angehalten</translation>
     </message>
     <message>
         <source>the learner&apos;s world; its life began %1</source>
-        <translation type="unfinished"></translation>
+        <translation>die Welt des Lerners; Beginn des Lebens: %1</translation>
     </message>
     <message>
         <source>the learner&apos;s world</source>
-        <translation type="unfinished"></translation>
+        <translation>die Welt des Lerners</translation>
     </message>
     <message>
         <source>the learner&apos;s world, %1</source>
-        <translation type="unfinished"></translation>
+        <translation>die Welt des Lerners, %1</translation>
     </message>
     <message>
         <source>real time; only this world is held, the learner&apos;s is not</source>
-        <translation type="unfinished"></translation>
+        <translation>Echtzeit; nur diese Welt wird festgehalten, die des Lerners nicht</translation>
     </message>
     <message>
         <source>real time, newest Q-function</source>
-        <translation type="unfinished"></translation>
+        <translation>Echtzeit, neueste Q-Funktion</translation>
     </message>
     <message>
         <source>real time, newest Q-function; the learner runs %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Echtzeit, neueste Q-Funktion; der Lerner läuft %1</translation>
     </message>
     <message>
         <source>World</source>
-        <translation type="unfinished"></translation>
+        <translation>Welt</translation>
     </message>
     <message>
         <source>First</source>
-        <translation type="unfinished"></translation>
+        <translation>Erster</translation>
     </message>
     <message>
         <source>Second</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweiter</translation>
     </message>
     <message>
         <source>Panels that share this place</source>
-        <translation type="unfinished"></translation>
+        <translation>Panels an diesem Platz</translation>
     </message>
     <message>
         <source>The learner goes on %1 steps into that episode, with what it knows now; the journal says so.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Lerner macht nach %1 Schritten jener Episode weiter, mit dem, was er jetzt weiß; das Journal vermerkt es.</translation>
     </message>
     <message>
         <source>Signals</source>
-        <translation type="unfinished"></translation>
+        <translation>Signale</translation>
     </message>
     <message>
         <source>Phase portrait</source>
-        <translation type="unfinished"></translation>
+        <translation>Phasenporträt</translation>
     </message>
     <message>
         <source>Signals of the axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Signale der Achsen</translation>
     </message>
     <message>
         <source>Horizontal</source>
-        <translation type="unfinished"></translation>
+        <translation>Waagerecht</translation>
     </message>
     <message>
         <source>Vertical</source>
-        <translation type="unfinished"></translation>
+        <translation>Senkrecht</translation>
     </message>
     <message>
         <source>Strides</source>
-        <translation type="unfinished"></translation>
+        <translation>Doppelschritte</translation>
     </message>
     <message>
         <source>two steps each; a click marks one in the signals</source>
-        <translation type="unfinished"></translation>
+        <translation>je zwei Schritte; ein Klick markiert sie in den Signalen</translation>
     </message>
 </context>
 <context>
     <name>surefoot::LivesView</name>
     <message>
         <source>%1: mean %2, 95 percent interval %3 to %4</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Mittel %2, 95-Prozent-Intervall %3 bis %4</translation>
     </message>
     <message>
         <source>difference</source>
-        <translation type="unfinished"></translation>
+        <translation>Differenz</translation>
     </message>
     <message>
         <source>a line: one seed; </source>
-        <translation type="unfinished"></translation>
+        <translation>Linie: ein Seed; </translation>
     </message>
     <message>
         <source>a dot: one life; %1bar: 95 % interval of the mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt: ein Leben; %1Balken: 95-%-Intervall des Mittels</translation>
     </message>
     <message>
         <source>%1bar: 95 % interval</source>
-        <translation type="unfinished"></translation>
+        <translation>%1Balken: 95-%-Intervall</translation>
     </message>
     <message>
         <source>bar: 95 % interval</source>
-        <translation type="unfinished"></translation>
+        <translation>Balken: 95-%-Intervall</translation>
     </message>
     <message>
         <source>mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittel</translation>
     </message>
     <message>
         <source>They are being lived …</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Leben laufen …</translation>
     </message>
 </context>
 <context>
     <name>surefoot::Looking</name>
     <message>
         <source>fall %1, at a quarter of the speed</source>
-        <translation type="unfinished"></translation>
+        <translation>Sturz %1, ein Viertel des Tempos</translation>
     </message>
     <message>
         <source>Only the learner&apos;s own world can be gone on with, in the Signals layout and without turbo; or a fall, or a roll-out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur die eigene Welt des Lerners lässt sich fortsetzen, im Layout Signale und ohne Turbo; oder ein Sturz, oder ein Rollout.</translation>
     </message>
     <message>
         <source>That episode is over, and it did not end in a fall: its inputs were not kept.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diese Episode ist vorbei und endete nicht mit einem Sturz: Ihre Eingaben wurden nicht aufbewahrt.</translation>
     </message>
     <message>
         <source>Nothing is shown again: open a fall, look back, or roll out first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es läuft keine Wiedergabe: erst einen Sturz öffnen, zurückblicken oder einen Rollout starten.</translation>
     </message>
     <message>
         <source>%1 was %2 then and is %3 now: the same inputs would lead elsewhere.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 war damals %2 und ist jetzt %3: Dieselben Eingaben würden anderswohin führen.</translation>
     </message>
     <message>
         <source>The episode was over then; choose a moment before its end.</source>
-        <translation type="unfinished"></translation>
+        <translation>Da war die Episode schon vorbei; wählen Sie einen Augenblick vor ihrem Ende.</translation>
     </message>
 </context>
 <context>
     <name>surefoot::MainWindow</name>
     <message>
         <source>Surefoot</source>
-        <translation type="unfinished"></translation>
+        <translation>Surefoot</translation>
     </message>
     <message>
         <source>&amp;Pause</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Pause</translation>
     </message>
     <message>
         <source>&amp;Run</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Start</translation>
     </message>
     <message>
         <source>The life is complete; restart it to run again</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Leben ist zu Ende; Neustart beginnt es neu</translation>
     </message>
     <message>
         <source>Run or pause</source>
-        <translation type="unfinished"></translation>
+        <translation>Start oder Pause</translation>
     </message>
     <message>
         <source>Start the life again with the same seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Leben mit demselben Seed neu beginnen</translation>
     </message>
     <message>
         <source>Start the life again with the same seed and the same start: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Leben mit demselben Seed und demselben Start neu beginnen: %1</translation>
     </message>
     <message>
         <source>The life begins again with the same start: %1. Run › Restart with an empty table begins from nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Leben beginnt neu mit demselben Start: %1. Start › Neustart mit leerer Tabelle beginnt von null an.</translation>
     </message>
     <message>
         <source>Another seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Anderer Seed</translation>
     </message>
     <message>
         <source>The life begins again with this seed, a whole number from 0 on:</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Leben beginnt neu mit diesem Seed, einer ganzen Zahl ab 0:</translation>
     </message>
     <message>
         <source>Shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Tastenkürzel</translation>
     </message>
     <message>
         <source> or </source>
-        <translation type="unfinished"></translation>
+        <translation> oder </translation>
     </message>
     <message>
         <source>Open</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnen</translation>
     </message>
     <message>
         <source>Everything that can be opened (*.surefoot *.safetensors *.jsonl *.toml *.sqlite);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles, was sich öffnen lässt (*.surefoot *.safetensors *.jsonl *.toml *.sqlite);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>%1 is loaded and goes on learning.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist geladen und lernt weiter.</translation>
     </message>
     <message>
         <source>%1 is loaded, not running: Run goes on learning.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist geladen, angehalten: Mit Start lernt es weiter.</translation>
     </message>
     <message>
         <source>%1 Run › Roll out 25 s shows what it does now, without learning.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Start › Rollout 25 s zeigt, was es jetzt kann, ohne zu lernen.</translation>
     </message>
     <message>
         <source>Nothing yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nichts</translation>
     </message>
     <message>
         <source>Save the session</source>
-        <translation type="unfinished"></translation>
+        <translation>Sitzung speichern</translation>
     </message>
     <message>
         <source>%1 is written. It checks itself: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist gespeichert. Es prüft sich selbst: %2</translation>
     </message>
     <message>
         <source>%1 is written. Without a window: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist gespeichert. Ohne Fenster: %2</translation>
     </message>
     <message>
         <source>Export %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 exportieren</translation>
     </message>
     <message>
         <source>Picture (*.png);;Vector graphics (*.svg);;Document (*.pdf);;Table (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild (*.png);;Vektorgrafik (*.svg);;Dokument (*.pdf);;Tabelle (*.csv)</translation>
     </message>
     <message>
         <source>%1 is written.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist gespeichert.</translation>
     </message>
     <message>
         <source>Only files of this machine can be opened.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur Dateien dieses Rechners lassen sich öffnen.</translation>
     </message>
     <message>
         <source>Fo&amp;llow …</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Mitlesen …</translation>
     </message>
     <message>
         <source>Look at results or a checkpoint while another process writes them</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse oder einen Checkpoint ansehen, während ein anderer Prozess sie schreibt</translation>
     </message>
     <message>
         <source>S&amp;top following</source>
-        <translation type="unfinished"></translation>
+        <translation>M&amp;itlesen beenden</translation>
     </message>
     <message>
         <source>What was followed stays, as if it had been opened</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Mitgelesene bleibt, als wäre es geöffnet worden</translation>
     </message>
     <message>
         <source>Go on from here</source>
-        <translation type="unfinished"></translation>
+        <translation>Von hier weiter</translation>
     </message>
     <message>
         <source>Learn on, as a life of your own; the file is not followed any more</source>
-        <translation type="unfinished"></translation>
+        <translation>Weiterlernen, als eigenes Leben; die Datei wird nicht mehr mitgelesen</translation>
     </message>
     <message>
         <source>Stop following</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitlesen beenden</translation>
     </message>
     <message>
         <source>The life stays as it is, as one of your own</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Leben bleibt, wie es ist, als eigenes</translation>
     </message>
     <message>
         <source>%1 is not followed any more. This is a life of your own now, not saved yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wird nicht mehr mitgelesen. Dies ist nun ein eigenes Leben, noch nicht gespeichert.</translation>
     </message>
     <message>
         <source>Follow</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitlesen</translation>
     </message>
     <message>
         <source>Results and checkpoints (*.sqlite* *.safetensors *.surefoot *.ckpt);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Ergebnisse und Checkpoints (*.sqlite* *.safetensors *.surefoot *.ckpt);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Following %1, read only</source>
-        <translation type="unfinished"></translation>
+        <translation>Nur mitgelesen: %1</translation>
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hilfe</translation>
     </message>
     <message>
         <source>&amp;Handbook</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Handbuch</translation>
     </message>
     <message>
         <source>The handbook, at the page of what has the focus</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Handbuch, auf der Seite zu dem, was den Fokus hat</translation>
     </message>
     <message>
         <source>&amp;Shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Tastenkürzel</translation>
     </message>
     <message>
         <source>All shortcuts</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Tastenkürzel</translation>
     </message>
     <message>
         <source>&amp;Words</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Begriffe</translation>
     </message>
     <message>
         <source>What the words mean, with their formulas</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Begriffe bedeuten, mit ihren Formeln</translation>
     </message>
     <message>
         <source>Write a &amp;lesson</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Lektion schreiben</translation>
     </message>
     <message>
         <source>A lesson of one&apos;s own as text, from a template</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine eigene Lektion als Text, nach einer Vorlage</translation>
     </message>
     <message>
         <source>&amp;About Surefoot</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Über Surefoot</translation>
     </message>
     <message>
         <source>What this is</source>
-        <translation type="unfinished"></translation>
+        <translation>Was Surefoot ist</translation>
     </message>
     <message>
         <source>Begin again</source>
-        <translation type="unfinished"></translation>
+        <translation>Von vorn</translation>
     </message>
     <message>
         <source>This is the lesson&apos;s robot as it is now. The lesson waits on its page, where you were.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dies ist der Roboter der Lektion, wie er jetzt ist. Die Lektion wartet auf ihrer Seite, wo Sie waren.</translation>
     </message>
     <message>
         <source>It is being made ready; the world goes on meanwhile.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird vorbereitet; die Welt läuft inzwischen weiter.</translation>
     </message>
     <message>
         <source>The life before is kept: Ctrl+Z brings it back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das vorige Leben ist aufbewahrt: Strg+Z holt es zurück.</translation>
     </message>
     <message>
         <source>This life is back as it was; the other one is kept for undo and redo.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Leben ist wieder da, wie es war; das andere bleibt zum Rückgängigmachen und Wiederherstellen.</translation>
     </message>
     <message>
         <source>Start again</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu beginnen</translation>
     </message>
     <message>
         <source>Allow it, and go on</source>
-        <translation type="unfinished"></translation>
+        <translation>Erlauben und fortfahren</translation>
     </message>
     <message>
         <source>Try again</source>
-        <translation type="unfinished"></translation>
+        <translation>Erneut versuchen</translation>
     </message>
     <message>
         <source>%1 needs a new table, so learning starts again from the beginning, with the same seed.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 braucht eine neue Tabelle; das Lernen beginnt darum von vorn, mit demselben Seed.</translation>
     </message>
     <message>
         <source>%1 = %2 needs a new table. Start again from the beginning, with the same seed, or carry what is learned over into it?</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 = %2 braucht eine neue Tabelle. Von vorn beginnen, mit demselben Seed, oder das Gelernte übernehmen?</translation>
     </message>
     <message>
         <source>Carry over</source>
-        <translation type="unfinished"></translation>
+        <translation>Übernehmen</translation>
     </message>
     <message>
         <source>There is not enough memory to keep one more life for undo: a life before this one, of %1, is not saved and would end.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Speicher reicht nicht, um noch ein Leben zum Rückgängigmachen aufzubewahren: Ein früheres Leben mit %1 ist nicht gespeichert und würde enden.</translation>
     </message>
     <message>
         <source>Save it first</source>
-        <translation type="unfinished"></translation>
+        <translation>Erst speichern</translation>
     </message>
     <message>
         <source>End it</source>
-        <translation type="unfinished"></translation>
+        <translation>Beenden</translation>
     </message>
     <message>
         <source>This life has %1, is not saved, and there is not enough memory to keep it for undo.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Leben hat %1 und ist nicht gespeichert, und der Speicher reicht nicht, um es zum Rückgängigmachen aufzubewahren.</translation>
     </message>
     <message>
         <source>untitled session</source>
-        <translation type="unfinished"></translation>
+        <translation>unbenannte Sitzung</translation>
     </message>
     <message>
         <source>Surefoot: the life is complete</source>
-        <translation type="unfinished"></translation>
+        <translation>Surefoot: Das Leben ist zu Ende</translation>
     </message>
     <message>
         <source>Surefoot: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Surefoot: %1</translation>
     </message>
     <message numerus="yes">
         <source>%1 episodes are not saved</source>
@@ -7287,1107 +7302,1107 @@ Those before were not recorded in this window.</source>
     </message>
     <message>
         <source>everything is saved</source>
-        <translation type="unfinished"></translation>
+        <translation>alles ist gespeichert</translation>
     </message>
     <message>
         <source>…</source>
-        <translation type="unfinished"></translation>
+        <translation>…</translation>
     </message>
     <message>
         <source>A life before this one, of %1,</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein früheres Leben mit %1:</translation>
     </message>
     <message>
         <source>%1 lives before this one, of %2 episodes,</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 frühere Leben mit %2 Episoden:</translation>
     </message>
     <message>
         <source>What the second learned in %1 is not saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was der zweite Lerner in %1 gelernt hat, ist nicht gespeichert.</translation>
     </message>
     <message>
         <source>%1 kept for Ctrl+Z only, not saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 nur für Strg+Z aufbewahrt, nicht gespeichert.</translation>
     </message>
     <message>
         <source>What this life learned in %1 is not saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was dieses Leben in %1 gelernt hat, ist nicht gespeichert.</translation>
     </message>
     <message>
         <source>What the robot of the Live page learned in %1 is not saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was der Roboter der Seite Live in %1 gelernt hat, ist nicht gespeichert.</translation>
     </message>
     <message>
         <source>What %1 learned in %2 is not saved.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was %1 in %2 gelernt hat, ist nicht gespeichert.</translation>
     </message>
     <message>
         <source>%1 kept for Ctrl+Z only.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 nur für Strg+Z aufbewahrt.</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern</translation>
     </message>
     <message>
         <source>Don&apos;t save</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht speichern</translation>
     </message>
     <message>
         <source>Save the second learner&apos;s session</source>
-        <translation type="unfinished"></translation>
+        <translation>Sitzung des zweiten Lerners speichern</translation>
     </message>
     <message>
         <source>The session could not be kept for the next start: %1 Closing the window again gives it up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Sitzung ließ sich nicht für den nächsten Start aufbewahren: %1 Wenn Sie das Fenster noch einmal schließen, geht sie verloren.</translation>
     </message>
     <message>
         <source>The last session can go on where it was closed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die letzte Sitzung lässt sich fortsetzen, wo sie geschlossen wurde.</translation>
     </message>
     <message>
         <source>Go on with it</source>
-        <translation type="unfinished"></translation>
+        <translation>Fortsetzen</translation>
     </message>
     <message>
         <source>Begin anew</source>
-        <translation type="unfinished"></translation>
+        <translation>Neu anfangen</translation>
     </message>
     <message>
         <source>The last session was not closed. Its last minutes may be missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die letzte Sitzung wurde nicht geschlossen. Ihre letzten Minuten fehlen vielleicht.</translation>
     </message>
     <message>
         <source>Restore it</source>
-        <translation type="unfinished"></translation>
+        <translation>Wiederherstellen</translation>
     </message>
     <message>
         <source>Forget it</source>
-        <translation type="unfinished"></translation>
+        <translation>Verwerfen</translation>
     </message>
     <message>
         <source>It stays where it is: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie bleibt, wo sie ist: %1.</translation>
     </message>
     <message>
         <source>It is set aside as %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie ist beiseitegelegt als %1.</translation>
     </message>
     <message>
         <source>&amp;Step</source>
-        <translation type="unfinished"></translation>
+        <translation>S&amp;chritt</translation>
     </message>
     <message>
         <source>One step of the paused world</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Schritt der angehaltenen Welt</translation>
     </message>
     <message>
         <source>Re&amp;start</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Neustart</translation>
     </message>
     <message>
         <source>&amp;Turbo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Turbo</translation>
     </message>
     <message>
         <source>Learn flat out</source>
-        <translation type="unfinished"></translation>
+        <translation>Lernen mit Höchsttempo</translation>
     </message>
     <message>
         <source>&amp;Faster</source>
-        <translation type="unfinished"></translation>
+        <translation>Schn&amp;eller</translation>
     </message>
     <message>
         <source>A notch faster</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Stufe schneller</translation>
     </message>
     <message>
         <source>S&amp;lower</source>
-        <translation type="unfinished"></translation>
+        <translation>Langsa&amp;mer</translation>
     </message>
     <message>
         <source>A notch slower</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Stufe langsamer</translation>
     </message>
     <message>
         <source>Look &amp;back</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück&amp;blicken</translation>
     </message>
     <message>
         <source>A frame back in what was shown; with Shift a second</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Bild zurück in dem, was gezeigt wurde; mit Umschalt eine Sekunde</translation>
     </message>
     <message>
         <source>Back to &amp;live</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zurück zu Live</translation>
     </message>
     <message>
         <source>Leave the replay and show what happens now</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Wiedergabe verlassen und zeigen, was jetzt geschieht</translation>
     </message>
     <message>
         <source>&amp;File</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Datei</translation>
     </message>
     <message>
         <source>&amp;New session in</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Neue Sitzung in</translation>
     </message>
     <message>
         <source>&amp;Open …</source>
-        <translation type="unfinished"></translation>
+        <translation>Ö&amp;ffnen …</translation>
     </message>
     <message>
         <source>Open a session, a Q-function, a journal, a plan or results</source>
-        <translation type="unfinished"></translation>
+        <translation>Sitzung, Q-Funktion, Journal, Plan oder Ergebnisse öffnen</translation>
     </message>
     <message>
         <source>Open &amp;recent</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zuletzt geöffnet</translation>
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Speichern</translation>
     </message>
     <message>
         <source>Save the session: it goes on where it was; on the page Robot, the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Sitzung speichern: Sie geht weiter, wo sie war; auf der Seite Roboter den Roboter</translation>
     </message>
     <message>
         <source>Save &amp;as …</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern &amp;unter …</translation>
     </message>
     <message>
         <source>Save the session under another name; on the page Robot, the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Sitzung unter anderem Namen speichern; auf der Seite Roboter den Roboter</translation>
     </message>
     <message>
         <source>Save the Q-&amp;function …</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Q-Funktion speichern …</translation>
     </message>
     <message>
         <source>What was learned, to load it elsewhere</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Gelernte, um es anderswo zu laden</translation>
     </message>
     <message>
         <source>Save the Q-function</source>
-        <translation type="unfinished"></translation>
+        <translation>Q-Funktion speichern</translation>
     </message>
     <message>
         <source>Export the policy as &amp;C …</source>
-        <translation type="unfinished"></translation>
+        <translation>Policy als &amp;C exportieren …</translation>
     </message>
     <message>
         <source>The greedy policy as a C99 program that needs nothing else</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Greedy-Policy als C99-Programm, das nichts weiter braucht</translation>
     </message>
     <message>
         <source>Export the policy as C</source>
-        <translation type="unfinished"></translation>
+        <translation>Policy als C exportieren</translation>
     </message>
     <message>
         <source>Save the &amp;journal …</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Journal speichern …</translation>
     </message>
     <message>
         <source>A small text by which the life can be lived again</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein kleiner Text, mit dem sich das Leben wiederholen lässt</translation>
     </message>
     <message>
         <source>Save the journal</source>
-        <translation type="unfinished"></translation>
+        <translation>Journal speichern</translation>
     </message>
     <message>
         <source>&amp;Export</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Exportieren</translation>
     </message>
     <message>
         <source>As PNG, SVG, PDF or CSV</source>
-        <translation type="unfinished"></translation>
+        <translation>Als PNG, SVG, PDF oder CSV</translation>
     </message>
     <message>
         <source>World …</source>
-        <translation type="unfinished"></translation>
+        <translation>Welt …</translation>
     </message>
     <message>
         <source>As PNG, SVG or PDF</source>
-        <translation type="unfinished"></translation>
+        <translation>Als PNG, SVG oder PDF</translation>
     </message>
     <message>
         <source>World</source>
-        <translation type="unfinished"></translation>
+        <translation>Welt</translation>
     </message>
     <message>
         <source>The whole window …</source>
-        <translation type="unfinished"></translation>
+        <translation>Das ganze Fenster …</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Beenden</translation>
     </message>
     <message>
         <source>Leave the program</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Programm verlassen</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Bearbeiten</translation>
     </message>
     <message>
         <source>&amp;Undo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rückgängig</translation>
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Wiederherstellen</translation>
     </message>
     <message>
         <source>Take the last change back; bring the life before back</source>
-        <translation type="unfinished"></translation>
+        <translation>Die letzte Änderung zurücknehmen; das vorige Leben zurückholen</translation>
     </message>
     <message>
         <source>Make the change again</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Änderung wieder vornehmen</translation>
     </message>
     <message>
         <source>Reset all &amp;parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle &amp;Parameter zurücksetzen</translation>
     </message>
     <message>
         <source>To what preset and scenario say</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf das, was Preset und Szenario sagen</translation>
     </message>
     <message>
         <source>Another &amp;seed …</source>
-        <translation type="unfinished"></translation>
+        <translation>Anderer &amp;Seed …</translation>
     </message>
     <message>
         <source>Begin again with other random numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit anderen Zufallszahlen neu beginnen</translation>
     </message>
     <message>
         <source>Pre&amp;ferences …</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Einstellungen …</translation>
     </message>
     <message>
         <source>Colours, motion, the start</source>
-        <translation type="unfinished"></translation>
+        <translation>Farben, Bewegung, Start</translation>
     </message>
     <message>
         <source>Restart with an &amp;empty table</source>
-        <translation type="unfinished"></translation>
+        <translation>Neustart mit &amp;leerer Tabelle</translation>
     </message>
     <message>
         <source>Start the life again with the same seed, from nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Leben mit demselben Seed neu beginnen, von null an</translation>
     </message>
     <message>
         <source>&amp;Go on from here</source>
-        <translation type="unfinished"></translation>
+        <translation>Von hier &amp;weiter</translation>
     </message>
     <message>
         <source>The learner&apos;s world is put into the moment that a replay shows; it goes on learning</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Welt des Lerners wird in den Augenblick der Wiedergabe versetzt; er lernt dort weiter</translation>
     </message>
     <message>
         <source>&amp;What if</source>
-        <translation type="unfinished"></translation>
+        <translation>W&amp;as wäre, wenn</translation>
     </message>
     <message>
         <source>&amp;Compare with a second learner</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit zweitem Lerner &amp;vergleichen</translation>
     </message>
     <message>
         <source>Another method with the same seed, side by side</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine andere Methode mit demselben Seed, nebeneinander</translation>
     </message>
     <message>
         <source>The second learner begins now. For a fair race, begin the first again, too?</source>
-        <translation type="unfinished"></translation>
+        <translation>Der zweite Lerner beginnt jetzt. Den ersten für einen fairen Vergleich auch neu beginnen?</translation>
     </message>
     <message>
         <source>Begin both again</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide neu beginnen</translation>
     </message>
     <message>
         <source>&amp;Pre-learn, then transfer …</source>
-        <translation type="unfinished"></translation>
+        <translation>V&amp;orlernen, dann übertragen …</translation>
     </message>
     <message>
         <source>Learn in a simulation, then live in reality with what was learned</source>
-        <translation type="unfinished"></translation>
+        <translation>In einer Simulation lernen, dann mit dem Gelernten in der Realität leben</translation>
     </message>
     <message>
         <source>R&amp;oll out 25 s</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rollout 25 s</translation>
     </message>
     <message>
         <source>What the greedy policy does from a new start, learning nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Greedy-Policy von einem neuen Start an tut, ohne zu lernen</translation>
     </message>
     <message>
         <source>Rob&amp;ustness …</source>
-        <translation type="unfinished"></translation>
+        <translation>Rob&amp;ustheit …</translation>
     </message>
     <message>
         <source>How often what was learned falls, over pushes and models</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie oft er mit dem Gelernten stürzt, je Stoß und Modell</translation>
     </message>
     <message>
         <source>E&amp;xperiment</source>
-        <translation type="unfinished"></translation>
+        <translation>E&amp;xperiment</translation>
     </message>
     <message>
         <source>&amp;Open a plan or results …</source>
-        <translation type="unfinished"></translation>
+        <translation>Plan oder Ergebnisse ö&amp;ffnen …</translation>
     </message>
     <message>
         <source>A plan, a recipe or a store of results</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Plan, ein Rezept oder eine Ergebnisdatei</translation>
     </message>
     <message>
         <source>Save the &amp;plan as …</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Plan speichern unter …</translation>
     </message>
     <message>
         <source>The plan as a file</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Plan als Datei</translation>
     </message>
     <message>
         <source>&amp;Run or pause</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Start oder Pause</translation>
     </message>
     <message>
         <source>Run the experiment, or pause it</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Experiment starten oder anhalten</translation>
     </message>
     <message>
         <source>Start &amp;again</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Neu beginnen</translation>
     </message>
     <message>
         <source>Forget what was lived</source>
-        <translation type="unfinished"></translation>
+        <translation>Bisherige Leben verwerfen</translation>
     </message>
     <message>
         <source>&amp;Copy the table as CSV</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle als &amp;CSV kopieren</translation>
     </message>
     <message>
         <source>To the clipboard</source>
-        <translation type="unfinished"></translation>
+        <translation>In die Zwischenablage</translation>
     </message>
     <message>
         <source>Copy the table as &amp;LaTeX</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle als &amp;LaTeX kopieren</translation>
     </message>
     <message>
         <source>E&amp;xport all lives as CSV …</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Leben als CS&amp;V exportieren …</translation>
     </message>
     <message>
         <source>Conditions, lives and episodes</source>
-        <translation type="unfinished"></translation>
+        <translation>Bedingungen, Leben und Episoden</translation>
     </message>
     <message>
         <source>Export all lives for a &amp;spreadsheet …</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Leben für &amp;Tabellenkalkulation …</translation>
     </message>
     <message>
         <source>The same, as Excel reads it</source>
-        <translation type="unfinished"></translation>
+        <translation>Dasselbe, wie Excel es liest</translation>
     </message>
     <message>
         <source>Export all c&amp;harts …</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle &amp;Diagramme exportieren …</translation>
     </message>
     <message>
         <source>PNG, PDF and CSV</source>
-        <translation type="unfinished"></translation>
+        <translation>PNG, PDF und CSV</translation>
     </message>
     <message>
         <source>Live</source>
-        <translation type="unfinished"></translation>
+        <translation>Live</translation>
     </message>
     <message>
         <source>Experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>Experiment</translation>
     </message>
     <message>
         <source>Lessons</source>
-        <translation type="unfinished"></translation>
+        <translation>Lektionen</translation>
     </message>
     <message>
         <source>Robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Roboter</translation>
     </message>
     <message>
         <source>&amp;Nothing else: the same again</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Nichts weiter: noch einmal dasselbe</translation>
     </message>
     <message>
         <source>Another policy</source>
-        <translation type="unfinished"></translation>
+        <translation>Andere Policy</translation>
     </message>
     <message>
         <source>Another learning rule</source>
-        <translation type="unfinished"></translation>
+        <translation>Andere Lernregel</translation>
     </message>
     <message>
         <source>&amp;View</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ansicht</translation>
     </message>
     <message>
         <source>&amp;Live</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Live</translation>
     </message>
     <message>
         <source>&amp;Experiment</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Experiment</translation>
     </message>
     <message>
         <source>Le&amp;ssons</source>
-        <translation type="unfinished"></translation>
+        <translation>Le&amp;ktionen</translation>
     </message>
     <message>
         <source>&amp;Robot</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Roboter</translation>
     </message>
     <message>
         <source>The page %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Seite %1</translation>
     </message>
     <message>
         <source>La&amp;youts</source>
-        <translation type="unfinished"></translation>
+        <translation>La&amp;youts</translation>
     </message>
     <message>
         <source>&amp;Usual</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Standard</translation>
     </message>
     <message>
         <source>Every panel back in its place</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Panels wieder an ihrem Platz</translation>
     </message>
     <message>
         <source>&amp;Teaching</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Lehre</translation>
     </message>
     <message>
         <source>What a step teaches, and the rule of thumb</source>
-        <translation type="unfinished"></translation>
+        <translation>Was ein Schritt lehrt, und die Faustregel</translation>
     </message>
     <message>
         <source>&amp;Falls</source>
-        <translation type="unfinished"></translation>
+        <translation>S&amp;türze</translation>
     </message>
     <message>
         <source>The list of falls beside the charts</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Liste der Stürze neben den Diagrammen</translation>
     </message>
     <message>
         <source>&amp;Maps</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Karten</translation>
     </message>
     <message>
         <source>The value maps large</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Wertekarten groß</translation>
     </message>
     <message>
         <source>&amp;Signals</source>
-        <translation type="unfinished"></translation>
+        <translation>Si&amp;gnale</translation>
     </message>
     <message>
         <source>How the robot moves: strip charts, phase portrait, strides</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie der Roboter sich bewegt: Signalstreifen, Phasenporträt, Doppelschritte</translation>
     </message>
     <message>
         <source>&amp;Keep this one as …</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses &amp;behalten als …</translation>
     </message>
     <message>
         <source>The panels as they are now, under a name</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Panels, wie sie jetzt sind, unter einem Namen</translation>
     </message>
     <message>
         <source>&amp;My own</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Eigene</translation>
     </message>
     <message>
         <source>&amp;Fit the world</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Welt einpassen</translation>
     </message>
     <message>
         <source>The zoom that shows the whole world</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Zoom, der die ganze Welt zeigt</translation>
     </message>
     <message>
         <source>Fil&amp;m …</source>
-        <translation type="unfinished"></translation>
+        <translation>Fil&amp;m …</translation>
     </message>
     <message>
         <source>The last minutes, or a replay, as a film</source>
-        <translation type="unfinished"></translation>
+        <translation>Die letzten Minuten oder eine Wiedergabe als Film</translation>
     </message>
     <message>
         <source>Colours of the &amp;system</source>
-        <translation type="unfinished"></translation>
+        <translation>Farben des &amp;Systems</translation>
     </message>
     <message>
         <source>L&amp;ight</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Hell</translation>
     </message>
     <message>
         <source>&amp;Dark</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Dunkel</translation>
     </message>
     <message>
         <source>F&amp;ull screen</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Vollbild</translation>
     </message>
     <message>
         <source>The whole screen</source>
-        <translation type="unfinished"></translation>
+        <translation>Der ganze Bildschirm</translation>
     </message>
     <message>
         <source>&amp;Projector</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Beamer</translation>
     </message>
     <message>
         <source>Everything as large as the last row of a lecture room needs it</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles so groß, wie es die letzte Reihe eines Hörsaals braucht</translation>
     </message>
     <message>
         <source>Te&amp;xt size</source>
-        <translation type="unfinished"></translation>
+        <translation>Te&amp;xtgröße</translation>
     </message>
     <message>
         <source>&amp;Larger</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Größer</translation>
     </message>
     <message>
         <source>Larger text, controls and drawings</source>
-        <translation type="unfinished"></translation>
+        <translation>Text, Bedienelemente und Zeichnungen größer</translation>
     </message>
     <message>
         <source>&amp;Smaller</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Kleiner</translation>
     </message>
     <message>
         <source>Smaller text, controls and drawings</source>
-        <translation type="unfinished"></translation>
+        <translation>Text, Bedienelemente und Zeichnungen kleiner</translation>
     </message>
     <message>
         <source>Text, controls and drawings in their usual size</source>
-        <translation type="unfinished"></translation>
+        <translation>Text, Bedienelemente und Zeichnungen in Standardgröße</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>Everything at %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>Alles auf %1 %</translation>
     </message>
     <message>
         <source>Keep this layout</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Layout behalten</translation>
     </message>
     <message>
         <source>Its name:</source>
-        <translation type="unfinished"></translation>
+        <translation>Sein Name:</translation>
     </message>
     <message>
         <source>The name of a layout has 1 to %1 characters.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Name eines Layouts hat 1 bis %1 Zeichen.</translation>
     </message>
     <message>
         <source>%1 layouts are kept already; forget one first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Es sind schon %1 Layouts gespeichert; löschen Sie erst eines.</translation>
     </message>
     <message>
         <source>Kept as &quot;%1&quot;, in the menu View, Layouts, My own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gespeichert als „%1“, im Menü Ansicht, Layouts, Eigene.</translation>
     </message>
     <message>
         <source>The layout &quot;%1&quot; is one of another version; keep it anew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Layout „%1“ stammt aus einer anderen Version; speichern Sie es neu.</translation>
     </message>
     <message>
         <source>None kept yet</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch keine</translation>
     </message>
     <message>
         <source>&amp;Forget</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Löschen</translation>
     </message>
 </context>
 <context>
     <name>surefoot::MapBar</name>
     <message>
         <source>Quantity</source>
-        <translation type="unfinished"></translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>Axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Achsen</translation>
     </message>
     <message>
         <source>Other variables</source>
-        <translation type="unfinished"></translation>
+        <translation>Andere Variablen</translation>
     </message>
     <message>
         <source>Range of the colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Bereich der Farben</translation>
     </message>
     <message>
         <source>What the map shows</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Karte zeigt</translation>
     </message>
     <message>
         <source>Map</source>
-        <translation type="unfinished"></translation>
+        <translation>Karte</translation>
     </message>
     <message>
         <source>locked</source>
-        <translation type="unfinished"></translation>
+        <translation>fest</translation>
     </message>
     <message>
         <source>automatic</source>
-        <translation type="unfinished"></translation>
+        <translation>automatisch</translation>
     </message>
     <message>
         <source>Horizontal</source>
-        <translation type="unfinished"></translation>
+        <translation>Waagerecht</translation>
     </message>
     <message>
         <source>Vertical</source>
-        <translation type="unfinished"></translation>
+        <translation>Senkrecht</translation>
     </message>
     <message>
         <source>Follow the live state</source>
-        <translation type="unfinished"></translation>
+        <translation>Dem Live-Zustand folgen</translation>
     </message>
     <message>
         <source>Fix where it is now</source>
-        <translation type="unfinished"></translation>
+        <translation>Beim jetzigen Wert fixieren</translation>
     </message>
     <message>
         <source>Fixed %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 fixiert</translation>
     </message>
     <message>
         <source>Mean over it</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittel darüber</translation>
     </message>
     <message>
         <source>Least over it</source>
-        <translation type="unfinished"></translation>
+        <translation>Minimum darüber</translation>
     </message>
     <message>
         <source>Most over it</source>
-        <translation type="unfinished"></translation>
+        <translation>Maximum darüber</translation>
     </message>
     <message>
         <source>Locked to what rewards allow</source>
-        <translation type="unfinished"></translation>
+        <translation>Fest: was Belohnungen erlauben</translation>
     </message>
     <message>
         <source>What the map shows now</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Karte jetzt zeigt</translation>
     </message>
 </context>
 <context>
     <name>surefoot::MessageBar</name>
     <message>
         <source>Dismiss</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausblenden</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished"></translation>
+        <translation>Abbrechen</translation>
     </message>
 </context>
 <context>
     <name>surefoot::ModelRows</name>
     <message>
         <source>Simulation and reality are alike. Add what is to differ.</source>
-        <translation type="unfinished"></translation>
+        <translation>Simulation und Realität sind gleich. Fügen Sie hinzu, was abweichen soll.</translation>
     </message>
     <message>
         <source>Add a parameter that differs</source>
-        <translation type="unfinished"></translation>
+        <translation>Abweichenden Parameter hinzufügen</translation>
     </message>
     <message>
         <source>Model</source>
-        <translation type="unfinished"></translation>
+        <translation>Modell</translation>
     </message>
     <message>
         <source>Simulation</source>
-        <translation type="unfinished"></translation>
+        <translation>Simulation</translation>
     </message>
     <message>
         <source>Reality</source>
-        <translation type="unfinished"></translation>
+        <translation>Realität</translation>
     </message>
     <message>
         <source>Add a parameter that differs …</source>
-        <translation type="unfinished"></translation>
+        <translation>Abweichenden Parameter hinzufügen …</translation>
     </message>
     <message>
         <source>Allowed: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Erlaubt: %1</translation>
     </message>
     <message>
         <source>in simulation</source>
-        <translation type="unfinished"></translation>
+        <translation>in der Simulation</translation>
     </message>
     <message>
         <source>in reality</source>
-        <translation type="unfinished"></translation>
+        <translation>in der Realität</translation>
     </message>
 </context>
 <context>
     <name>surefoot::NumberBox</name>
     <message>
         <source>Work it out</source>
-        <translation type="unfinished"></translation>
+        <translation>Ausrechnen</translation>
     </message>
     <message>
         <source>Check</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfen</translation>
     </message>
     <message>
         <source>Type a number, such as −4.5.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geben Sie eine Zahl ein, etwa −4.5.</translation>
     </message>
 </context>
 <context>
     <name>surefoot::OptionsBox</name>
     <message>
         <source>Check</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfen</translation>
     </message>
 </context>
 <context>
     <name>surefoot::OrderBox</name>
     <message>
         <source>Put them in order</source>
-        <translation type="unfinished"></translation>
+        <translation>In Reihenfolge bringen</translation>
     </message>
     <message>
         <source>Check</source>
-        <translation type="unfinished"></translation>
+        <translation>Prüfen</translation>
     </message>
     <message>
         <source>Up</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach oben</translation>
     </message>
     <message>
         <source>Down</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach unten</translation>
     </message>
     <message>
         <source>the first on top; drag one, or Alt+↑ and Alt+↓</source>
-        <translation type="unfinished"></translation>
+        <translation>das Erste nach oben; mit der Maus ziehen, oder Alt+↑ und Alt+↓</translation>
     </message>
 </context>
 <context>
     <name>surefoot::PanelHeader</name>
     <message>
         <source>Close %1; the View menu brings it back</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 schließen (wieder öffnen: Menü Ansicht)</translation>
     </message>
     <message>
         <source>Back to all panels</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück zu allen Panels</translation>
     </message>
     <message>
         <source>Give %1 the whole window</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 im ganzen Fenster zeigen</translation>
     </message>
 </context>
 <context>
     <name>surefoot::PanelRow</name>
     <message>
         <source>Full size</source>
-        <translation type="unfinished"></translation>
+        <translation>Ganze Größe</translation>
     </message>
     <message>
         <source>Panels that share this place</source>
-        <translation type="unfinished"></translation>
+        <translation>Panels an diesem Platz</translation>
     </message>
 </context>
 <context>
     <name>surefoot::ParameterForm</name>
     <message>
         <source>new table</source>
-        <translation type="unfinished"></translation>
+        <translation>neue Tabelle</translation>
     </message>
     <message>
         <source>next episode</source>
-        <translation type="unfinished"></translation>
+        <translation>nächste Episode</translation>
     </message>
     <message>
         <source>not with the others</source>
-        <translation type="unfinished"></translation>
+        <translation>passt nicht zum Rest</translation>
     </message>
     <message>
         <source>The guardian&apos;s Q-function</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Q-Funktion des Wächters</translation>
     </message>
     <message>
         <source>Q-functions (*.safetensors *.surefoot);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Q-Funktionen (*.safetensors *.surefoot);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>all parameters</source>
-        <translation type="unfinished"></translation>
+        <translation>alle Parameter</translation>
     </message>
 </context>
 <context>
     <name>surefoot::ParameterRow</name>
     <message>
         <source>%1, number</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Zahl</translation>
     </message>
     <message>
         <source>Set at step %1; Reset goes back to %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gesetzt bei Schritt %1; Zurücksetzen ergibt %2.</translation>
     </message>
     <message>
         <source>Changed; Reset goes back to %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Geändert; Zurücksetzen ergibt %1.</translation>
     </message>
     <message>
         <source>%1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 bis %2</translation>
     </message>
     <message>
         <source> or </source>
-        <translation type="unfinished"></translation>
+        <translation> oder </translation>
     </message>
     <message>
         <source>no number</source>
-        <translation type="unfinished"></translation>
+        <translation>keine Zahl</translation>
     </message>
     <message>
         <source>a whole number</source>
-        <translation type="unfinished"></translation>
+        <translation>eine ganze Zahl</translation>
     </message>
     <message>
         <source>Reset %1 to its default</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 auf den Standard zurücksetzen</translation>
     </message>
 </context>
 <context>
     <name>surefoot::PhasePortrait</name>
     <message>
         <source>Phase portrait</source>
-        <translation type="unfinished"></translation>
+        <translation>Phasenporträt</translation>
     </message>
     <message>
         <source>Two signals against each other</source>
-        <translation type="unfinished"></translation>
+        <translation>Zwei Signale gegeneinander</translation>
     </message>
     <message>
         <source>the marked stride</source>
-        <translation type="unfinished"></translation>
+        <translation>der markierte Doppelschritt</translation>
     </message>
     <message>
         <source>last cycle</source>
-        <translation type="unfinished"></translation>
+        <translation>letzter Zyklus</translation>
     </message>
     <message>
         <source>last stride</source>
-        <translation type="unfinished"></translation>
+        <translation>letzter Doppelschritt</translation>
     </message>
     <message>
         <source>all that is shown</source>
-        <translation type="unfinished"></translation>
+        <translation>alles Gezeigte</translation>
     </message>
     <message>
         <source>Signals</source>
-        <translation type="unfinished"></translation>
+        <translation>Signale</translation>
     </message>
     <message>
         <source>Horizontal</source>
-        <translation type="unfinished"></translation>
+        <translation>Waagerecht</translation>
     </message>
     <message>
         <source>Vertical</source>
-        <translation type="unfinished"></translation>
+        <translation>Senkrecht</translation>
     </message>
 </context>
 <context>
     <name>surefoot::PlanChooser</name>
     <message>
         <source>What to run: plans, the thesis&apos;s figures, your own files</source>
-        <translation type="unfinished"></translation>
+        <translation>Was gestartet wird: Pläne, die Abbildungen der Masterarbeit, eigene Dateien</translation>
     </message>
     <message>
         <source>Choose a plan</source>
-        <translation type="unfinished"></translation>
+        <translation>Plan wählen</translation>
     </message>
     <message>
         <source>Your own files</source>
-        <translation type="unfinished"></translation>
+        <translation>Eigene Dateien</translation>
     </message>
     <message>
         <source>Search the experiments</source>
-        <translation type="unfinished"></translation>
+        <translation>Experimente durchsuchen</translation>
     </message>
     <message>
         <source>Search: a figure&apos;s number, a word</source>
-        <translation type="unfinished"></translation>
+        <translation>Suche: Nummer einer Abbildung, ein Wort</translation>
     </message>
     <message>
         <source>Experiments</source>
-        <translation type="unfinished"></translation>
+        <translation>Experimente</translation>
     </message>
     <message>
         <source>Figure</source>
-        <translation type="unfinished"></translation>
+        <translation>Abb.</translation>
     </message>
     <message>
         <source>Title</source>
-        <translation type="unfinished"></translation>
+        <translation>Titel</translation>
     </message>
     <message>
         <source>Takes</source>
-        <translation type="unfinished"></translation>
+        <translation>Dauer</translation>
     </message>
     <message>
         <source>Open a plan or results …</source>
-        <translation type="unfinished"></translation>
+        <translation>Plan oder Ergebnisse öffnen …</translation>
     </message>
     <message>
         <source>Plans</source>
-        <translation type="unfinished"></translation>
+        <translation>Pläne</translation>
     </message>
     <message>
         <source>about %1</source>
-        <translation type="unfinished"></translation>
+        <translation>etwa %1</translation>
     </message>
     <message>
         <source>Nothing is called that.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nichts heißt so.</translation>
     </message>
 </context>
 <context>
     <name>surefoot::PlanEditor</name>
     <message>
         <source>Use this plan</source>
-        <translation type="unfinished"></translation>
+        <translation>Plan verwenden</translation>
     </message>
     <message>
         <source>Plan</source>
-        <translation type="unfinished"></translation>
+        <translation>Plan</translation>
     </message>
     <message>
         <source>Add what the Live page runs</source>
-        <translation type="unfinished"></translation>
+        <translation>Von der Seite Live übernehmen</translation>
     </message>
     <message>
         <source>A new condition; it begins as the first one</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine neue Bedingung; sie beginnt wie die erste</translation>
     </message>
     <message>
         <source>Add the condition</source>
-        <translation type="unfinished"></translation>
+        <translation>Bedingung hinzufügen</translation>
     </message>
     <message>
         <source>It is not added: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Nicht hinzugefügt: %1</translation>
     </message>
     <message>
         <source>The plan was changed meanwhile; add it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Plan wurde inzwischen geändert; noch einmal hinzufügen.</translation>
     </message>
     <message numerus="yes">
         <source>%n conditions</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Bedingung</numerusform>
+            <numerusform>%n Bedingungen</numerusform>
         </translation>
     </message>
     <message>
         <source>, %1 each</source>
-        <translation type="unfinished"></translation>
+        <translation>, je %1</translation>
     </message>
     <message>
         <source>It is being checked …</source>
-        <translation type="unfinished"></translation>
+        <translation>Wird geprüft …</translation>
     </message>
 </context>
 <context>
     <name>surefoot::PointBox</name>
     <message>
         <source>Point at it</source>
-        <translation type="unfinished"></translation>
+        <translation>Darauf zeigen</translation>
     </message>
     <message>
         <source>a click on the map answers; on the map, arrows move the cursor and Enter answers</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Klick auf die Karte antwortet; auf der Karte bewegen Pfeiltasten den Cursor, und Enter antwortet</translation>
     </message>
     <message>
         <source>a click on its mark answers</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Klick auf die Marke antwortet</translation>
     </message>
 </context>
 <context>
     <name>surefoot::PreLearningDialog</name>
     <message>
         <source>Pre-learn, then transfer</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorlernen, dann übertragen</translation>
     </message>
     <message>
         <source>Scenario of the simulation</source>
-        <translation type="unfinished"></translation>
+        <translation>Szenario der Simulation</translation>
     </message>
     <message>
         <source>a model of your own</source>
-        <translation type="unfinished"></translation>
+        <translation>ein eigenes Modell</translation>
     </message>
     <message>
         <source>The simulation is scenario</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Simulation ist Szenario</translation>
     </message>
     <message>
         <source>Average reward that ends the pre-learning</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittlere Belohnung, die das Vorlernen beendet</translation>
     </message>
     <message>
         <source>Q-functions to learn</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu lernende Q-Funktionen</translation>
     </message>
     <message>
         <source>ε-greedy, until the average reward is</source>
-        <translation type="unfinished"></translation>
+        <translation>ε-greedy, bis zur mittleren Belohnung von</translation>
     </message>
     <message>
         <source>%1 has converged, %2 has not</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist konvergiert, %2 nicht</translation>
     </message>
     <message>
         <source>or, left empty, for %1 simulated min</source>
-        <translation type="unfinished"></translation>
+        <translation>oder, wenn leer, %1 min simuliert</translation>
     </message>
     <message>
         <source>or, left empty, for %1</source>
-        <translation type="unfinished"></translation>
+        <translation>oder, wenn leer, %1</translation>
     </message>
     <message>
         <source>Q-functions in the pool</source>
-        <translation type="unfinished"></translation>
+        <translation>Q-Funktionen im Pool</translation>
     </message>
     <message>
         <source>The pool</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Pool</translation>
     </message>
     <message>
         <source>Q-function</source>
-        <translation type="unfinished"></translation>
+        <translation>Q-Funktion</translation>
     </message>
     <message>
         <source>episodes</source>
@@ -8403,7 +8418,7 @@ Those before were not recorded in this window.</source>
     </message>
     <message>
         <source>Begin a life in reality with it</source>
-        <translation type="unfinished"></translation>
+        <translation>Damit ein Leben in der Realität beginnen</translation>
     </message>
     <message>
         <source>Average reward</source>
@@ -8411,116 +8426,116 @@ Those before were not recorded in this window.</source>
     </message>
     <message>
         <source>A life has begun with Q-function %1: %2 episodes and %3 falls of simulation are behind it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Leben hat mit Q-Funktion %1 begonnen, gelernt in %2 Episoden mit %3 Stürzen der Simulation.</translation>
     </message>
     <message>
         <source> (not reached)</source>
-        <translation type="unfinished"></translation>
+        <translation> (nicht erreicht)</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Stopp</translation>
     </message>
     <message>
         <source>Pre-learn</source>
-        <translation type="unfinished"></translation>
+        <translation>Vorlernen</translation>
     </message>
     <message>
         <source>This environment&apos;s model has nothing to be wrong about; what is learned is carried over as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Am Modell dieser Umgebung kann nichts falsch sein; das Gelernte wird unverändert übernommen.</translation>
     </message>
     <message>
         <source>%1 of %2 are learned. The world goes on meanwhile.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2 sind gelernt. Die Welt läuft inzwischen weiter.</translation>
     </message>
     <message>
         <source>The pool appears here: learn on the simulation, then choose one and begin a life in reality with it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier erscheint der Pool: Lernen Sie in der Simulation, wählen Sie dann eine Q-Funktion und beginnen Sie damit ein Leben in der Realität.</translation>
     </message>
     <message>
         <source>Choose one, and begin a life in reality with it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen Sie eine und beginnen Sie damit ein Leben in der Realität.</translation>
     </message>
 </context>
 <context>
     <name>surefoot::PredictionBox</name>
     <message>
         <source>Your prediction</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Vorhersage</translation>
     </message>
     <message>
         <source>The same as a slider</source>
-        <translation type="unfinished"></translation>
+        <translation>Dasselbe als Schieber</translation>
     </message>
     <message>
         <source>%1 to %2; type it, or drag the mark. Once given it stays. Wrong is fine.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 bis %2; eintippen oder die Marke ziehen. Einmal abgegeben, bleibt sie. Falsch ist in Ordnung.</translation>
     </message>
     <message>
         <source>%1 %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2</translation>
     </message>
     <message>
         <source>You said %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie sagten %1</translation>
     </message>
     <message>
         <source>Commit to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Auf %1 festlegen</translation>
     </message>
 </context>
 <context>
     <name>surefoot::PredictionResult</name>
     <message>
         <source>You said</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie sagten</translation>
     </message>
     <message>
         <source>and it came to</source>
-        <translation type="unfinished"></translation>
+        <translation>und es wurden</translation>
     </message>
     <message>
         <source>Very close.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sehr nah dran.</translation>
     </message>
     <message>
         <source>%1 more than you said.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 mehr, als Sie sagten.</translation>
     </message>
     <message>
         <source>%1 fewer than you said.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 weniger, als Sie sagten.</translation>
     </message>
     <message>
         <source>You said %1. It came to %2 %3. %4</source>
-        <translation type="unfinished"></translation>
+        <translation>Sie sagten %1. Es wurden %2 %3. %4</translation>
     </message>
 </context>
 <context>
     <name>surefoot::PreferencesDialog</name>
     <message>
         <source>Preferences</source>
-        <translation type="unfinished"></translation>
+        <translation>Einstellungen</translation>
     </message>
     <message>
         <source>Colours</source>
-        <translation type="unfinished"></translation>
+        <translation>Farben</translation>
     </message>
     <message>
         <source>those of the system</source>
-        <translation type="unfinished"></translation>
+        <translation>die des Systems</translation>
     </message>
     <message>
         <source>light</source>
-        <translation type="unfinished"></translation>
+        <translation>hell</translation>
     </message>
     <message>
         <source>dark</source>
-        <translation type="unfinished"></translation>
+        <translation>dunkel</translation>
     </message>
     <message>
         <source>Colours: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Farben: %1</translation>
     </message>
     <message>
         <source>Language</source>
@@ -8536,171 +8551,172 @@ Those before were not recorded in this window.</source>
     </message>
     <message>
         <source>Text size</source>
-        <translation type="unfinished"></translation>
+        <translation>Textgröße</translation>
     </message>
     <message>
         <source>160 %: projector</source>
-        <translation type="unfinished"></translation>
+        <translation>160 %: Beamer</translation>
     </message>
     <message>
         <source>%1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %</translation>
     </message>
     <message>
         <source>Motion</source>
-        <translation type="unfinished"></translation>
+        <translation>Bewegung</translation>
     </message>
     <message>
         <source>less of it: no trail, no flash, a camera that stands,
 falls shown frame by frame</source>
-        <translation type="unfinished"></translation>
+        <translation>weniger davon: keine Spur, kein Blitz, eine stehende Kamera,
+Stürze Bild für Bild</translation>
     </message>
     <message>
         <source>At the start</source>
-        <translation type="unfinished"></translation>
+        <translation>Beim Start</translation>
     </message>
     <message>
         <source>learn as soon as the window is open</source>
-        <translation type="unfinished"></translation>
+        <translation>lernen, sobald das Fenster offen ist</translation>
     </message>
     <message>
         <source>Safety copy</source>
-        <translation type="unfinished"></translation>
+        <translation>Sicherungskopie</translation>
     </message>
     <message>
         <source>every </source>
-        <translation type="unfinished"></translation>
+        <translation>alle </translation>
     </message>
     <message>
         <source> min; a crash loses no more</source>
-        <translation type="unfinished"></translation>
+        <translation> min; ein Absturz kostet nie mehr</translation>
     </message>
     <message>
         <source>Minutes between two copies of the session on the disk</source>
-        <translation type="unfinished"></translation>
+        <translation>Minuten zwischen zwei Kopien der Sitzung auf der Festplatte</translation>
     </message>
 </context>
 <context>
     <name>surefoot::QuestionBox</name>
     <message>
         <source>✓ Right.</source>
-        <translation type="unfinished"></translation>
+        <translation>✓ Richtig.</translation>
     </message>
     <message>
         <source>✓ Right. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>✓ Richtig. %1</translation>
     </message>
     <message>
         <source>Not yet. %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Noch nicht. %1</translation>
     </message>
 </context>
 <context>
     <name>surefoot::RandomLife</name>
     <message>
         <source>What a random life looks like</source>
-        <translation type="unfinished"></translation>
+        <translation>So verläuft ein Zufallsleben</translation>
     </message>
     <message numerus="yes">
         <source>%n falls; %1</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Sturz; %1</numerusform>
+            <numerusform>%n Stürze; %1</numerusform>
         </translation>
     </message>
     <message>
         <source>steps; %1 s in all</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritte; insgesamt %1 s</translation>
     </message>
     <message>
         <source>Falls in %1 steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Stürze in %1 Schritten</translation>
     </message>
     <message>
         <source>To a fall, median</source>
-        <translation type="unfinished"></translation>
+        <translation>Bis zum Sturz, Median</translation>
     </message>
     <message>
         <source> s</source>
-        <translation type="unfinished"></translation>
+        <translation> s</translation>
     </message>
     <message>
         <source>Longest</source>
-        <translation type="unfinished"></translation>
+        <translation>Längste Dauer</translation>
     </message>
     <message>
         <source>At a limit of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Am Anschlag: %1</translation>
     </message>
     <message>
         <source> % of steps</source>
-        <translation type="unfinished"></translation>
+        <translation> % der Schritte</translation>
     </message>
 </context>
 <context>
     <name>surefoot::Rival</name>
     <message>
         <source>World of the second</source>
-        <translation type="unfinished"></translation>
+        <translation>Welt des zweiten Lerners</translation>
     </message>
     <message>
         <source>The second cannot have the same start (%1): its tables differ. It begins empty.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der zweite Lerner kann nicht denselben Start haben (%1): Seine Tabellen sind andere. Er beginnt leer.</translation>
     </message>
     <message>
         <source>%1: the second starts again from the beginning, and what it learned in %2 is given up.</source>
-        <translation>%1: Der zweite beginnt wieder von vorn, und was er in %2 gelernt hat, wird aufgegeben.</translation>
+        <translation>%1: Der zweite Lerner beginnt von vorn, und was er in %2 gelernt hat, geht verloren.</translation>
     </message>
     <message>
         <source>Another learning rule needs a new table</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine andere Lernregel braucht eine neue Tabelle</translation>
     </message>
     <message>
         <source>Another start</source>
-        <translation type="unfinished"></translation>
+        <translation>Anderer Start</translation>
     </message>
     <message>
         <source>What if</source>
-        <translation type="unfinished"></translation>
+        <translation>Was wäre, wenn</translation>
     </message>
     <message>
         <source>Parameters of the second</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter des zweiten Lerners</translation>
     </message>
     <message>
         <source>%1 = %2 needs a new table: the second starts again from the beginning.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 = %2 braucht eine neue Tabelle: Der zweite Lerner beginnt von vorn.</translation>
     </message>
 </context>
 <context>
     <name>surefoot::RobotPage</name>
     <message>
         <source>%1 was saved by another program, and is shown as it is now; undo brings back what was here.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde von einem anderen Programm gespeichert und steht nun hier, wie es jetzt ist; Rückgängig holt zurück, was hier stand.</translation>
     </message>
     <message>
         <source>What was not saved of %1 is here again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was von %1 nicht gespeichert war, ist wieder da.</translation>
     </message>
     <message>
         <source>Robot: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Roboter: %1</translation>
     </message>
     <message>
         <source>changed, not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>geändert, nicht gespeichert</translation>
     </message>
     <message>
         <source>not saved yet</source>
-        <translation type="unfinished"></translation>
+        <translation>noch nicht gespeichert</translation>
     </message>
     <message>
         <source>picture and table: as of the last text without an error</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild und Tabelle: Stand des letzten Textes ohne Fehler</translation>
     </message>
     <message>
         <source>picture and table come when the text has no error</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild und Tabelle kommen, wenn der Text keinen Fehler hat</translation>
     </message>
     <message numerus="yes">
         <source>%n errors</source>
@@ -8711,166 +8727,166 @@ falls shown frame by frame</source>
     </message>
     <message>
         <source>F8 the next error, Alt+Enter mends it</source>
-        <translation type="unfinished"></translation>
+        <translation>F8: nächster Fehler, Alt+Enter behebt ihn</translation>
     </message>
     <message>
         <source>F8 the next error</source>
-        <translation type="unfinished"></translation>
+        <translation>F8: nächster Fehler</translation>
     </message>
     <message numerus="yes">
         <source>%n lines; F1 says what the word at the caret means</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
+        <translation>
+            <numerusform>%n Zeile; F1 erklärt das Wort am Cursor</numerusform>
+            <numerusform>%n Zeilen; F1 erklärt das Wort am Cursor</numerusform>
         </translation>
     </message>
     <message>
         <source>line %1: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1: %2</translation>
     </message>
     <message>
         <source> (and %1 more)</source>
-        <translation type="unfinished"></translation>
+        <translation> (und %1 weitere)</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Stopp</translation>
     </message>
     <message>
         <source>Try</source>
-        <translation type="unfinished"></translation>
+        <translation>Testen</translation>
     </message>
     <message>
         <source>names and limits under the pointer; a click goes to the line</source>
-        <translation type="unfinished"></translation>
+        <translation>Namen und Grenzen unter dem Mauszeiger; ein Klick führt zur Zeile</translation>
     </message>
     <message>
         <source>a robot that is not saved yet</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Roboter, der noch nicht gespeichert ist</translation>
     </message>
     <message>
         <source>%1 tiles a tiling</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Kacheln je Kachelung</translation>
     </message>
     <message>
         <source>Open…</source>
-        <translation type="unfinished"></translation>
+        <translation>Öffnen…</translation>
     </message>
     <message>
         <source>Save as…</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern unter…</translation>
     </message>
     <message>
         <source>A new robot, like</source>
-        <translation type="unfinished"></translation>
+        <translation>Neuer Roboter, wie</translation>
     </message>
     <message>
         <source>Open a robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Roboter öffnen</translation>
     </message>
     <message>
         <source>Robots (*.toml)</source>
-        <translation type="unfinished"></translation>
+        <translation>Roboter (*.toml)</translation>
     </message>
     <message>
         <source>starts %1</source>
-        <translation type="unfinished"></translation>
+        <translation>startet %1</translation>
     </message>
     <message>
         <source>TOML, checked while you type; runs nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>TOML, beim Tippen geprüft; startet nichts</translation>
     </message>
     <message>
         <source>A program moves it: let it learn, and it moves on the Live page.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Programm bewegt ihn: Lassen Sie ihn lernen, dann bewegt er sich auf der Seite Live.</translation>
     </message>
     <message>
         <source>Nothing is known of this word.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zu diesem Wort ist nichts bekannt.</translation>
     </message>
     <message>
         <source>line %1 comes to %2 at the start of an episode</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeile %1 ergibt zu Beginn einer Episode %2</translation>
     </message>
     <message>
         <source>What was not saved of %1 is in %2; undo brings it back, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Was von %1 nicht gespeichert war, ist in %2; auch Rückgängig holt es zurück.</translation>
     </message>
     <message>
         <source>a new robot</source>
-        <translation type="unfinished"></translation>
+        <translation>ein neuer Roboter</translation>
     </message>
     <message>
         <source>Save the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Roboter speichern</translation>
     </message>
     <message>
         <source>Allow it to start</source>
-        <translation type="unfinished"></translation>
+        <translation>Starten erlauben</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished"></translation>
+        <translation>Speichern</translation>
     </message>
     <message>
         <source>Let it learn</source>
-        <translation type="unfinished"></translation>
+        <translation>Lernen lassen</translation>
     </message>
     <message>
         <source>Description</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschreibung</translation>
     </message>
     <message>
         <source>Find; Return: the next one, Escape: done</source>
-        <translation type="unfinished"></translation>
+        <translation>Suchen; Enter: nächste Stelle, Esc: fertig</translation>
     </message>
     <message>
         <source>Find in the description</source>
-        <translation type="unfinished"></translation>
+        <translation>In der Beschreibung suchen</translation>
     </message>
     <message>
         <source>World</source>
-        <translation type="unfinished"></translation>
+        <translation>Welt</translation>
     </message>
     <message>
         <source>Random</source>
-        <translation type="unfinished"></translation>
+        <translation>Zufall</translation>
     </message>
     <message>
         <source>Motors off</source>
-        <translation type="unfinished"></translation>
+        <translation>Motoren aus</translation>
     </message>
     <message>
         <source>Passive</source>
-        <translation type="unfinished"></translation>
+        <translation>Passiv</translation>
     </message>
     <message>
         <source>Left to itself: no motors, dampers, friction and contacts. What moves less and less then loses its energy to the size of the substeps.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sich selbst überlassen: ohne Motoren, Dämpfer, Reibung und Kontakte. Was sich dann immer weniger bewegt, verliert seine Energie durch die Größe der Teilschritte.</translation>
     </message>
     <message>
         <source>Drop</source>
-        <translation type="unfinished"></translation>
+        <translation>Falltest</translation>
     </message>
     <message>
         <source>As it is drawn, from 20 cm above the ground, motors off</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie gezeichnet, aus 20 cm über dem Boden, Motoren aus</translation>
     </message>
     <message>
         <source>Hand-made</source>
-        <translation type="unfinished"></translation>
+        <translation>Fester Regler</translation>
     </message>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand</translation>
     </message>
     <message>
         <source>What a random life looks like</source>
-        <translation type="unfinished"></translation>
+        <translation>So verläuft ein Zufallsleben</translation>
     </message>
     <message>
         <source>a click on a mark shows the fall</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Klick auf eine Marke zeigt den Sturz</translation>
     </message>
     <message>
         <source>seen in %1 random steps</source>
@@ -8881,300 +8897,302 @@ falls shown frame by frame</source>
     <name>surefoot::RobotPicture</name>
     <message>
         <source>The robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Roboter</translation>
     </message>
     <message>
         <source>%1°, limit, line %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1°, Grenze, Zeile %2</translation>
     </message>
 </context>
 <context>
     <name>surefoot::RobotText</name>
     <message>
         <source>Description of the robot</source>
-        <translation type="unfinished"></translation>
+        <translation>Beschreibung des Roboters</translation>
     </message>
     <message>
         <source>Write “%1”</source>
-        <translation type="unfinished"></translation>
+        <translation>„%1“ schreiben</translation>
     </message>
     <message>
         <source>Alt+Enter</source>
-        <translation type="unfinished"></translation>
+        <translation>Alt+Enter</translation>
     </message>
 </context>
 <context>
     <name>surefoot::RobotTrial</name>
     <message>
         <source>a fall of the random life</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Sturz des Zufallslebens</translation>
     </message>
     <message>
         <source>keys 1 … %1: %2; ← → push</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten 1 … %1: %2; ← → stoßen</translation>
     </message>
     <message>
         <source>keys 1 … %1: the next level of each motor; ← → push</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasten 1 … %1: nächste Stufe jedes Motors; ← → stoßen</translation>
     </message>
 </context>
 <context>
     <name>surefoot::RobustnessDialog</name>
     <message>
         <source>Robustness</source>
-        <translation type="unfinished"></translation>
+        <translation>Robustheit</translation>
     </message>
     <message>
         <source>The map is there: %1 models, %2 pushes. The arrow keys choose a cell.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Karte ist da: %1 Modelle, %2 Stöße. Die Pfeiltasten wählen eine Zelle.</translation>
     </message>
     <message>
         <source>The command that gives the same numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Befehl, der dieselben Zahlen ergibt</translation>
     </message>
     <message>
         <source>Copy the command</source>
-        <translation type="unfinished"></translation>
+        <translation>Befehl kopieren</translation>
     </message>
     <message>
         <source>The command is copied.</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Befehl ist kopiert.</translation>
     </message>
     <message>
         <source>Save what was tried …</source>
-        <translation type="unfinished"></translation>
+        <translation>Getestetes speichern …</translation>
     </message>
     <message>
         <source>Export the map …</source>
-        <translation type="unfinished"></translation>
+        <translation>Karte exportieren …</translation>
     </message>
     <message>
         <source>Try</source>
-        <translation type="unfinished"></translation>
+        <translation>Testen</translation>
     </message>
     <message>
         <source>Stopped; nothing came out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gestoppt; es kam nichts heraus.</translation>
     </message>
     <message>
         <source>Another environment is learned in now; close this window and open it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetzt wird in einer anderen Umgebung gelernt; schließen Sie dieses Fenster und öffnen Sie es neu.</translation>
     </message>
     <message>
         <source>Save the Q-function that was tried</source>
-        <translation type="unfinished"></translation>
+        <translation>Getestete Q-Funktion speichern</translation>
     </message>
     <message>
         <source>%1 is written.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist gespeichert.</translation>
     </message>
     <message>
         <source>Export the map</source>
-        <translation type="unfinished"></translation>
+        <translation>Karte exportieren</translation>
     </message>
     <message>
         <source>Picture (*.png);;Vector graphics (*.svg);;Document (*.pdf);;Table (*.csv)</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild (*.png);;Vektorgrafik (*.svg);;Dokument (*.pdf);;Tabelle (*.csv)</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Stopp</translation>
     </message>
     <message>
         <source>%1 % is done. The life goes on meanwhile.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 % sind fertig. Das Leben geht inzwischen weiter.</translation>
     </message>
     <message>
         <source>The mouse or the arrow keys choose a cell.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Maus oder die Pfeiltasten wählen eine Zelle.</translation>
     </message>
     <message>
         <source>Every cell is tried from the same starts: it lives, is pushed once, and is followed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jede Zelle wird von denselben Starts aus getestet: Der Roboter lebt, wird einmal gestoßen und beobachtet.</translation>
     </message>
     <message>
         <source>Without a window, once what was tried is saved as %1:
 </source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne Fenster, sobald das Getestete als %1 gespeichert ist:
+</translation>
     </message>
     <message>
         <source>Without a window:
 </source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne Fenster:
+</translation>
     </message>
 </context>
 <context>
     <name>surefoot::RobustnessForm</name>
     <message>
         <source>Pushes, N s</source>
-        <translation type="unfinished"></translation>
+        <translation>Stöße, N s</translation>
     </message>
     <message>
         <source>Pushes in newton seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>Stöße in Newtonsekunden</translation>
     </message>
     <message>
         <source>Impulses: a list, 0;0.05;0.1, or a range, 0..0.2:9, nine from 0 to 0.2. Negative ones push to the left.</source>
-        <translation type="unfinished"></translation>
+        <translation>Impulse: eine Liste, 0;0.05;0.1, oder ein Bereich, 0..0.2:9, neun von 0 bis 0.2. Negative stoßen nach links.</translation>
     </message>
     <message>
         <source>pushed at, s</source>
-        <translation type="unfinished"></translation>
+        <translation>Stoß bei, s</translation>
     </message>
     <message>
         <source>Time of the push in seconds</source>
-        <translation type="unfinished"></translation>
+        <translation>Zeitpunkt des Stoßes in Sekunden</translation>
     </message>
     <message>
         <source>A time, or two with .. between them: every start draws its own between these.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Zeitpunkt, oder zwei mit .. dazwischen: Jeder Start zieht seinen eigenen dazwischen.</translation>
     </message>
     <message>
         <source>followed for, s</source>
-        <translation type="unfinished"></translation>
+        <translation>beobachtet, s</translation>
     </message>
     <message>
         <source>Seconds after the push</source>
-        <translation type="unfinished"></translation>
+        <translation>Sekunden nach dem Stoß</translation>
     </message>
     <message>
         <source>From the push on: falls in this time are counted.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vom Stoß an: Stürze in dieser Zeit werden gezählt.</translation>
     </message>
     <message>
         <source>Models</source>
-        <translation type="unfinished"></translation>
+        <translation>Modelle</translation>
     </message>
     <message>
         <source>as it is now</source>
-        <translation type="unfinished"></translation>
+        <translation>wie es jetzt ist</translation>
     </message>
     <message>
         <source>all scenarios</source>
-        <translation type="unfinished"></translation>
+        <translation>alle Szenarien</translation>
     </message>
     <message>
         <source>with</source>
-        <translation type="unfinished"></translation>
+        <translation>mit</translation>
     </message>
     <message>
         <source>Parameters of the models</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter der Modelle</translation>
     </message>
     <message>
         <source>Parameters of the environment and their values, with blanks between them: environment.friction=0..0.1:5 environment.damping=0.04;0.08. Every value is combined with every other and with every scenario.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parameter der Umgebung und ihre Werte, durch Leerzeichen getrennt: environment.friction=0..0.1:5 environment.damping=0.04;0.08. Jeder Wert wird mit jedem anderen und jedem Szenario kombiniert.</translation>
     </message>
     <message>
         <source>environment.KEY=VALUES …</source>
-        <translation type="unfinished"></translation>
+        <translation>environment.NAME=WERTE …</translation>
     </message>
     <message>
         <source>Policy</source>
-        <translation type="unfinished"></translation>
+        <translation>Policy</translation>
     </message>
     <message>
         <source>starts a cell</source>
-        <translation type="unfinished"></translation>
+        <translation>Starts je Zelle</translation>
     </message>
     <message>
         <source>Starts of every cell</source>
-        <translation type="unfinished"></translation>
+        <translation>Starts in jeder Zelle</translation>
     </message>
     <message>
         <source>Trials of every push on every model. Trial 1 starts alike in every cell, and so on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Versuche für jeden Stoß an jedem Modell. Versuch 1 startet in allen Zellen gleich, und so weiter.</translation>
     </message>
     <message>
         <source>seed</source>
-        <translation type="unfinished"></translation>
+        <translation>Seed</translation>
     </message>
     <message>
         <source>Seed of the starts</source>
-        <translation type="unfinished"></translation>
+        <translation>Seed der Starts</translation>
     </message>
     <message>
         <source>Starts, times of pushes and the policy&apos;s draws come from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Daraus folgen die Starts, die Zeitpunkte der Stöße und der Zufall der Policy.</translation>
     </message>
     <message>
         <source>A second Q-function …</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweite Q-Funktion …</translation>
     </message>
     <message>
         <source>Of the same environment; it is tried from the same starts on the same models.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus derselben Umgebung; sie wird von denselben Starts an denselben Modellen getestet.</translation>
     </message>
     <message>
         <source>Without it</source>
-        <translation type="unfinished"></translation>
+        <translation>Ohne sie</translation>
     </message>
     <message>
         <source>Beside it</source>
-        <translation type="unfinished"></translation>
+        <translation>Daneben</translation>
     </message>
     <message>
         <source>A second Q-function</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweite Q-Funktion</translation>
     </message>
     <message>
         <source>Q-functions (*.safetensors *.surefoot);;All files (*)</source>
-        <translation type="unfinished"></translation>
+        <translation>Q-Funktionen (*.safetensors *.surefoot);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>nothing: what this life has learned so far is tried alone</source>
-        <translation type="unfinished"></translation>
+        <translation>nichts: Nur was dieses Leben bisher gelernt hat, wird getestet</translation>
     </message>
 </context>
 <context>
     <name>surefoot::RobustnessMap</name>
     <message>
         <source>Falls over pushes and models</source>
-        <translation type="unfinished"></translation>
+        <translation>Stürze über Stößen und Modellen</translation>
     </message>
     <message>
         <source>push, N s</source>
-        <translation type="unfinished"></translation>
+        <translation>Stoß, N s</translation>
     </message>
     <message>
         <source>%1, push %2 N s: </source>
-        <translation type="unfinished"></translation>
+        <translation>%1, Stoß %2 N s: </translation>
     </message>
     <message>
         <source>beside it: </source>
-        <translation type="unfinished"></translation>
+        <translation>daneben: </translation>
     </message>
     <message>
         <source>; %1 succeeded</source>
-        <translation type="unfinished"></translation>
+        <translation>; %1 erfolgreich</translation>
     </message>
     <message>
         <source>; %1 flew apart</source>
-        <translation type="unfinished"></translation>
+        <translation>; %1 auseinandergeflogen</translation>
     </message>
     <message>
         <source>; the intervals have nothing in common</source>
-        <translation type="unfinished"></translation>
+        <translation>; die Intervalle überlappen nicht</translation>
     </message>
     <message>
         <source>How often it falls appears here: a column a push, a row a model.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier erscheint, wie oft er stürzt: eine Spalte je Stoß, eine Zeile je Modell.</translation>
     </message>
     <message>
         <source>0 %</source>
-        <translation type="unfinished"></translation>
+        <translation>0 %</translation>
     </message>
     <message>
         <source>100 % fell</source>
-        <translation type="unfinished"></translation>
+        <translation>100 % gestürzt</translation>
     </message>
     <message>
         <source>100 % succeeded</source>
-        <translation type="unfinished"></translation>
+        <translation>100 % erfolgreich</translation>
     </message>
     <message>
         <source>the 95 % intervals of the two have nothing in common</source>
-        <translation type="unfinished"></translation>
+        <translation>die beiden 95-%-Intervalle überlappen nicht</translation>
     </message>
     <message>
         <source>%1 of %2 fell, %3 % (95 %: %4 … %5 %)</source>
@@ -9209,94 +9227,94 @@ falls shown frame by frame</source>
     <name>surefoot::RuleView</name>
     <message>
         <source>Sets TRL&apos;s threshold to the rule&apos;s number, rounded; Edit › Undo takes it back</source>
-        <translation type="unfinished"></translation>
+        <translation>Setzt die TRL-Schwelle auf die Zahl der Regel, gerundet; Bearbeiten › Rückgängig nimmt es zurück</translation>
     </message>
     <message>
         <source>Set the threshold to %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwelle auf %1 setzen</translation>
     </message>
     <message>
         <source>TRL&apos;s threshold in force: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>TRL-Schwelle, aktiv: %1.</translation>
     </message>
     <message>
         <source>TRL&apos;s threshold is %1; it is not in force while the policy is %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die TRL-Schwelle ist %1; sie ist nicht aktiv, solange die Policy %2 ist.</translation>
     </message>
     <message>
         <source>%1 = %2 = %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 = %2 = %3</translation>
     </message>
     <message>
         <source>R: reward of the goal; n*: mean transitions of the successful episodes while it learned%1 (thesis, eq. %2).</source>
-        <translation type="unfinished"></translation>
+        <translation>R: Belohnung des Ziels; n*: mittlere Zahl der Übergänge in den erfolgreichen Episoden, solange gelernt wurde%1 (Masterarbeit, Gl. %2).</translation>
     </message>
     <message>
         <source>; R_t: reward of every step</source>
-        <translation type="unfinished"></translation>
+        <translation>; R_t: Belohnung jedes Schritts</translation>
     </message>
     <message>
         <source>There is no goal. R: the highest reward of a step so far; n*: transitions of a footstep%1. The thesis expects this to serve and did not test it (section 4.5).</source>
-        <translation type="unfinished"></translation>
+        <translation>Es gibt kein Ziel. R: höchste Belohnung eines Schritts bisher; n*: Übergänge je Gehschritt%1. Die Masterarbeit erwartet, dass das taugt, hat es aber nicht geprüft (Abschnitt 4.5).</translation>
     </message>
     <message>
         <source>This life began with something learned; the limits are told of lives that begin from nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieses Leben begann mit Gelerntem; die Grenzen gelten für Leben, die von null an beginnen.</translation>
     </message>
     <message>
         <source>Lower limit %1, upper limit %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Untere Grenze %1, obere Grenze %2.</translation>
     </message>
     <message>
         <source>not yet</source>
-        <translation type="unfinished"></translation>
+        <translation>noch offen</translation>
     </message>
 </context>
 <context>
     <name>surefoot::RunBar</name>
     <message>
         <source>Pace</source>
-        <translation type="unfinished"></translation>
+        <translation>Tempo</translation>
     </message>
     <message>
         <source>How fast the world runs while turbo is off: %1 to %2 times real time</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie schnell die Welt ohne Turbo läuft: das %1- bis %2-Fache der Echtzeit</translation>
     </message>
     <message>
         <source>Task</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufgabe</translation>
     </message>
     <message>
         <source>Changed model</source>
-        <translation type="unfinished"></translation>
+        <translation>Geändertes Modell</translation>
     </message>
     <message>
         <source>Learning rule</source>
-        <translation type="unfinished"></translation>
+        <translation>Lernregel</translation>
     </message>
     <message>
         <source>Policy</source>
-        <translation type="unfinished"></translation>
+        <translation>Policy</translation>
     </message>
     <message>
         <source>%1 in %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 in %2</translation>
     </message>
     <message>
         <source>What do these words mean?</source>
-        <translation type="unfinished"></translation>
+        <translation>Was bedeuten diese Begriffe?</translation>
     </message>
     <message>
         <source>What task, learning rule and policy mean</source>
-        <translation type="unfinished"></translation>
+        <translation>Was Aufgabe, Lernregel und Policy bedeuten</translation>
     </message>
     <message>
         <source>All words</source>
-        <translation type="unfinished"></translation>
+        <translation>Alle Begriffe</translation>
     </message>
     <message>
         <source>Scenario of the model</source>
-        <translation type="unfinished"></translation>
+        <translation>Szenario des Modells</translation>
     </message>
     <message>
         <source>episodes</source>
@@ -9311,222 +9329,222 @@ falls shown frame by frame</source>
     <name>surefoot::RunningLife</name>
     <message>
         <source>Pause first; then a click on the map puts the body into that state.</source>
-        <translation type="unfinished"></translation>
+        <translation>Erst anhalten; dann setzt ein Klick auf die Karte den Körper in diesen Zustand.</translation>
     </message>
     <message>
         <source>The life is complete; nothing goes on in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Leben ist zu Ende; darin geht nichts weiter.</translation>
     </message>
     <message>
         <source>A program moves this robot; it cannot be put back into a moment.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Programm bewegt diesen Roboter; er lässt sich nicht in einen Augenblick zurückversetzen.</translation>
     </message>
 </context>
 <context>
     <name>surefoot::Scrubber</name>
     <message>
         <source>Play</source>
-        <translation type="unfinished"></translation>
+        <translation>Abspielen</translation>
     </message>
     <message>
         <source>Go on from here</source>
-        <translation type="unfinished"></translation>
+        <translation>Von hier weiter</translation>
     </message>
     <message>
         <source>Back to live</source>
-        <translation type="unfinished"></translation>
+        <translation>Zurück zu Live</translation>
     </message>
     <message>
         <source>Moment</source>
-        <translation type="unfinished"></translation>
+        <translation>Augenblick</translation>
     </message>
     <message>
         <source>The learner&apos;s world is put into this moment, and it goes on learning there</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Welt des Lerners wird in diesen Augenblick versetzt, und er lernt dort weiter</translation>
     </message>
     <message>
         <source>Stop</source>
-        <translation type="unfinished"></translation>
+        <translation>Stopp</translation>
     </message>
 </context>
 <context>
     <name>surefoot::SessionName</name>
     <message>
         <source>Session %1, not saved</source>
-        <translation type="unfinished"></translation>
+        <translation>Sitzung %1, nicht gespeichert</translation>
     </message>
     <message>
         <source>Session %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Sitzung %1</translation>
     </message>
 </context>
 <context>
     <name>surefoot::ShareSlider</name>
     <message>
         <source>How much they explore, in 100 steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Wie viel sie ausprobieren, in 100 Schritten</translation>
     </message>
     <message>
         <source>%1 of 100</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von 100</translation>
     </message>
     <message>
         <source>never</source>
-        <translation type="unfinished"></translation>
+        <translation>nie</translation>
     </message>
     <message>
         <source>every second step</source>
-        <translation type="unfinished"></translation>
+        <translation>jeder 2. Schritt</translation>
     </message>
 </context>
 <context>
     <name>surefoot::SignalChooser</name>
     <message>
         <source>Search signals</source>
-        <translation type="unfinished"></translation>
+        <translation>Signale suchen</translation>
     </message>
     <message>
         <source>Signals</source>
-        <translation type="unfinished"></translation>
+        <translation>Signale</translation>
     </message>
     <message>
         <source>Up</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach oben</translation>
     </message>
     <message>
         <source>One place up (Ctrl+Up)</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Platz nach oben (Strg+↑)</translation>
     </message>
     <message>
         <source>Down</source>
-        <translation type="unfinished"></translation>
+        <translation>Nach unten</translation>
     </message>
     <message>
         <source>One place down (Ctrl+Down)</source>
-        <translation type="unfinished"></translation>
+        <translation>Einen Platz nach unten (Strg+↓)</translation>
     </message>
     <message>
         <source>With the one above</source>
-        <translation type="unfinished"></translation>
+        <translation>Mit dem darüber</translation>
     </message>
     <message>
         <source>In one strip with the signal above, or in a strip of its own (Ctrl+J)</source>
-        <translation type="unfinished"></translation>
+        <translation>In einem Streifen mit dem Signal darüber, oder in einem eigenen (Strg+J)</translation>
     </message>
     <message>
         <source>Usual ones</source>
-        <translation type="unfinished"></translation>
+        <translation>Standard</translation>
     </message>
     <message>
         <source>What is shown at first</source>
-        <translation type="unfinished"></translation>
+        <translation>Was am Anfang gezeigt wird</translation>
     </message>
     <message>
         <source>%1, of the group %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, aus der Gruppe %2</translation>
     </message>
 </context>
 <context>
     <name>surefoot::SignalsBar</name>
     <message>
         <source>Choose …</source>
-        <translation type="unfinished"></translation>
+        <translation>Wählen …</translation>
     </message>
     <message>
         <source>Which signals are shown, and in which order</source>
-        <translation type="unfinished"></translation>
+        <translation>Welche Signale gezeigt werden, und in welcher Reihenfolge</translation>
     </message>
     <message>
         <source>Roll out 25 s</source>
-        <translation type="unfinished"></translation>
+        <translation>Rollout 25 s</translation>
     </message>
     <message>
         <source>What the greedy policy does in 25 s from a new start, learning nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Was die Greedy-Policy in 25 s von einem neuen Start an tut, ohne zu lernen</translation>
     </message>
     <message>
         <source>Second Q</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweites Q</translation>
     </message>
     <message>
         <source>Another Q-function beside this one, from the same start with the same pushes</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine andere Q-Funktion neben dieser, vom selben Start mit denselben Stößen</translation>
     </message>
     <message>
         <source>Film …</source>
-        <translation type="unfinished"></translation>
+        <translation>Film …</translation>
     </message>
     <message>
         <source>A film of the replay, or of the last minutes</source>
-        <translation type="unfinished"></translation>
+        <translation>Ein Film der Wiedergabe oder der letzten Minuten</translation>
     </message>
     <message>
         <source>Export</source>
-        <translation type="unfinished"></translation>
+        <translation>Export</translation>
     </message>
     <message>
         <source>The signals that are shown, as a picture or as numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Die gezeigten Signale, als Bild oder als Zahlen</translation>
     </message>
     <message>
         <source>Signals</source>
-        <translation type="unfinished"></translation>
+        <translation>Signale</translation>
     </message>
     <message>
         <source>What can be done with the signals</source>
-        <translation type="unfinished"></translation>
+        <translation>Was sich mit den Signalen tun lässt</translation>
     </message>
     <message>
         <source>Second: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweites: %1</translation>
     </message>
     <message>
         <source>%1 of %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 von %2</translation>
     </message>
     <message>
         <source>%1, the last %2 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, die letzten %2 s</translation>
     </message>
     <message>
         <source>%1 s, </source>
-        <translation type="unfinished"></translation>
+        <translation>%1 s, </translation>
     </message>
     <message>
         <source>no fall</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Sturz</translation>
     </message>
     <message>
         <source>, %1 m</source>
-        <translation type="unfinished"></translation>
+        <translation>, %1 m</translation>
     </message>
     <message>
         <source>From a &amp;file …</source>
-        <translation type="unfinished"></translation>
+        <translation>Aus einer &amp;Datei …</translation>
     </message>
     <message>
         <source>What it knows &amp;now</source>
-        <translation type="unfinished"></translation>
+        <translation>Jetziger &amp;Stand</translation>
     </message>
     <message>
         <source>A copy of the Q-function of this moment</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Kopie der Q-Funktion dieses Augenblicks</translation>
     </message>
     <message>
         <source>What it &amp;began with</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Anfangsstand</translation>
     </message>
     <message>
         <source>The Q-function of the file that this life began with</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Q-Funktion der Datei, mit der dieses Leben begann</translation>
     </message>
     <message>
         <source>what it began with</source>
-        <translation type="unfinished"></translation>
+        <translation>Anfangsstand</translation>
     </message>
     <message>
         <source>&amp;None</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Keine</translation>
     </message>
     <message>
         <source>after %1</source>
@@ -9534,479 +9552,479 @@ falls shown frame by frame</source>
     </message>
     <message>
         <source>A Q-function beside this one</source>
-        <translation type="unfinished"></translation>
+        <translation>Eine Q-Funktion neben dieser</translation>
     </message>
     <message>
         <source>Q-functions (*.safetensors)</source>
-        <translation type="unfinished"></translation>
+        <translation>Q-Funktionen (*.safetensors)</translation>
     </message>
     <message>
         <source>%1 was learned in %2; it cannot stand beside a Q-function of %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 wurde in %2 gelernt; es kann nicht neben einer Q-Funktion von %3 stehen.</translation>
     </message>
     <message>
         <source>As %1 …</source>
-        <translation type="unfinished"></translation>
+        <translation>Als %1 …</translation>
     </message>
     <message>
         <source>&amp;Choose signals …</source>
-        <translation type="unfinished"></translation>
+        <translation>Signale &amp;wählen …</translation>
     </message>
     <message>
         <source>&amp;Roll out 25 s</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Rollout 25 s</translation>
     </message>
     <message>
         <source>&amp;Second Q-function</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Zweite Q-Funktion</translation>
     </message>
     <message>
         <source>&amp;Film …</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Film …</translation>
     </message>
     <message>
         <source>&amp;Export</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Exportieren</translation>
     </message>
 </context>
 <context>
     <name>surefoot::SignalsShown</name>
     <message>
         <source>First: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Erster: %1</translation>
     </message>
     <message>
         <source>Second: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Zweiter: %1</translation>
     </message>
     <message>
         <source>What is learned here</source>
-        <translation type="unfinished"></translation>
+        <translation>Was hier gelernt wird</translation>
     </message>
 </context>
 <context>
     <name>surefoot::StateTable</name>
     <message>
         <source>State</source>
-        <translation type="unfinished"></translation>
+        <translation>Zustand</translation>
     </message>
     <message>
         <source>Variable</source>
-        <translation type="unfinished"></translation>
+        <translation>Variable</translation>
     </message>
     <message>
         <source>observed</source>
-        <translation type="unfinished"></translation>
+        <translation>beobachtet</translation>
     </message>
     <message>
         <source>how often</source>
-        <translation type="unfinished"></translation>
+        <translation>wie oft</translation>
     </message>
     <message>
         <source>tile</source>
-        <translation type="unfinished"></translation>
+        <translation>Kachel</translation>
     </message>
     <message>
         <source>%1 … %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 … %2</translation>
     </message>
     <message>
         <source>ACTIONS</source>
-        <translation type="unfinished"></translation>
+        <translation>AKTIONEN</translation>
     </message>
     <message>
         <source>ENDINGS</source>
-        <translation type="unfinished"></translation>
+        <translation>ENDE</translation>
     </message>
     <message>
         <source>%1 steps, %2 s at most</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Schritte, höchstens %2 s</translation>
     </message>
     <message>
         <source>  ×%1</source>
-        <translation type="unfinished"></translation>
+        <translation>  ×%1</translation>
     </message>
     <message>
         <source>%1: range %2 … %3 in the file, %4 tiles</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Bereich %2 … %3 in der Datei, %4 Kacheln</translation>
     </message>
     <message>
         <source>; a click on the numbers writes %1 … %2</source>
-        <translation type="unfinished"></translation>
+        <translation>; ein Klick auf die Zahlen schreibt %1 … %2</translation>
     </message>
 </context>
 <context>
     <name>surefoot::StatusLine</name>
     <message>
         <source>State of the life</source>
-        <translation type="unfinished"></translation>
+        <translation>Stand des Lebens</translation>
     </message>
     <message>
         <source>%1 min simulated</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 min simuliert</translation>
     </message>
     <message>
         <source>%1 M steps/s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Mio. Schritte/s</translation>
     </message>
     <message>
         <source>%1 steps/s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Schritte/s</translation>
     </message>
     <message>
         <source>n* %1 → rule-of-thumb threshold %2</source>
-        <translation type="unfinished"></translation>
+        <translation>n* %1 → Faustregel-Schwelle %2</translation>
     </message>
     <message>
         <source>rule-of-thumb threshold: not defined here</source>
-        <translation type="unfinished"></translation>
+        <translation>Faustregel-Schwelle: hier nicht definiert</translation>
     </message>
     <message>
         <source>table %1 % full</source>
-        <translation type="unfinished"></translation>
+        <translation>Tabelle zu %1 % voll</translation>
     </message>
     <message>
         <source>the guardian acted in %1 % of the steps</source>
-        <translation type="unfinished"></translation>
+        <translation>der Wächter handelte in %1 % der Schritte</translation>
     </message>
     <message>
         <source>a fall costs %1 more</source>
-        <translation type="unfinished"></translation>
+        <translation>ein Sturz kostet %1 mehr</translation>
     </message>
     <message numerus="yes">
         <source>%1 falls taken back</source>
         <translation>
-            <numerusform>%1 Sturz zurückgenommen</numerusform>
-            <numerusform>%1 Stürze zurückgenommen</numerusform>
+            <numerusform>zurückgenommene Stürze: %1</numerusform>
+            <numerusform>zurückgenommene Stürze: %1</numerusform>
         </translation>
     </message>
     <message>
         <source>risk holds: %1 % said, %2 % fell</source>
-        <translation type="unfinished"></translation>
+        <translation>Risiko stimmt: %1 % vorhergesagt, %2 % gestürzt</translation>
     </message>
     <message>
         <source>risk errs: %1 % said, %2 % fell</source>
-        <translation type="unfinished"></translation>
+        <translation>Risiko irrt: %1 % vorhergesagt, %2 % gestürzt</translation>
     </message>
     <message>
         <source>risk unclear: %1 % said, %2 % fell</source>
-        <translation type="unfinished"></translation>
+        <translation>Risiko unklar: %1 % vorhergesagt, %2 % gestürzt</translation>
     </message>
     <message>
         <source>seed %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Seed %1</translation>
     </message>
     <message>
         <source>began %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Beginn: %1</translation>
     </message>
     <message>
         <source>learning ended at episode %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Lernen endete bei Episode %1</translation>
     </message>
     <message>
         <source>walks since minute %1</source>
-        <translation type="unfinished"></translation>
+        <translation>geht seit Minute %1</translation>
     </message>
     <message numerus="yes">
         <source>the robot flew apart %1 times</source>
         <translation>
-            <numerusform>der Roboter flog einmal auseinander</numerusform>
-            <numerusform>der Roboter flog %1 Mal auseinander</numerusform>
+            <numerusform>Roboter einmal auseinandergeflogen</numerusform>
+            <numerusform>Roboter %1-mal auseinandergeflogen</numerusform>
         </translation>
     </message>
     <message>
         <source>the life is complete</source>
-        <translation type="unfinished"></translation>
+        <translation>das Leben ist zu Ende</translation>
     </message>
     <message>
         <source>followed</source>
-        <translation type="unfinished"></translation>
+        <translation>mitgelesen</translation>
     </message>
     <message>
         <source>paused</source>
-        <translation type="unfinished"></translation>
+        <translation>angehalten</translation>
     </message>
 </context>
 <context>
     <name>surefoot::StepView</name>
     <message>
         <source>In turbo thousands of steps pass between two pictures. Turn it off to follow a single one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Im Turbo vergehen zwischen zwei Bildern Tausende Schritte. Schalten Sie ihn aus, um einen einzelnen zu verfolgen.</translation>
     </message>
     <message>
         <source>What the last step taught appears here. Press “.” for a single step.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier erscheint, was der letzte Schritt lehrte. Die Taste „.“ macht einen einzelnen Schritt.</translation>
     </message>
     <message>
         <source>In S = (%1) it chose A = %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>In S = (%1) wurde A = %2 gewählt.</translation>
     </message>
     <message>
         <source>δ = R + γ %1(S′, A′) − %1(S, A) = %2 + %3 − %4 = %5</source>
-        <translation type="unfinished"></translation>
+        <translation>δ = R + γ %1(S′, A′) − %1(S, A) = %2 + %3 − %4 = %5</translation>
     </message>
     <message>
         <source>Just as expected: %1 stays as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Genau wie erwartet: %1 bleibt, wie es ist.</translation>
     </message>
     <message>
         <source>Better than expected: %1(S, A) goes up by α δ = %2, to %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Besser als erwartet: %1(S, A) steigt um α δ = %2, auf %3.</translation>
     </message>
     <message>
         <source>Worse than expected: %1(S, A) goes down by %2, to %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Schlechter als erwartet: %1(S, A) sinkt um %2, auf %3.</translation>
     </message>
     <message>
         <source>The trace carries the surprise back along the way: each step before gets %1 of it (γ λ = %2 · %3).</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Traces tragen die Überraschung den Weg zurück: Jeder frühere Schritt bekommt das %1-Fache davon (γ λ = %2 · %3).</translation>
     </message>
     <message>
         <source>λ is 0: no step before learns from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>λ ist 0: Kein früherer Schritt lernt daraus.</translation>
     </message>
 </context>
 <context>
     <name>surefoot::StrideTable</name>
     <message>
         <source>Begins s</source>
-        <translation type="unfinished"></translation>
+        <translation>Beginn s</translation>
     </message>
     <message>
         <source>Length m</source>
-        <translation type="unfinished"></translation>
+        <translation>Länge m</translation>
     </message>
     <message>
         <source>Duration s</source>
-        <translation type="unfinished"></translation>
+        <translation>Dauer s</translation>
     </message>
     <message>
         <source>Speed m/s</source>
-        <translation type="unfinished"></translation>
+        <translation>Geschw. m/s</translation>
     </message>
     <message>
         <source>Energy J</source>
-        <translation type="unfinished"></translation>
+        <translation>Energie J</translation>
     </message>
     <message>
         <source>Energy a metre J/m</source>
-        <translation type="unfinished"></translation>
+        <translation>Energie je Meter J/m</translation>
     </message>
     <message>
         <source>Both feet down %</source>
-        <translation type="unfinished"></translation>
+        <translation>Beide Füße unten %</translation>
     </message>
     <message>
         <source>Stride</source>
-        <translation type="unfinished"></translation>
+        <translation>Doppelschritt</translation>
     </message>
     <message>
         <source>Strides</source>
-        <translation type="unfinished"></translation>
+        <translation>Doppelschritte</translation>
     </message>
     <message>
         <source>%1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1</translation>
     </message>
     <message>
         <source>second %1</source>
-        <translation type="unfinished"></translation>
+        <translation>zweiter %1</translation>
     </message>
     <message>
         <source>mean of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Mittel von %1</translation>
     </message>
     <message>
         <source>first, mean of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>erster, Mittel von %1</translation>
     </message>
     <message>
         <source>second, mean of %1</source>
-        <translation type="unfinished"></translation>
+        <translation>zweiter, Mittel von %1</translation>
     </message>
     <message>
         <source>Strides appear here: from one touch-down of the left foot to the next.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hier erscheinen Doppelschritte: von einem Aufsetzen des linken Fußes zum nächsten.</translation>
     </message>
     <message>
         <source>This robot has no left and right foot whose strides could be told.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dieser Roboter hat keinen linken und rechten Fuß, an denen sich Doppelschritte erkennen ließen.</translation>
     </message>
 </context>
 <context>
     <name>surefoot::StripCharts</name>
     <message>
         <source>Signals</source>
-        <translation type="unfinished"></translation>
+        <translation>Signale</translation>
     </message>
     <message>
         <source>No signal is chosen.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Signal gewählt.</translation>
     </message>
     <message>
         <source>Signals appear here while the world goes on, in a replay of a fall, and in a roll-out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Signale erscheinen hier, während die Welt läuft, in der Wiedergabe eines Sturzes und in einem Rollout.</translation>
     </message>
     <message>
         <source>%1 %2 %3</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 %2 %3</translation>
     </message>
     <message>
         <source>At %1 seconds: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bei %1 Sekunden: %2.</translation>
     </message>
     <message>
         <source>The whole time</source>
-        <translation type="unfinished"></translation>
+        <translation>Die ganze Zeit</translation>
     </message>
     <message>
         <source>The usual signals</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Standardsignale</translation>
     </message>
 </context>
 <context>
     <name>surefoot::TaskBox</name>
     <message>
         <source>Task</source>
-        <translation type="unfinished"></translation>
+        <translation>Aufgabe</translation>
     </message>
     <message>
         <source>✓ Done.</source>
-        <translation type="unfinished"></translation>
+        <translation>✓ Geschafft.</translation>
     </message>
     <message>
         <source>○ Not done yet; it ticks itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>○ Noch nicht geschafft; wird von selbst abgehakt.</translation>
     </message>
     <message>
         <source>✓ And with %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>✓ Und mit %1.</translation>
     </message>
     <message>
         <source>Extra: can you do it with %1?</source>
-        <translation type="unfinished"></translation>
+        <translation>Extra: Schaffen Sie es mit %1?</translation>
     </message>
 </context>
 <context>
     <name>surefoot::TeacherWindow</name>
     <message>
         <source>as the interval says</source>
-        <translation type="unfinished"></translation>
+        <translation>wie das Intervall sagt</translation>
     </message>
     <message>
         <source>start again</source>
-        <translation type="unfinished"></translation>
+        <translation>neu beginnen</translation>
     </message>
     <message>
         <source>a new life with what it has learned</source>
-        <translation type="unfinished"></translation>
+        <translation>ein neues Leben mit dem Gelernten</translation>
     </message>
     <message>
         <source>let it run</source>
-        <translation type="unfinished"></translation>
+        <translation>laufen lassen</translation>
     </message>
     <message>
         <source>push it</source>
-        <translation type="unfinished"></translation>
+        <translation>stoßen</translation>
     </message>
     <message>
         <source>put it somewhere</source>
-        <translation type="unfinished"></translation>
+        <translation>irgendwo platzieren</translation>
     </message>
     <message>
         <source>Teacher: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Lehrkraft: %1</translation>
     </message>
     <message>
         <source>Answers of the class</source>
-        <translation type="unfinished"></translation>
+        <translation>Antworten des Kurses</translation>
     </message>
     <message>
         <source>No class: answers of a class come in here (Lessons › Class …).</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Kurs: Hier laufen Antworten eines Kurses ein (Lektionen › Kurs …).</translation>
     </message>
     <message>
         <source>Step %1 of %2: %3</source>
-        <translation type="unfinished"></translation>
+        <translation>Schritt %1 von %2: %3</translation>
     </message>
     <message>
         <source>Answer: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Antwort: %1</translation>
     </message>
     <message>
         <source>Hint: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Tipp: %1</translation>
     </message>
     <message>
         <source>Next: %1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <translation>Danach: %1 (%2)</translation>
     </message>
     <message>
         <source>This is the last step.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dies ist der letzte Schritt.</translation>
     </message>
     <message>
         <source>Ask: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Frage: %1</translation>
     </message>
     <message>
         <source> of about %1</source>
-        <translation type="unfinished"></translation>
+        <translation> von etwa %1</translation>
     </message>
     <message>
         <source>about %1</source>
-        <translation type="unfinished"></translation>
+        <translation>etwa %1</translation>
     </message>
     <message>
         <source>%1%2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1%2</translation>
     </message>
     <message>
         <source>The class&apos;s folder is gone: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Der Ordner des Kurses ist verschwunden: %1</translation>
     </message>
     <message numerus="yes">
         <source>%n students, %1</source>
         <translation>
-            <numerusform>%n Studierende/r, %1</numerusform>
-            <numerusform>%n Studierende, %1</numerusform>
+            <numerusform>Lernende: %n, %1</numerusform>
+            <numerusform>Lernende: %n, %1</numerusform>
         </translation>
     </message>
     <message>
         <source>%1 have answered. %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Geantwortet haben %1. %2</translation>
     </message>
 </context>
 <context>
     <name>surefoot::ValueMaps</name>
     <message>
         <source>, never visited</source>
-        <translation type="unfinished"></translation>
+        <translation>, nie besucht</translation>
     </message>
     <message>
         <source>,  risk %1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>,  Risiko %1 %</translation>
     </message>
     <message>
         <source>%1:  Q %2 for %3%5,  %4 visits</source>
-        <translation type="unfinished"></translation>
+        <translation>%1:  Q %2 für %3%5,  %4 Besuche</translation>
     </message>
     <message>
         <source>%1, under caution</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, mit Vorsicht</translation>
     </message>
     <message>
         <source>outlined: the %1 tiles of this state</source>
-        <translation type="unfinished"></translation>
+        <translation>umrandet: die %1 Kacheln dieses Zustands</translation>
     </message>
     <message>
         <source>no step yet</source>
-        <translation type="unfinished"></translation>
+        <translation>kein Schritt</translation>
     </message>
     <message>
         <source>Greedy action</source>
-        <translation type="unfinished"></translation>
+        <translation>Greedy-Aktion</translation>
     </message>
     <message>
         <source>Risk</source>
@@ -10014,51 +10032,51 @@ falls shown frame by frame</source>
     </message>
     <message>
         <source>Visits</source>
-        <translation type="unfinished"></translation>
+        <translation>Besuche</translation>
     </message>
     <message>
         <source>Eligibility</source>
-        <translation type="unfinished"></translation>
+        <translation>Eligibility</translation>
     </message>
     <message>
         <source>The map appears with the first steps.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Karte erscheint mit den ersten Schritten.</translation>
     </message>
     <message>
         <source>contour: threshold %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhenlinie: Schwelle %1</translation>
     </message>
     <message>
         <source>threshold %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Schwelle %1</translation>
     </message>
     <message>
         <source>all values below threshold %1</source>
-        <translation type="unfinished"></translation>
+        <translation>alle Werte unter Schwelle %1</translation>
     </message>
     <message>
         <source>all below %1</source>
-        <translation type="unfinished"></translation>
+        <translation>alle unter %1</translation>
     </message>
     <message>
         <source>all values above threshold %1</source>
-        <translation type="unfinished"></translation>
+        <translation>alle Werte über Schwelle %1</translation>
     </message>
     <message>
         <source>all above %1</source>
-        <translation type="unfinished"></translation>
+        <translation>alle über %1</translation>
     </message>
     <message>
         <source>contour: risk %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Höhenlinie: Risiko %1</translation>
     </message>
     <message>
         <source>risk %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Risiko %1</translation>
     </message>
     <message>
         <source>goal</source>
-        <translation type="unfinished"></translation>
+        <translation>Ziel</translation>
     </message>
     <message>
         <source>gains</source>
@@ -10066,7 +10084,7 @@ falls shown frame by frame</source>
     </message>
     <message>
         <source>fall</source>
-        <translation type="unfinished"></translation>
+        <translation>Sturz</translation>
     </message>
     <message>
         <source>losses</source>
@@ -10077,96 +10095,96 @@ falls shown frame by frame</source>
     <name>surefoot::ViewMenu</name>
     <message>
         <source>Copy the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Bild kopieren</translation>
     </message>
     <message>
         <source>Copy the numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>Zahlen kopieren</translation>
     </message>
     <message>
         <source>Export as %1 …</source>
-        <translation type="unfinished"></translation>
+        <translation>Als %1 exportieren …</translation>
     </message>
     <message>
         <source>The picture is in the clipboard.</source>
-        <translation type="unfinished"></translation>
+        <translation>Das Bild ist in der Zwischenablage.</translation>
     </message>
     <message>
         <source>The numbers are in the clipboard, as CSV.</source>
-        <translation type="unfinished"></translation>
+        <translation>Die Zahlen sind in der Zwischenablage, als CSV.</translation>
     </message>
     <message>
         <source>View</source>
-        <translation type="unfinished"></translation>
+        <translation>Ansicht</translation>
     </message>
     <message>
         <source>Export %1</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 exportieren</translation>
     </message>
     <message>
         <source>%1 is written.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 ist gespeichert.</translation>
     </message>
 </context>
 <context>
     <name>surefoot::WordsBox</name>
     <message>
         <source>Your own words</source>
-        <translation type="unfinished"></translation>
+        <translation>Ihre Worte</translation>
     </message>
     <message>
         <source>Keep it</source>
-        <translation type="unfinished"></translation>
+        <translation>Behalten</translation>
     </message>
     <message>
         <source>One answer</source>
-        <translation type="unfinished"></translation>
+        <translation>Musterantwort</translation>
     </message>
     <message>
         <source>Mine says the same</source>
-        <translation type="unfinished"></translation>
+        <translation>Meine sagt dasselbe</translation>
     </message>
     <message>
         <source>kept as it is; the program does not mark it</source>
-        <translation type="unfinished"></translation>
+        <translation>bleibt, wie sie ist; das Programm bewertet sie nicht</translation>
     </message>
 </context>
 <context>
     <name>surefoot::WordsDialog</name>
     <message>
         <source>Words</source>
-        <translation type="unfinished"></translation>
+        <translation>Begriffe</translation>
     </message>
     <message>
         <source>Search</source>
-        <translation type="unfinished"></translation>
+        <translation>Suchen</translation>
     </message>
     <message>
         <source>Search the words</source>
-        <translation type="unfinished"></translation>
+        <translation>Begriffe durchsuchen</translation>
     </message>
     <message>
         <source>No word has this in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kein Begriff enthält das.</translation>
     </message>
     <message>
         <source>Source: %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Quelle: %1.</translation>
     </message>
 </context>
 <context>
     <name>surefoot::WorldView</name>
     <message>
         <source>World</source>
-        <translation type="unfinished"></translation>
+        <translation>Welt</translation>
     </message>
     <message>
         <source>taken at random</source>
-        <translation type="unfinished"></translation>
+        <translation>zufällig gewählt</translation>
     </message>
     <message>
         <source>taken as the best</source>
-        <translation type="unfinished"></translation>
+        <translation>als beste gewählt</translation>
     </message>
 </context>
 </TS>

@@ -42,8 +42,8 @@
     <message numerus="yes">
         <source>, %1 of %2 lives so far</source>
         <translation>
-            <numerusform>, %1 van %2 leven tot nu toe</numerusform>
-            <numerusform>, %1 van %2 levens tot nu toe</numerusform>
+            <numerusform>, tot nu toe %1 van %2 leven</numerusform>
+            <numerusform>, tot nu toe %1 van %2 levens</numerusform>
         </translation>
     </message>
     <message>
@@ -358,6 +358,14 @@
     <message>
         <source>The handbook is not there.</source>
         <translation>Het handboek is er niet.</translation>
+    </message>
+    <message>
+        <source>Another %1 is in this class now; take another name, such as %1 2.</source>
+        <translation>Er is nu nog een %1 in deze klas; neem een andere naam, zoals %1 2.</translation>
+    </message>
+    <message>
+        <source>It is kept on this computer, and goes there when it can.</source>
+        <translation>Het wordt op deze computer bewaard en gaat erheen zodra het kan.</translation>
     </message>
 </context>
 <context>
@@ -2824,7 +2832,7 @@
     </message>
     <message>
         <source>accumulating</source>
-        <translation>optellend</translation>
+        <translation>accumulerend</translation>
     </message>
     <message>
         <source>action</source>
@@ -4084,7 +4092,7 @@
     </message>
     <message>
         <source>replacing: z(s, a) ← 1; accumulating: z(s, a) ← γ·λ·z(s, a) + 1</source>
-        <translation>vervangend: z(s, a) ← 1; optellend: z(s, a) ← γ·λ·z(s, a) + 1</translation>
+        <translation>vervangend: z(s, a) ← 1; accumulerend: z(s, a) ← γ·λ·z(s, a) + 1</translation>
     </message>
     <message>
         <source>sign: r⁺ = max(r, 0), r⁻ = min(r, 0); both: r⁺ = r⁻ = r</source>
@@ -5153,8 +5161,8 @@ Vrije software onder de GNU General Public License, versie 3 of later: je mag ha
     <message numerus="yes">
         <source>So far (%1 of %2 lives) </source>
         <translation>
-            <numerusform>Tot nu toe (%1 van %2 leven) </numerusform>
-            <numerusform>Tot nu toe (%1 van %2 levens) </numerusform>
+            <numerusform>Tot nu toe (%1 van %2 leven): </numerusform>
+            <numerusform>Tot nu toe (%1 van %2 levens): </numerusform>
         </translation>
     </message>
     <message>
@@ -8657,7 +8665,7 @@ valpartijen beeld voor beeld</translation>
     </message>
     <message>
         <source>%1: the second starts again from the beginning, and what it learned in %2 is given up.</source>
-        <translation>%1: de tweede begint weer van voren af aan, en wat hij in %2 leerde, wordt opgegeven.</translation>
+        <translation>%1: de tweede begint helemaal opnieuw, en wat hij in %2 heeft geleerd, gaat verloren.</translation>
     </message>
     <message>
         <source>Another learning rule needs a new table</source>
@@ -9721,8 +9729,8 @@ valpartijen beeld voor beeld</translation>
     <message numerus="yes">
         <source>the robot flew apart %1 times</source>
         <translation>
-            <numerusform>de robot vloog één keer uiteen</numerusform>
-            <numerusform>de robot vloog %1 keer uiteen</numerusform>
+            <numerusform>de robot is één keer uiteengevlogen</numerusform>
+            <numerusform>de robot is %1 keer uiteengevlogen</numerusform>
         </translation>
     </message>
     <message>

@@ -43,6 +43,15 @@ TEST(TextFromOutside, IsNoHtmlInTheWindow) {
          {"experiment_page_results.cpp", "flat_style.cpp", "rule_view.cpp"});
 }
 
+// A text that a person reads goes through tr().
+TEST(TextOfTheWindow, CanBeTranslated) {
+  const std::string shows = R"(\b(setText|setToolTip|setWindowTitle|setAccessibleName|setAccessibleDescription|)"
+                            R"(setPlaceholderText|setPrefix|setSuffix|setTitle|setNote|addAction|addMenu|addTab|)"
+                            R"(addItem|drawText|announce)\()";
+  forbid({"ui"}, shows + R"rx((QStringLiteral\(|QLatin1String\()?"[^"]*[A-Za-z]{3})rx", {});
+  forbid({"ui"}, R"rx(\bError\{"[A-Z])rx", {});
+}
+
 // Two types of one name in one namespace are one type to the linker: their destructors are mixed up without a word.
 TEST(Names, OfTypesInHeadersAreUnique) {
   const std::regex definition(R"(^(class|struct|enum class) (\w+)( .*)?$)");

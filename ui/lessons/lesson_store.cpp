@@ -17,8 +17,8 @@ Status LessonStore::setClass(const QString& folder, const QString& student) {
   if (!folder.isEmpty()) {
     FileLock present = FileLock::take(QDir(folder).filePath(QStringLiteral(".%1.lock").arg(student)));
     if (!present.held() && QFileInfo(folder).isWritable())
-      return Error{"Another " + student.toStdString() + " is in this class now; take another name, such as " +
-                   student.toStdString() + " 2."};
+      return Error{
+          QObject::tr("Another %1 is in this class now; take another name, such as %1 2.").arg(student).toStdString()};
     present_ = std::move(present);
   }
   class_ = folder;
@@ -76,7 +76,8 @@ Status LessonStore::add(const Lesson& lesson, const LessonMark& mark) {
   if (s) return s;
   QDir().mkpath(own_);
   if (const Status here = writeWhole("lessons", pathOf(lesson, own_), kept.text); !here) return here;
-  return Error{s.error().message + " It is kept on this computer, and goes there when it can."};
+  return Error{s.error().message + ' ' +
+               QObject::tr("It is kept on this computer, and goes there when it can.").toStdString()};
 }
 
 namespace {
