@@ -8646,7 +8646,7 @@ Stürze Bild für Bild</translation>
     </message>
     <message>
         <source>At a limit of %1</source>
-        <translation>Am Anschlag: %1</translation>
+        <translation>Anschlag %1</translation>
     </message>
     <message>
         <source> % of steps</source>

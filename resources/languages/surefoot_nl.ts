@@ -6993,7 +6993,7 @@ Die van eerder zijn niet in dit venster opgenomen.</translation>
     </message>
     <message>
         <source>mean</source>
-        <translation>gemiddelde</translation>
+        <translation>gem.</translation>
     </message>
     <message>
         <source>They are being lived …</source>
@@ -8646,11 +8646,11 @@ valpartijen beeld voor beeld</translation>
     </message>
     <message>
         <source>At a limit of %1</source>
-        <translation>Aan een grens van %1</translation>
+        <translation>Grens %1</translation>
     </message>
     <message>
         <source> % of steps</source>
-        <translation> % van de stappen</translation>
+        <translation> % van stappen</translation>
     </message>
 </context>
 <context>

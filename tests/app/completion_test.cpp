@@ -55,6 +55,7 @@ TEST(Completion, OffersCommandsOptionsAndNames) {
   expectOffered("train --scenario ''", {"actual", "1", "6"});
   expectOffered("train --environment cliff --scenario ''", {}, {"1"});
   expectOffered("window --page l", {"live", "lessons"}, {"robot"});
+  expectOffered("window --language ''", {"en", "nl", "de"});
   expectOffered("window --lesson ''", {"the-cliff"});
   expectOffered("new roller --like ''", {"segway"}, {"pendulum"});
   expectOffered("reproduce 4.", {"4.10", "4.4-4.9"}, {"all", "5.1"});

@@ -27,6 +27,8 @@ TEST(Open, NothingThatBeginsALifeStandsBesideIt) {
   expectRefusal("window --new-window --reuse-window", 2, {"--new-window", "--reuse-window"});
   expectRefusal("window --reuse-window --turbo", 2, {"--reuse-window", "--turbo"});
   expectRefusal("window --page lesson", 2, {"--page", "lesson", "lessons"});
+  expectRefusal("window --language fr", 2, {"--language", "fr", "en, nl or de"});
+  expectRefusal("window --language nl " + folder.file("plan.toml"), 2, {"no display"});
 }
 
 }  // namespace surefoot

@@ -28,7 +28,8 @@ int main(int argc, char** argv) {
   QApplication::setOrganizationName("Surefoot");
   QSettings::setDefaultFormat(QSettings::IniFormat);
   QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings.path());
-  surefoot::useLanguage(application, QStringLiteral("en"));
+  // The tests are in English; with this, those of sizes (Readable) can be tried in another language.
+  surefoot::useLanguage(application, qEnvironmentVariable("SUREFOOT_LANGUAGE", QStringLiteral("en")));
   surefoot::applyAppearance(application, surefoot::Appearance::Light);
   if (QFontDatabase::families().isEmpty()) {
     std::fprintf(stderr, "no font is installed: every text would be empty boxes\n");

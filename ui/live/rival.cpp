@@ -225,8 +225,7 @@ void Rival::startIn(std::shared_ptr<const TensorFile> file, EpisodeInputs until,
 }
 
 void Rival::startWith(const QString& path) {
-  const auto read =
-      std::make_shared<Result<std::shared_ptr<const TensorFile>>>(Error{"cancelled"});
+  const auto read = std::make_shared<Result<std::shared_ptr<const TensorFile>>>(Error{"cancelled"});
   reading_.start([read, name = path.toStdString()](const std::atomic<bool>&) { *read = readQFile(name); },
                  [this, read] {
                    if (!*read) return Q_EMIT refused(toText(read->error().message));

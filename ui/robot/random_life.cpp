@@ -82,9 +82,11 @@ void RandomLife::drawFacts(QPainter& p) const {
   const double left = width() - 214, right = width() - 12;
   double y = 8;
   const auto fact = [&](const QString& name, const QString& number, const QString& unit, const QColor& colour) {
+    const double room = right - left - 8 - QFontMetricsF(textFont(13, 500)).horizontalAdvance(number + unit);
     p.setFont(textFont(13));
     p.setPen(t.quiet);
-    p.drawText(QRectF(left, y, right - left, 26), Qt::AlignLeft | Qt::AlignVCenter, name);
+    p.drawText(QRectF(left, y, right - left, 26), Qt::AlignLeft | Qt::AlignVCenter,
+               QFontMetricsF(p.font()).elidedText(name, Qt::ElideRight, room));
     p.setPen(colour);
     p.setFont(textFont(13, 500));
     p.drawText(QRectF(left, y, right - left, 26), Qt::AlignRight | Qt::AlignVCenter, number + unit);

@@ -30,8 +30,7 @@ bool belongsToExperiments(const QString& path) {
 /// A plan has conditions, a lesson has steps, a robot says what it is.
 bool holds(const QString& path, std::string_view word) {
   constexpr std::size_t kMost = 256u << 10;
-  const auto text = path.endsWith(QStringLiteral(".toml")) ? readHead(path.toStdString(), kMost)
-                                                           : Error{"none"};
+  const auto text = path.endsWith(QStringLiteral(".toml")) ? readHead(path.toStdString(), kMost) : Error{"none"};
   return text && text->find(word) != std::string::npos;
 }
 bool isLesson(const QString& path) {

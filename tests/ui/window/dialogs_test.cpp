@@ -16,7 +16,7 @@ namespace {
 
 void trigger(Window& w, const char* menuItem) {
   for (QAction* action : w.window->findChildren<QAction*>())
-    if (action->text() == QString::fromUtf8(menuItem)) action->trigger();
+    if (action->text() == QCoreApplication::translate("surefoot::MainWindow", menuItem)) action->trigger();
 }
 
 QDialog* dialogOf(Window& w) {
@@ -79,7 +79,9 @@ TEST(Dialogs, AllOthersAreReadable) {
     ASSERT_NO_FATAL_FAILURE(expectDialogReadable(w, open, QString::fromUtf8(name).remove('&')));
   }
   w.window->livePage().setComparing(true);
-  const auto second = [&] { w.named<QPushButton>("Parameters of the second")->click(); };
+  const auto second = [&] {
+    w.named<QPushButton>(QCoreApplication::translate("surefoot::CompareStrip", "Parameters of the second"))->click();
+  };
   ASSERT_NO_FATAL_FAILURE(expectDialogReadable(w, second, "parameters of the second"));
 }
 

@@ -16,8 +16,8 @@
 #include "ui/running/running_life.h"
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
-#include "ui/support/counted.h"
 #include "ui/support/ask_for_file.h"
+#include "ui/support/counted.h"
 #include "ui/support/plain_text.h"
 
 namespace surefoot {
@@ -149,8 +149,7 @@ void SignalsBar::askForSecond() {
 }
 
 void SignalsBar::setSecond(const QString& path, bool rollsOut) {
-  const auto file =
-      std::make_shared<Result<std::shared_ptr<const TensorFile>>>(Error{"cancelled"});
+  const auto file = std::make_shared<Result<std::shared_ptr<const TensorFile>>>(Error{"cancelled"});
   reading_.start([file, name = path.toStdString()](const std::atomic<bool>&) { *file = readQFile(name); },
                  [this, file, path, rollsOut] {
                    if (!*file) return Q_EMIT refused(toText(file->error().message));
