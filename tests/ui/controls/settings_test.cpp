@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Settings that were damaged, written by another version or by hand: the window opens, on the screen, and works.
 // SUREFOOT_SETTINGS is the number of tries, SUREFOOT_SETTINGS_SEED which ones.
+#include <QComboBox>
 #include <QFile>
 #include <QScreen>
 #include <QSettings>
@@ -105,6 +106,21 @@ TEST(Settings, WhateverStandsThereTheWindowOpensOnTheScreen) {
     window.close();
   }
   QSettings().clear();
+}
+
+TEST(Preferences, TheLanguageIsKeptForTheNextStart) {
+  const UsualLook usual;
+  PreferencesDialog dialog(nullptr);
+  auto* language = dialog.findChild<QComboBox*>();
+  for (auto* combo : dialog.findChildren<QComboBox*>())
+    if (combo->accessibleName() == "Language") language = combo;
+  ASSERT_EQ(language->count(), 4);
+  EXPECT_EQ(language->currentIndex(), 0) << "that of the system";
+  language->setCurrentIndex(language->findText("Deutsch"));
+  Q_EMIT language->activated(language->currentIndex());
+  EXPECT_EQ(readPreferences().language.toStdString(), "de");
+  EXPECT_EQ(dialog.windowTitle().toStdString(), "Preferences") << "what is shown does not change";
+  QSettings().remove("language");
 }
 
 }  // namespace surefoot

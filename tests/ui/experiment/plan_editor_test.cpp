@@ -9,6 +9,7 @@
 #include <QSpinBox>
 
 #include "tests/ui/experiment/experiment_window.h"
+#include "tests/ui/language/spoken.h"
 #include "ui/experiment/plans/condition_form.h"
 
 namespace surefoot {
@@ -103,6 +104,29 @@ TEST(PlanEditor, AFormWritesConditionsIntoThePlan) {
   choose("Environment of the condition", "cliff");
   p.named<QLineEdit>("Length of a life")->setText("2.5");
   EXPECT_FALSE(form->toml()) << "episodes are whole";
+}
+
+TEST(PlanEditor, APlanIsTheSameInEveryLanguage) {
+  const auto written = [](const char* code, const char* values) {
+    const Spoken spoken(code);
+    ExperimentWindow p;
+    p.page.showPlan(true);
+    const auto of = [](const char* name) { return QCoreApplication::translate("surefoot::ConditionForm", name); };
+    const auto choose = [&](const QString& name, const char* value) {
+      auto* combo = p.named<QComboBox>(name);
+      combo->setCurrentIndex(combo->findData(value));
+      Q_EMIT combo->activated(combo->currentIndex());
+    };
+    choose(of("Policy of the condition"), "softmax");
+    choose(of("Parameter %1 to set").arg(1), "policy.temperature");
+    p.named<QLineEdit>(of("Values of parameter %1").arg(1))->setText(values);
+    const auto toml = p.window->findChild<ConditionForm*>()->toml();
+    return toml ? *toml : toml.error().message;
+  };
+  const std::string english = written("en", "0.5; 1000.25");
+  EXPECT_NE(english.find("set.policy.temperature = [0.5, 1000.25]"), std::string::npos) << english;
+  EXPECT_EQ(written("de", "0,5; 1000,25"), english);
+  EXPECT_EQ(written("nl", "0.5 1000,25"), english);
 }
 
 TEST(PlanEditor, TheFormBeginsAsTheFirstConditionUntilItIsFilledIn) {
