@@ -25,6 +25,7 @@
 #include "ui/style/scale.h"
 #include "ui/style/symbol_text.h"
 #include "ui/style/theme.h"
+#include "ui/support/counted.h"
 
 namespace surefoot {
 

@@ -9,6 +9,7 @@
 #include "ui/experiment/experiment.h"
 #include "ui/language/numbers.h"
 #include "ui/style/theme.h"
+#include "ui/support/counted.h"
 
 namespace surefoot {
 

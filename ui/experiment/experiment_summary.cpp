@@ -10,6 +10,7 @@
 #include "ui/experiment/plan_editor.h"
 #include "ui/language/numbers.h"
 #include "ui/style/symbol_text.h"
+#include "ui/support/counted.h"
 
 namespace surefoot {
 

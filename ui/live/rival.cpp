@@ -11,6 +11,7 @@
 #include "ui/live/form/parameter_form.h"
 #include "ui/live/world/world_view.h"
 #include "ui/style/symbol_text.h"
+#include "ui/support/counted.h"
 
 namespace surefoot {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What stands around the curves: names, axes, the numbers of the moment.
+#include <QObject>
 #include <algorithm>
 #include <cmath>
 
