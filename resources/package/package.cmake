@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What is installed, and the Debian packages: `cmake --build build/release --target package`. A component is a package;
-# here is `program`. Others (library, development, python) have a file beside this one.
+# here is `program`. Others (library, development, python) have their files beside this one.
 include(GNUInstallDirs)
 set(SUREFOOT_HOMEPAGE "https://surefoot.invalid" CACHE STRING "Where the project is published; screenshots/ below it")
 set(SUREFOOT_APP_ID "org.surefoot.surefoot" CACHE STRING "The program's name in software centres")
@@ -45,6 +45,13 @@ add_custom_target(surefoot_package_files ALL DEPENDS ${for_packages})
 
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
 set(share ${CMAKE_INSTALL_DATADIR})
+
+# What every package has to say of itself.
+function(surefoot_package_papers component package)
+  install(FILES ${made}/copyright ${made}/changelog.gz DESTINATION ${share}/doc/${package} COMPONENT ${component} ${ARGN})
+endfunction()
+
+surefoot_package_papers(program surefoot)
 install(TARGETS surefoot COMPONENT program)
 install(DIRECTORY ${resources}/lessons ${resources}/plans ${resources}/recipes ${resources}/robots ${resources}/about
                   ${resources}/handbook ${resources}/screenshots
@@ -54,7 +61,7 @@ install(DIRECTORY ${made}/manual/ DESTINATION ${CMAKE_INSTALL_MANDIR})
 install(FILES ${resources}/completions/surefoot.bash DESTINATION ${share}/bash-completion/completions RENAME surefoot)
 install(FILES ${resources}/completions/_surefoot DESTINATION ${share}/zsh/vendor-completions)
 install(FILES ${resources}/completions/surefoot.fish DESTINATION ${share}/fish/vendor_completions.d)
-install(FILES ${made}/copyright ${made}/changelog.gz ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${share}/doc/surefoot)
 if(SUREFOOT_UI)
   install(FILES ${resources}/desktop/surefoot.svg DESTINATION ${share}/surefoot/desktop)
   install(FILES ${resources}/desktop/surefoot.svg DESTINATION ${share}/icons/hicolor/scalable/apps)
@@ -90,7 +97,6 @@ how often it falls. It has lessons for a class, a laboratory of many lives
 with intervals and tests, and does the same without a window, bit for bit.")
 
 # Each installs its components, appends them to CPACK_COMPONENTS_ALL and sets their CPACK_DEBIAN_<COMPONENT>_….
-foreach(other library python)
-  include(${here}/${other}.cmake OPTIONAL)
-endforeach()
+include(${here}/library.cmake)
+include(${here}/python.cmake)
 include(CPack)
