@@ -108,9 +108,11 @@ Status writeInto(const fs::path& folder, const Handbook& handbook, const std::st
   std::string index = "<h1>Surefoot</h1>\n", section;
   std::set<std::string> shown;
   for (const HandbookPage& page : handbook) {
-    if (page.section != section)
-      index += fmt::format("{}<h2>{}</h2>\n<div class=\"pages\">\n", section.empty() ? "" : "</div>\n",
-                           escaped(section = page.section));
+    if (page.section != section) {
+      index += section.empty() ? "" : "</div>\n";
+      index += fmt::format("<h2>{}</h2>\n<div class=\"pages\">\n", escaped(page.section));
+      section = page.section;
+    }
     index += fmt::format("<p><a href=\"{}.html\">{}</a></p>\n", page.name, escaped(page.title));
     const std::string body = withFileNames(page, handbook, shown);
     if (const Status s = write(page.name + ".html", wholePage(handbook, page.name, page.title, body)); !s) return s;

@@ -2,12 +2,14 @@
 # What is installed, and the Debian packages: `cmake --build build/release --target package`. A component is a package;
 # here is `program`. Others (library, development, python) have their files beside this one.
 include(GNUInstallDirs)
-set(SUREFOOT_HOMEPAGE "https://surefoot.invalid" CACHE STRING "Where the project is published; screenshots/ below it")
+set(SUREFOOT_HOMEPAGE "" CACHE STRING "Where the project is published, with screenshots/ below it; empty: nowhere yet")
 set(SUREFOOT_APP_ID "org.surefoot.surefoot" CACHE STRING "The program's name in software centres")
+# Debian asks for an address; .invalid is no one's (RFC 2606).
 set(SUREFOOT_MAINTAINER "The Surefoot maintainers <maintainers@surefoot.invalid>" CACHE STRING "Who makes packages")
 
 # The date of the release, from the newest heading of the CHANGELOG; before it is released, that of the last commit.
 file(STRINGS ${PROJECT_SOURCE_DIR}/CHANGELOG.md headings REGEX "^## ")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/CHANGELOG.md)
 list(GET headings 0 newest)
 set(SUREFOOT_DATE 2026-01-01)
 if(newest MATCHES "(20[0-9][0-9]-[01][0-9]-[0-3][0-9])")
@@ -24,8 +26,18 @@ endif()
 set(here ${CMAKE_CURRENT_LIST_DIR})
 set(resources ${PROJECT_SOURCE_DIR}/resources)
 set(made ${PROJECT_BINARY_DIR}/package)
-configure_file(${resources}/desktop/surefoot.metainfo.xml.in ${made}/${SUREFOOT_APP_ID}.metainfo.xml @ONLY)
-configure_file(${here}/copyright.in ${made}/copyright @ONLY)
+# Lines and pictures that need a homepage are left out where there is none: nothing points to what is not there.
+function(surefoot_configure from to)
+  file(READ ${from} content)
+  if(NOT SUREFOOT_HOMEPAGE)
+    string(REGEX REPLACE "\n *<screenshots>.*</screenshots>" "" content "${content}")
+    string(REGEX REPLACE "\n[^\n]*@SUREFOOT_HOMEPAGE@[^\n]*" "" content "${content}")
+  endif()
+  file(CONFIGURE OUTPUT ${to} CONTENT "${content}" @ONLY)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${from})
+endfunction()
+surefoot_configure(${resources}/desktop/surefoot.metainfo.xml.in ${made}/${SUREFOOT_APP_ID}.metainfo.xml)
+surefoot_configure(${here}/copyright.in ${made}/copyright)
 add_custom_command(OUTPUT ${made}/changelog.gz VERBATIM
   COMMAND sh ${here}/debian_changelog.sh ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${made}/changelog.gz ${PROJECT_VERSION}
           ${SUREFOOT_DATE} ${SUREFOOT_MAINTAINER}
@@ -48,7 +60,8 @@ set(share ${CMAKE_INSTALL_DATADIR})
 
 # What every package has to say of itself.
 function(surefoot_package_papers component package)
-  install(FILES ${made}/copyright ${made}/changelog.gz DESTINATION ${share}/doc/${package} COMPONENT ${component} ${ARGN})
+  install(FILES ${made}/copyright ${made}/changelog.gz DESTINATION ${share}/doc/${package}
+          COMPONENT ${component} ${ARGN})
 endfunction()
 
 surefoot_package_papers(program surefoot)
@@ -75,6 +88,9 @@ endif()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+if(SUREFOOT_HOMEPAGE)
+  set(CPACK_DEBIAN_PACKAGE_HOMEPAGE ${SUREFOOT_HOMEPAGE})
+endif()
 set(CPACK_PACKAGE_CONTACT "${SUREFOOT_MAINTAINER}")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "reinforcement learning that avoids falling")
 set(CPACK_STRIP_FILES ON)
