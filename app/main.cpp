@@ -13,11 +13,11 @@
 #include "app/process/interrupt.h"
 #include "app/process/resources.h"
 #include "app/versions.h"
+#include "core/basics/version.h"
 #include "core/environment_library.h"
 #include "core/environment_programs.h"
 #include "core/register/register.h"
 #include "core/text/printable.h"
-#include "core/version.h"
 #include "physics/register.h"
 
 namespace surefoot {

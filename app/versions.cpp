@@ -15,8 +15,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/basics/typed_json.h"
+#include "core/basics/version.h"
 #include "core/life/lives_version.h"
-#include "core/version.h"
 #include "physics/world/box2d_version.h"
 
 namespace surefoot {

@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QFileInfo>
 #include <QIcon>
+#include <QStandardPaths>
 #include <QTimer>
 #include <filesystem>
 
@@ -17,14 +18,16 @@
 #include "app/requests/command_help.h"
 #include "app/versions.h"
 #include "core/basics/guarded_call.h"
+#include "core/basics/version.h"
 #include "core/environment_programs.h"
 #include "core/files/whole_file.h"
 #include "core/lessons/reading/lesson_reading.h"
 #include "core/text/printable.h"
 #include "core/text/text.h"
 #include "core/text/words.h"
-#include "core/version.h"
 #include "ui/controls/preferences.h"
+#include "ui/crash/crash_notes.h"
+#include "ui/crash/crash_reports.h"
 #include "ui/language/language.h"
 #include "ui/lessons/kiosk/kiosk_window.h"
 #include "ui/lessons/lessons_page.h"
@@ -181,6 +184,11 @@ int windowCommand(const Registry& registry, const WindowRequest& request, int ar
 
   Session session(registry, request.configuration, log.has_value());
   WindowSetup setup;
+  setup.folder = QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation);
+  std::string versions;
+  for (const PartVersion& part : partVersions()) versions += fmt::format("  {} {}\n", part.name, part.version);
+  watchForCrashes(QFile::encodeName(crashFile(setup.folder)).toStdString(),
+                  fmt::format("Versions\n{}  platform {}\n", versions, QApplication::platformName().toStdString()));
   for (const ShippedPlan& plan : allShipped(registry))
     setup.plans.push_back({plan.title, plan.path, plan.recipe, plan.recipe ? groupOf(plan) : "", plan.name, plan.shows,
                            plan.answers, plan.minutes});

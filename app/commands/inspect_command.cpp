@@ -88,7 +88,7 @@ Status checkWhole(const Registry& registry, const std::shared_ptr<const TensorFi
   if (!name.is_string()) return fileError(file->name, "its configuration names no environment.");
   if (!findEnvironment(registry, name.get<std::string>())) return Done{};
   if (file->about["kind"] == "checkpoint") {
-    const auto resumed = resume(registry, file, {});
+    const auto resumed = resume(registry, file, {}, Versions::Any);
     return resumed ? Status(Done{}) : resumed.error();
   }
   const auto configuration = configurationOf(registry, *file);

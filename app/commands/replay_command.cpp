@@ -6,6 +6,7 @@
 #include "app/process/exit_code.h"
 #include "app/process/interrupt.h"
 #include "app/reports/report.h"
+#include "core/basics/version.h"
 #include "core/life/lives_version.h"
 #include "core/saved/journal.h"
 
@@ -28,6 +29,7 @@ int replayCommand(const Registry& registry, const ReplayRequest& request) {
   if (printed != kDone) return printed;
   if (!life->unanswered.empty() && !watchForInterrupt()) return fail({life->unanswered, ErrorKind::Unanswered});
   const bool other = journal->livesVersion != kLivesVersion;
+  const std::string lived = "Surefoot " + (journal->program.empty() ? "of another version" : journal->program);
   if (*options.interrupted && life->steps < journal->steps)
     return fail({fmt::format("interrupted at step {} of {}.", life->steps, journal->steps), ErrorKind::Interrupted});
   if (request.verify && !journal->sameAs(*life))
@@ -35,11 +37,11 @@ int replayCommand(const Registry& registry, const ReplayRequest& request) {
         {fmt::format("{}: {} episodes, {} falls, hash {:016x}; the journal says {}, {}, {:016x}, so it is not the "
                      "same life{}.",
                      request.file, life->totals.episodes, life->totals.falls, life->hash, journal->episodes,
-                     journal->falls, journal->hash, other ? ", which another version of Surefoot lived" : ""),
+                     journal->falls, journal->hash, other ? ", which " + lived + " lived" : ""),
          ErrorKind::Mismatch});
   if (other && !journal->sameAs(*life))
-    std::fprintf(stderr, "surefoot: %s was lived by another version of Surefoot, and this is not the same life.\n",
-                 request.file.c_str());
+    tell(fmt::format("{} was lived by {}, and {} lives it otherwise: this is not the same life.", request.file, lived,
+                     kVersion));
   return kDone;
 }
 

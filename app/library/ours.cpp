@@ -2,10 +2,10 @@
 #include "app/library/ours.h"
 
 #include "app/process/resources.h"
+#include "core/basics/version.h"
 #include "core/environment_library.h"
 #include "core/environment_programs.h"
 #include "core/register/register.h"
-#include "core/version.h"
 #include "physics/register.h"
 #include "physics/world/box2d_binding.h"
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cctype>
 
-#include "core/version.h"
+#include "core/basics/version.h"
 
 namespace surefoot {
 

@@ -10,12 +10,12 @@
 #include <nlohmann/json.hpp>
 
 #include "core/basics/typed_json.h"
+#include "core/basics/version.h"
 #include "core/experiment/configuration_json.h"
 #include "core/life/life_measures.h"
 #include "core/saved/q_file.h"
 #include "core/statistics/statistics.h"
 #include "core/store/store.h"
-#include "core/version.h"
 
 namespace surefoot {
 

@@ -10,10 +10,10 @@
 #include "app/reports/report_table.h"
 #include "app/reports/reproduction.h"
 #include "core/basics/typed_json.h"
+#include "core/basics/version.h"
 #include "core/files/read_file.h"
 #include "core/files/whole_file.h"
 #include "core/statistics/statistics_text.h"
-#include "core/version.h"
 
 namespace surefoot {
 

@@ -16,8 +16,8 @@
 #include "app/requests/requests.h"
 #include "app/requests/robots_line.h"
 #include "app/requests/signals_line.h"
+#include "core/basics/version.h"
 #include "core/environment_programs.h"
-#include "core/version.h"
 
 namespace surefoot {
 

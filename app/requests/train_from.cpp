@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/files/read_file.h"
+#include "core/files/refused_tensor.h"
 #include "core/saved/checkpoint.h"
 #include "core/saved/journal.h"
 #include "core/saved/q_file.h"
@@ -24,8 +25,17 @@ Result<LivedBefore> ofJournal(const Registry& registry, const std::string& text,
 /// A session holds the life itself; the journal made from it tells how to repeat the life.
 Result<LivedBefore> ofSession(const Registry& registry, std::shared_ptr<const TensorFile> file,
                               const std::string& path) {
-  const auto resumed = resume(registry, std::move(file), {}, Versions::Any);
-  if (!resumed) return resumed.error();
+  const auto resumed = resume(registry, file, {}, Versions::Any);
+  if (!resumed) {
+    const std::string program = otherProgramOf(*file);
+    auto configuration = configurationOf(registry, *file);
+    if (program.empty() || !configuration) return resumed.error();
+    return LivedBefore{std::move(*configuration),
+                       {},
+                       fmt::format("{}: Surefoot {} wrote it; what was done to its life "
+                                   "is left out.",
+                                   path, program)};
+  }
   auto journal = journalOf(registry, *resumed, path);
   if (!journal) return journal.error();
   return LivedBefore{std::move(journal->configuration), journal->steps};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "core/experiment/configuration.h"
 
@@ -11,6 +12,7 @@ namespace surefoot {
 struct LivedBefore {
   Configuration configuration;        ///< as the life began, with its seed and all commands given to it
   std::optional<std::int64_t> steps;  ///< the life's length when it was saved; a Q-function does not hold it
+  std::string note{};                 ///< what is left out; empty: nothing
 };
 
 /// An error names the file.

@@ -233,6 +233,7 @@ Result<TrainRequest> makeTrainRequest(const Registry& registry, const TrainOptio
   auto chosen = chosenConfiguration(registry, o, loaded.get(), *assignments);
   if (!chosen) return chosen.error();
   Configuration& c = request.configuration = std::move(chosen->configuration);
+  request.note = chosen->note;
   if (*teacher) c.teacher = std::move(*teacher);
   if (!window) {
     if (const Status s = checkPolicyKeys(registry, c.names.policy, *assignments); !s) return s.error();

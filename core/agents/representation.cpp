@@ -5,6 +5,7 @@
 
 #include "core/basics/expects.h"
 #include "core/files/json_difference.h"
+#include "core/files/refused_tensor.h"
 #include "core/text/text.h"
 #include "core/text/words.h"
 
@@ -64,9 +65,9 @@ Status checkLayout(const TensorFile& stored, const std::string& name, const Json
            (growing ? theirs[0] <= shape[0] : theirs[0] == shape[0]);
   };
   if (!weights || weights->type != ElementType::F64 || !fits(weights->shape))
-    return fileError(stored.name,
-                     fmt::format("the tensor \"{}.weights\" is missing, or not a table of {}{} numbers of type F64.",
-                                 name, growing ? "at most " : "", fmt::join(shape, " × ")));
+    return refusedTensor(stored, name + ".weights",
+                         fmt::format("is missing, or not a table of {}{} numbers of type F64",
+                                     growing ? "at most " : "", fmt::join(shape, " × ")));
   return Done{};
 }
 

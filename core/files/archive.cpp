@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include "core/files/refused_tensor.h"
+
 namespace surefoot {
 
 void Archive::refuse(const std::string& name, const std::string& why) {
-  if (good()) status_ = fileError(in_ ? in_->name : "", fmt::format("the tensor \"{}{}\" {}.", prefix_, name, why));
+  if (good()) status_ = refusedTensor(in_ ? *in_ : *out_, prefix_ + name, why);
 }
 
 const Tensor* Archive::wanted(const std::string& name, ElementType type) {

@@ -28,13 +28,13 @@ constexpr const char* kStyle = R"(:root { color-scheme: light dark; --ink: #1f23
 @media (prefers-color-scheme: dark) { :root { --ink: #e6e8eb; --paper: #16181c; --quiet: #9aa1ab; --fill: #2a2e35;
   --line: #33383f; --accent: #56b4e9; } }
 body { margin: 0; display: flex; color: var(--ink); background: var(--paper); font: 16px/1.55 Roboto, sans-serif; }
-nav { flex: 0 0 240px; padding: 24px; border-right: 1px solid var(--line); font-size: 14px; box-sizing: border-box;
-  position: sticky; top: 0; height: 100vh; overflow-y: auto; }
+nav { order: -1; flex: 0 0 240px; padding: 24px; border-right: 1px solid var(--line); font-size: 14px;
+  box-sizing: border-box; position: sticky; top: 0; height: 100vh; overflow-y: auto; }
 nav summary { color: var(--quiet); margin: 10px 0 4px; font-weight: 500; cursor: pointer; }
 nav a { display: block; padding: 2px 0; color: var(--ink); text-decoration: none; }
 nav details a { padding-left: 14px; }
 nav a.here { color: var(--accent); font-weight: 500; }
-main { flex: 1; max-width: 760px; padding: 24px 40px 80px; overflow-x: auto; }
+main { flex: 1; min-width: 0; max-width: 760px; padding: 24px 40px 80px; overflow-x: auto; }
 h1, h2, h3 { font-weight: 500; line-height: 1.25; }
 a { color: var(--accent); }
 code, pre { font: 14px/1.5 "Roboto Mono", monospace; background: var(--fill); border-radius: 4px; }
@@ -42,7 +42,11 @@ code { padding: 1px 4px; } pre { padding: 12px; overflow-x: auto; } pre code { p
 table { border-collapse: collapse; } td, th { border: 1px solid var(--line); padding: 4px 10px; text-align: left; }
 img { max-width: 100%; border: 1px solid var(--line); border-radius: 6px; }
 blockquote { margin: 0 0 0 24px; color: var(--quiet); }
-@media (max-width: 800px) { body { display: block; } nav { border: 0; height: auto; position: static; } }
+.up { display: none; } .pages { columns: 2; } .pages p { margin: 0; padding: 2px 0; }
+@media (max-width: 800px) { body { display: block; } main { max-width: none; padding: 16px 20px; }
+  .up { display: block; font-size: 14px; margin: 0; } .pages { columns: 1; }
+  nav { border: 0; border-top: 1px solid var(--line); padding: 16px 20px 40px; height: auto; position: static; }
+  nav a, nav summary { padding: 6px 0; margin: 0; } }
 )";
 
 /// "first-steps" becomes "first-steps.html" where a page is meant; `pictures` are the files that it shows.
@@ -77,9 +81,9 @@ std::string wholePage(const Handbook& handbook, const std::string& name, const s
   return fmt::format(
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width\"/>\n<title>{} – Surefoot</title>\n"
-      "<link rel=\"stylesheet\" href=\"style.css\"/>\n</head>\n<body>\n<nav>\n{}</nav>\n<main>\n{}</main>\n</body>\n"
-      "</html>\n",
-      escaped(title), navigation(handbook, name), body);
+      "<link rel=\"stylesheet\" href=\"style.css\"/>\n</head>\n<body>\n<main>\n"
+      "<p class=\"up\"><a href=\"index.html\">Handbook</a></p>\n{}</main>\n<nav>\n{}</nav>\n</body>\n</html>\n",
+      escaped(title), body, navigation(handbook, name));
 }
 
 }  // namespace
@@ -104,12 +108,16 @@ Status writeInto(const fs::path& folder, const Handbook& handbook, const std::st
   std::string index = "<h1>Surefoot</h1>\n", section;
   std::set<std::string> shown;
   for (const HandbookPage& page : handbook) {
-    if (page.section != section) index += fmt::format("<h2>{}</h2>\n", escaped(section = page.section));
+    if (page.section != section) {
+      index += section.empty() ? "" : "</div>\n";
+      index += fmt::format("<h2>{}</h2>\n<div class=\"pages\">\n", escaped(page.section));
+      section = page.section;
+    }
     index += fmt::format("<p><a href=\"{}.html\">{}</a></p>\n", page.name, escaped(page.title));
     const std::string body = withFileNames(page, handbook, shown);
     if (const Status s = write(page.name + ".html", wholePage(handbook, page.name, page.title, body)); !s) return s;
   }
-  if (const Status s = write("index.html", wholePage(handbook, "", "Handbook", index)); !s) return s;
+  if (const Status s = write("index.html", wholePage(handbook, "", "Handbook", index + "</div>\n")); !s) return s;
   for (const std::string& picture : shown) {
     std::error_code error;
     fs::copy_file(fs::path(pictures) / picture, folder / picture, error);

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <set>
 
+#include "core/basics/version.h"
 #include "core/files/read_file.h"
 #include "core/laboratory/growing_plan.h"
 #include "core/laboratory/kept_lives.h"
@@ -14,7 +15,6 @@
 #include "core/laboratory/whole_life.h"
 #include "core/life/lives_version.h"
 #include "core/saved/q_file.h"
-#include "core/version.h"
 
 namespace surefoot {
 

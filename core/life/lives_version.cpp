@@ -3,9 +3,9 @@
 
 #include <fmt/format.h>
 
+#include "core/basics/version.h"
 #include "core/files/read_file.h"
 #include "core/text/text.h"
-#include "core/version.h"
 
 namespace surefoot {
 

@@ -9,13 +9,13 @@
 #include <sstream>
 
 #include "core/basics/typed_json.h"
+#include "core/basics/version.h"
 #include "core/experiment/configuration_json.h"
 #include "core/files/limited_json.h"
 #include "core/files/read_file.h"
 #include "core/life/lives_version.h"
 #include "core/saved/q_file.h"
 #include "core/text/text.h"
-#include "core/version.h"
 
 namespace surefoot {
 
@@ -80,6 +80,7 @@ Result<Journal> parseHeader(const Registry& registry, const Json& header, const 
   Journal journal{.configuration = std::move(*configuration), .life = header["life"].get<int>(), .steps = 0, .hash = 0};
   journal.configuration.seed = header["seed"].get<std::uint64_t>();
   if (isInteger(header, "lives_version")) journal.livesVersion = header["lives_version"].get<int>();
+  if (isText(header, "program")) journal.program = shortened(header["program"].get<std::string>());
   if (header.contains("load") && !header["load"].is_null()) {
     auto file = read(header["load"], name, "began with");
     if (!file) return file.error();

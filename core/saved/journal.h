@@ -22,6 +22,7 @@ struct Journal {
   std::uint64_t hash = 0;                ///< hash when it was left
   std::int64_t episodes = 0, falls = 0;  ///< until it was left
   int livesVersion = 0;                  ///< lives_version.h of its program; 0: not noted
+  std::string program{};                 ///< the version of its program; empty: this one, or not noted
 
   /// Whether a life that was lived again came out the same.
   bool sameAs(const LifeResult& lived) const {

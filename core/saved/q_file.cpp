@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "core/basics/typed_json.h"
+#include "core/basics/version.h"
 #include "core/experiment/configuration_json.h"
 #include "core/experiment/task_description.h"
 #include "core/life/lives_version.h"
@@ -15,7 +16,6 @@
 #include "core/saved/teacher_file.h"
 #include "core/text/text.h"
 #include "core/text/words.h"
-#include "core/version.h"
 
 namespace surefoot {
 

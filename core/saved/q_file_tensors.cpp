@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/files/refused_tensor.h"
 #include "core/text/text.h"
 
 namespace surefoot {
@@ -107,9 +108,7 @@ class Checker {
     return refuse(t, "is none that a checkpoint has");
   }
 
-  Status refuse(const Tensor& t, const char* why) const {
-    return fileError(file_.name, fmt::format("the tensor \"{}\" {}.", shortened(t.name), why));
-  }
+  Status refuse(const Tensor& t, const char* why) const { return refusedTensor(file_, t.name, why); }
 
   const TensorFile& file_;
   double actions_ = 0, episodes_ = 0, steps_ = 0, weights_ = 0;

@@ -7,8 +7,8 @@
 #include <chrono>
 #include <thread>
 
+#include "core/basics/version.h"
 #include "core/files/read_file.h"
-#include "core/version.h"
 
 namespace surefoot {
 

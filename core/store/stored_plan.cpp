@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "core/basics/typed_json.h"
+#include "core/basics/version.h"
 #include "core/experiment/configuration_json.h"
 #include "core/files/json_difference.h"
 #include "core/files/limited_json.h"
@@ -9,7 +10,6 @@
 #include "core/life/lives_version.h"
 #include "core/saved/q_file.h"
 #include "core/store/store.h"
-#include "core/version.h"
 
 namespace surefoot {
 

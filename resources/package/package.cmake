@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What is installed, and the Debian packages: `cmake --build build/release --target package`. A component is a package;
-# here is `program`. Others (library, development, python) have a file beside this one.
+# here is `program`. Others (library, development, python) have their files beside this one.
 include(GNUInstallDirs)
-set(SUREFOOT_HOMEPAGE "https://surefoot.invalid" CACHE STRING "Where the project is published; screenshots/ below it")
+set(SUREFOOT_HOMEPAGE "" CACHE STRING "Where the project is published, with screenshots/ below it; empty: nowhere yet")
 set(SUREFOOT_APP_ID "org.surefoot.surefoot" CACHE STRING "The program's name in software centres")
+# Debian asks for an address; .invalid is no one's (RFC 2606).
 set(SUREFOOT_MAINTAINER "The Surefoot maintainers <maintainers@surefoot.invalid>" CACHE STRING "Who makes packages")
 
 # The date of the release, from the newest heading of the CHANGELOG; before it is released, that of the last commit.
 file(STRINGS ${PROJECT_SOURCE_DIR}/CHANGELOG.md headings REGEX "^## ")
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/CHANGELOG.md)
 list(GET headings 0 newest)
 set(SUREFOOT_DATE 2026-01-01)
 if(newest MATCHES "(20[0-9][0-9]-[01][0-9]-[0-3][0-9])")
@@ -24,8 +26,18 @@ endif()
 set(here ${CMAKE_CURRENT_LIST_DIR})
 set(resources ${PROJECT_SOURCE_DIR}/resources)
 set(made ${PROJECT_BINARY_DIR}/package)
-configure_file(${resources}/desktop/surefoot.metainfo.xml.in ${made}/${SUREFOOT_APP_ID}.metainfo.xml @ONLY)
-configure_file(${here}/copyright.in ${made}/copyright @ONLY)
+# Lines and pictures that need a homepage are left out where there is none: nothing points to what is not there.
+function(surefoot_configure from to)
+  file(READ ${from} content)
+  if(NOT SUREFOOT_HOMEPAGE)
+    string(REGEX REPLACE "\n *<screenshots>.*</screenshots>" "" content "${content}")
+    string(REGEX REPLACE "\n[^\n]*@SUREFOOT_HOMEPAGE@[^\n]*" "" content "${content}")
+  endif()
+  file(CONFIGURE OUTPUT ${to} CONTENT "${content}" @ONLY)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${from})
+endfunction()
+surefoot_configure(${resources}/desktop/surefoot.metainfo.xml.in ${made}/${SUREFOOT_APP_ID}.metainfo.xml)
+surefoot_configure(${here}/copyright.in ${made}/copyright)
 add_custom_command(OUTPUT ${made}/changelog.gz VERBATIM
   COMMAND sh ${here}/debian_changelog.sh ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${made}/changelog.gz ${PROJECT_VERSION}
           ${SUREFOOT_DATE} ${SUREFOOT_MAINTAINER}
@@ -45,6 +57,14 @@ add_custom_target(surefoot_package_files ALL DEPENDS ${for_packages})
 
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME program)
 set(share ${CMAKE_INSTALL_DATADIR})
+
+# What every package has to say of itself.
+function(surefoot_package_papers component package)
+  install(FILES ${made}/copyright ${made}/changelog.gz DESTINATION ${share}/doc/${package}
+          COMPONENT ${component} ${ARGN})
+endfunction()
+
+surefoot_package_papers(program surefoot)
 install(TARGETS surefoot COMPONENT program)
 install(DIRECTORY ${resources}/lessons ${resources}/plans ${resources}/recipes ${resources}/robots ${resources}/about
                   ${resources}/handbook ${resources}/screenshots
@@ -54,7 +74,7 @@ install(DIRECTORY ${made}/manual/ DESTINATION ${CMAKE_INSTALL_MANDIR})
 install(FILES ${resources}/completions/surefoot.bash DESTINATION ${share}/bash-completion/completions RENAME surefoot)
 install(FILES ${resources}/completions/_surefoot DESTINATION ${share}/zsh/vendor-completions)
 install(FILES ${resources}/completions/surefoot.fish DESTINATION ${share}/fish/vendor_completions.d)
-install(FILES ${made}/copyright ${made}/changelog.gz ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${share}/doc/surefoot)
 if(SUREFOOT_UI)
   install(FILES ${resources}/desktop/surefoot.svg DESTINATION ${share}/surefoot/desktop)
   install(FILES ${resources}/desktop/surefoot.svg DESTINATION ${share}/icons/hicolor/scalable/apps)
@@ -68,6 +88,9 @@ endif()
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+if(SUREFOOT_HOMEPAGE)
+  set(CPACK_DEBIAN_PACKAGE_HOMEPAGE ${SUREFOOT_HOMEPAGE})
+endif()
 set(CPACK_PACKAGE_CONTACT "${SUREFOOT_MAINTAINER}")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "reinforcement learning that avoids falling")
 set(CPACK_STRIP_FILES ON)
@@ -90,7 +113,6 @@ how often it falls. It has lessons for a class, a laboratory of many lives
 with intervals and tests, and does the same without a window, bit for bit.")
 
 # Each installs its components, appends them to CPACK_COMPONENTS_ALL and sets their CPACK_DEBIAN_<COMPONENT>_….
-foreach(other library python)
-  include(${here}/${other}.cmake OPTIONAL)
-endforeach()
+include(${here}/library.cmake)
+include(${here}/python.cmake)
 include(CPack)

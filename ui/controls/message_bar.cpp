@@ -56,7 +56,7 @@ void MessageBar::ask(const QString& sentence, std::vector<Answer> answers, Quest
       refresh();
       if (afterwards) afterwards();
     });
-  if (kind != Question::Lasting)
+  if (kind == Question::Passing || kind == Question::Quit)
     row->addButton(tr("Cancel"), [this, kind] {
       remove(kind);
       refresh();

@@ -39,7 +39,8 @@ class MessageBar final : public QWidget {
   enum class Question {
     Passing,  ///< about the present life: withdrawn when the life changes; a new question replaces it
     Quit,     ///< stays until it is answered or cancelled
-    Lasting   ///< stays until it is answered
+    Lasting,  ///< stays until it is answered
+    Report    ///< stays beside all others until it is answered
   };
   /// Shows a question beside the present messages; Escape in the bar is Cancel.
   void ask(const QString& sentence, std::vector<Answer> answers, Question kind = Question::Passing);

@@ -15,6 +15,8 @@
 #include "ui/controls/notice_strip.h"
 #include "ui/controls/panel.h"
 #include "ui/controls/preferences.h"
+#include "ui/crash/crash_notes.h"
+#include "ui/crash/life_notes.h"
 #include "ui/experiment/experiment_page.h"
 #include "ui/lessons/lessons_page.h"
 #include "ui/live/live_page.h"
@@ -112,15 +114,19 @@ MainWindow::MainWindow(Session& session, WindowSetup setup, QWidget* parent)
   live_->world().setFocus();
   restoreSettings();
   setAcceptDrops(true);
-  autosave_ = new Autosave(session_.life(), session_.history(), session_.files(), setup.folder, this);
+  folder_ = setup.folder;
+  autosave_ = new Autosave(session_.life(), session_.history(), session_.files(), folder_, this);
   usePreferences(readPreferences());
+  noteChangesOf(session_.life());
   offerToRestore();
+  offerReport();
 }
 
 void MainWindow::setPage(int page) {
   if (page == kRobotPage)
     if (const auto& file = session_.life().configuration().environmentFile) robot_->offer(*file);
   pages_->setCurrentIndex(page);
+  noteCommand("page " + tabs_[static_cast<std::size_t>(page)]->text().toStdString());
   tabs_[static_cast<std::size_t>(page)]->setChecked(true);
   placeMessages();
   for (QAction* action : liveActions_) action->setEnabled(page == 0);  // no key of one page works on another

@@ -124,6 +124,8 @@ class MainWindow final : public QMainWindow {
   void exportWithDialog(QWidget* view, const QString& title);
   void remember(const QString& path);
   void offerToRestore();
+  void offerReport();
+  void showReport();
   void restore(const QString& file);
   void askQuestions();
   void tellUnanswered();
@@ -194,6 +196,7 @@ class MainWindow final : public QMainWindow {
   QPointer<FilmDialog> film_;
   SessionName* name_ = nullptr;
   QString troubleShown_;
+  QString folder_;  // for results and autosaves
   AboutFacts about_;
   std::int64_t unansweredTries_ = 0;  ///< that were told
   bool asksOnQuit_ = true, closing_ = false, couldNotKeep_ = false;

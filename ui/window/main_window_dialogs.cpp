@@ -8,6 +8,8 @@
 #include "ui/about/about_dialog.h"
 #include "ui/controls/fitted_dialog.h"
 #include "ui/controls/message_bar.h"
+#include "ui/crash/crash_dialog.h"
+#include "ui/crash/crash_reports.h"
 #include "ui/live/form/pre_learning_dialog.h"
 #include "ui/robustness/robustness_dialog.h"
 #include "ui/session/session.h"
@@ -96,6 +98,19 @@ void MainWindow::showWords(const std::string& name) {
   words_->show();
   words_->raise();
   words_->activateWindow();
+}
+
+void MainWindow::offerReport() {
+  if (!takeNewCrash(folder_)) return;
+  messages_->ask(tr("Surefoot crashed. A report of it is on this computer; nothing was sent."),
+                 {{tr("Show the report"), [this] { showReport(); }}, {tr("Leave it there"), {}}},
+                 MessageBar::Question::Report);
+}
+
+void MainWindow::showReport() {
+  const QString report = lastCrash(folder_);
+  if (report.isEmpty()) return messages_->tell(tr("There is no report of a crash."));
+  (new CrashDialog(report, this))->show();
 }
 
 void MainWindow::showAbout() {

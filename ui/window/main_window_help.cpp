@@ -36,6 +36,8 @@ void MainWindow::makeHelpMenu() {
     setPage(kLessonsPage);
     lessons_->editTemplate();
   });
+  item(tr("&Report of the last crash"), tr("What Surefoot noted when it crashed, to be sent by hand"), {},
+       &MainWindow::showReport);
   item(tr("&About Surefoot"), tr("What this is"), {}, &MainWindow::showAbout);
 }
 

@@ -268,6 +268,7 @@ void MainWindow::offerToRestore() {
                           MessageBar::Question::Lasting);
   messages_->ask(tr("The last session was not closed. Its last minutes may be missing."),
                  {{tr("Restore it"), restored},
+                  {tr("Not now"), [this] { autosave_->leaveThere(); }},
                   {tr("Forget it"),
                    [this, left] {
                      autosave_->forget(left);

@@ -9,6 +9,7 @@
 
 #include "ui/controls/message_bar.h"
 #include "ui/controls/panel.h"
+#include "ui/crash/crash_notes.h"
 #include "ui/experiment/experiment_page.h"
 #include "ui/language/from_core.h"
 #include "ui/lessons/lessons_page.h"
@@ -64,6 +65,7 @@ QAction* MainWindow::addAction(QMenu* menu, const QString& text, const QString& 
   if (menu) menu->addAction(action);
   QMainWindow::addAction(action);
   if (!key.isEmpty()) shortcuts_.push_back(action);
+  connect(action, &QAction::triggered, this, [action] { noteCommand(action->text().remove('&').toStdString()); });
   return action;
 }
 
@@ -154,6 +156,8 @@ void MainWindow::makeEditMenu() {
   connect(redo_, &QAction::triggered, this, [this] {
     if (onRobotPage()) robot_->redo();
   });
+  connect(undo_, &QAction::triggered, this, [] { noteCommand("Undo"); });
+  connect(redo_, &QAction::triggered, this, [] { noteCommand("Redo"); });
   edit->actions()[0]->setShortcut(QKeySequence::Undo);
   edit->actions()[1]->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z));
   edit->actions()[0]->setToolTip(tr("Take the last change back; bring the life before back"));

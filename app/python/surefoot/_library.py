@@ -165,8 +165,11 @@ def _load() -> ctypes.CDLL:
             return library
         except (OSError, AttributeError) as error:
             reasons.append(f"{name}: {error}")
+    sources = Path(__file__).resolve().parents[2] / "library" / "surefoot.h"
+    build = " `cmake --build build/release --target surefoot_library` builds it from its sources." \
+        if sources.is_file() else ""
     raise MissingError("the C library of Surefoot was not found: " + "; ".join(reasons) +
-                       ". The environment variable SUREFOOT_LIBRARY can name it.")
+                       ". The environment variable SUREFOOT_LIBRARY can name it." + build)
 
 
 library = _load()

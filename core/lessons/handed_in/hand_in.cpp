@@ -8,10 +8,10 @@
 #include <cmath>
 #include <sstream>
 
+#include "core/basics/version.h"
 #include "core/files/limited_json.h"
 #include "core/life/episode_log.h"
 #include "core/life/lives_version.h"
-#include "core/version.h"
 
 namespace surefoot {
 

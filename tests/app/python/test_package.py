@@ -3,6 +3,7 @@
 
 import inspect
 import os
+import re
 import shutil
 import subprocess
 import tempfile
@@ -37,7 +38,6 @@ class Package(support.Folder):
     def test_every_call_of_the_header_is_declared(self):
         from surefoot import _library
         header = (support.SOURCE / "app" / "library" / "surefoot.h").read_text(encoding="utf-8")
-        import re
         there = set(re.findall(r"^SUREFOOT_\w+ surefoot_status surefoot_(\w+)\(", header, re.M))
         self.assertEqual(there, set(_library._CALLS))
         self.assertIn(f"#define SUREFOOT_API {_library.API}\n", header)
@@ -74,6 +74,14 @@ class Package(support.Folder):
             self.assertIn("MissingError: the C library of Surefoot was not found: " + library,
                           done.stderr)
             self.assertIn("SUREFOOT_LIBRARY can name it", done.stderr)
+            self.assertIn("--target surefoot_library` builds it", done.stderr)
+
+    def test_its_version_is_that_of_the_program(self):
+        version = re.search(r"project\(surefoot VERSION (\S+)",
+                            (support.SOURCE / "CMakeLists.txt").read_text(encoding="utf-8"))[1]
+        self.assertEqual(surefoot.__version__, version)
+        project = (support.SOURCE / "app" / "python" / "pyproject.toml").read_text(encoding="utf-8")
+        self.assertIn(f'version = "{version}"\n', project)
 
     def test_it_is_found_beside_the_package(self):
         library = os.environ.get("SUREFOOT_LIBRARY")

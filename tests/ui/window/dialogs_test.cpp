@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every dialog on the smallest screen and on a projector's: it fits, and no text is cut.
 #include <QDialog>
+#include <QDir>
 #include <QPushButton>
 #include <QScreen>
+#include <QStandardPaths>
 #include <QTreeWidget>
 #include <functional>
 
@@ -72,12 +74,19 @@ TEST(Dialogs, PreLearningIsReadableInEveryTask) {
 
 TEST(Dialogs, AllOthersAreReadable) {
   const UsualLook usual;
+  const QDir data(QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation));
+  ASSERT_TRUE(data.mkpath("."));
+  QFile report(data.filePath("last-crash.txt"));
+  ASSERT_TRUE(report.open(QIODevice::WriteOnly));
+  report.write("Surefoot was ended by SIGSEGV after 734 s.\n\nVersions\n  Surefoot 1\n  Qt 6.4.2\n");
+  report.close();
   Window w;
   for (const char* name : {"Rob&ustness …", "&Shortcuts", "&About Surefoot", "Pre&ferences …", "Another &seed …",
-                           "&Words", "&Keep this one as …", "Fil&m …"}) {
+                           "&Words", "&Keep this one as …", "Fil&m …", "&Report of the last crash"}) {
     const auto open = [&] { trigger(w, name); };
     ASSERT_NO_FATAL_FAILURE(expectDialogReadable(w, open, QString::fromUtf8(name).remove('&')));
   }
+  report.remove();
   w.window->livePage().setComparing(true);
   const auto second = [&] {
     w.named<QPushButton>(QCoreApplication::translate("surefoot::CompareStrip", "Parameters of the second"))->click();
