@@ -42,6 +42,7 @@ code { padding: 1px 4px; } pre { padding: 12px; overflow-x: auto; } pre code { p
 table { border-collapse: collapse; } td, th { border: 1px solid var(--line); padding: 4px 10px; text-align: left; }
 img { max-width: 100%; border: 1px solid var(--line); border-radius: 6px; }
 blockquote { margin: 0 0 0 24px; color: var(--quiet); }
+td:first-child code { white-space: nowrap; }
 .up { display: none; } .pages { columns: 2; } .pages p { margin: 0; padding: 2px 0; }
 @media (max-width: 800px) { body { display: block; } main { max-width: none; padding: 16px 20px; }
   .up { display: block; font-size: 14px; margin: 0; } .pages { columns: 1; }

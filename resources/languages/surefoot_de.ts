@@ -4875,6 +4875,37 @@ Freie Software unter der GNU General Public License, Version 3 oder später: Sie
     </message>
 </context>
 <context>
+    <name>surefoot::CrashDialog</name>
+    <message>
+        <source>Report of the last crash</source>
+        <translation>Bericht über den letzten Absturz</translation>
+    </message>
+    <message>
+        <source>Versions, the life&apos;s parameters and the last commands; no names of files. Nothing is sent. You can send it to the maintainers yourself, with what you did last: it helps.</source>
+        <translation>Versionen, die Parameter des Lebens und die letzten Befehle; keine Dateinamen. Nichts wird gesendet. Sie können ihn selbst an die Betreuer des Programms schicken, mit dem, was Sie zuletzt getan haben: Das hilft.</translation>
+    </message>
+    <message>
+        <source>The report</source>
+        <translation>Der Bericht</translation>
+    </message>
+    <message>
+        <source>It lies in %1.</source>
+        <translation>Er liegt in %1.</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>To the clipboard</source>
+        <translation>In die Zwischenablage</translation>
+    </message>
+    <message>
+        <source>Delete it</source>
+        <translation>Löschen</translation>
+    </message>
+</context>
+<context>
     <name>surefoot::CurveNames</name>
     <message>
         <source>from nothing</source>
@@ -7935,6 +7966,34 @@ Frühere wurden in diesem Fenster nicht aufgezeichnet.</translation>
     <message>
         <source>&amp;Forget</source>
         <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Surefoot crashed. A report of it is on this computer; nothing was sent.</source>
+        <translation>Surefoot ist abgestürzt. Ein Bericht darüber liegt auf diesem Computer; nichts wurde gesendet.</translation>
+    </message>
+    <message>
+        <source>Show the report</source>
+        <translation>Bericht zeigen</translation>
+    </message>
+    <message>
+        <source>Leave it there</source>
+        <translation>Liegen lassen</translation>
+    </message>
+    <message>
+        <source>There is no report of a crash.</source>
+        <translation>Es gibt keinen Bericht über einen Absturz.</translation>
+    </message>
+    <message>
+        <source>&amp;Report of the last crash</source>
+        <translation>Bericht über den letzten &amp;Absturz</translation>
+    </message>
+    <message>
+        <source>What Surefoot noted when it crashed, to be sent by hand</source>
+        <translation>Was Surefoot beim Absturz notiert hat, zum Versenden von Hand</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Nicht jetzt</translation>
     </message>
 </context>
 <context>

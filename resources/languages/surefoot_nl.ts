@@ -4875,6 +4875,37 @@ Vrije software onder de GNU General Public License, versie 3 of later: je mag ha
     </message>
 </context>
 <context>
+    <name>surefoot::CrashDialog</name>
+    <message>
+        <source>Report of the last crash</source>
+        <translation>Verslag van de laatste crash</translation>
+    </message>
+    <message>
+        <source>Versions, the life&apos;s parameters and the last commands; no names of files. Nothing is sent. You can send it to the maintainers yourself, with what you did last: it helps.</source>
+        <translation>Versies, de parameters van het leven en de laatste opdrachten; geen bestandsnamen. Er wordt niets verzonden. Je kunt het zelf naar de beheerders sturen, met wat je het laatst deed: dat helpt.</translation>
+    </message>
+    <message>
+        <source>The report</source>
+        <translation>Het verslag</translation>
+    </message>
+    <message>
+        <source>It lies in %1.</source>
+        <translation>Het staat in %1.</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopiëren</translation>
+    </message>
+    <message>
+        <source>To the clipboard</source>
+        <translation>Naar het klembord</translation>
+    </message>
+    <message>
+        <source>Delete it</source>
+        <translation>Verwijderen</translation>
+    </message>
+</context>
+<context>
     <name>surefoot::CurveNames</name>
     <message>
         <source>from nothing</source>
@@ -7935,6 +7966,34 @@ Die van eerder zijn niet in dit venster opgenomen.</translation>
     <message>
         <source>&amp;Forget</source>
         <translation>&amp;Vergeten</translation>
+    </message>
+    <message>
+        <source>Surefoot crashed. A report of it is on this computer; nothing was sent.</source>
+        <translation>Surefoot is gecrasht. Er staat een verslag van op deze computer; er is niets verzonden.</translation>
+    </message>
+    <message>
+        <source>Show the report</source>
+        <translation>Verslag tonen</translation>
+    </message>
+    <message>
+        <source>Leave it there</source>
+        <translation>Laten staan</translation>
+    </message>
+    <message>
+        <source>There is no report of a crash.</source>
+        <translation>Er is geen verslag van een crash.</translation>
+    </message>
+    <message>
+        <source>&amp;Report of the last crash</source>
+        <translation>Verslag van de laatste &amp;crash</translation>
+    </message>
+    <message>
+        <source>What Surefoot noted when it crashed, to be sent by hand</source>
+        <translation>Wat Surefoot bij de crash noteerde, om zelf te versturen</translation>
+    </message>
+    <message>
+        <source>Not now</source>
+        <translation>Nu niet</translation>
     </message>
 </context>
 <context>
