@@ -4882,7 +4882,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später: Sie
     </message>
     <message>
         <source>Versions, the life&apos;s parameters and the last commands; no names of files. Nothing is sent. You can send it to the maintainers yourself, with what you did last: it helps.</source>
-        <translation>Versionen, die Parameter des Lebens und die letzten Befehle; keine Dateinamen. Nichts wird gesendet. Sie können ihn selbst an die Betreuer des Programms schicken, mit dem, was Sie zuletzt getan haben: Das hilft.</translation>
+        <translation>Versionen, die Parameter des Lebens und die letzten Befehle; keine Dateinamen. Nichts wird gesendet. Sie können den Bericht selbst an die Betreuer des Programms schicken, mit dem, was Sie zuletzt getan haben: Das hilft.</translation>
     </message>
     <message>
         <source>The report</source>

@@ -149,11 +149,8 @@ TEST_F(LaboratoryCommands, EveryRecipeIsASoundPlan) {
     const Finished plan = surefoot("experiment " + entry.path().string() + " --dry-run");
     EXPECT_EQ(plan.code, 0) << plan.err;
     const std::string name = entry.path().stem().string();
-    const std::string text = contentOf(entry.path().string());
-    const std::size_t at = text.find("\nseries = \"") + 11;
-    const std::string series = text.substr(at, text.find('"', at) - at);
-    EXPECT_TRUE(series == name || name.starts_with(series + '-'))  // "caution-leo-greedy" shares those of "caution-leo"
-        << name << ": recipes share no life and no Q-function by accident, but of series " << series;
+    const std::string series = name == "caution-leo-greedy" ? "caution-leo" : name;  // its ε .05 and greedy, on purpose
+    EXPECT_NE(contentOf(entry.path().string()).find("\nseries = \"" + series + "\"\n"), std::string::npos) << name;
     ++recipes;
   }
   EXPECT_GT(recipes, 50);

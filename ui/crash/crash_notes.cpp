@@ -101,6 +101,7 @@ void watchForCrashes(const std::string& file, const std::string& about) {
   struct sigaction action {};
   action.sa_handler = onCrash;
   action.sa_flags = SA_ONSTACK;
+  for (const int signal : kSignals) sigaddset(&action.sa_mask, signal);  // a crash of the handler ends the program
   for (const int signal : kSignals) sigaction(signal, &action, nullptr);
 }
 

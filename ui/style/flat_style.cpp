@@ -132,7 +132,9 @@ QSize FlatStyle::sizeFromContents(ContentsType type, const QStyleOption* option,
       if (!item) return usual;
       if (item->menuItemType == QStyleOptionMenuItem::Separator && item->text.isEmpty())
         return {usual.width(), scaled(kSeparator)};
-      return {usual.width(), item->fontMetrics.height() + scaled(2 * kMenuItemMargin)};
+      const int height = item->fontMetrics.height() + scaled(2 * kMenuItemMargin);
+      const int ticks = static_cast<int>(0.79 * height);  // Fusion draws their column so wide, and reserves 21 pixels
+      return {usual.width() + qMax(0, ticks - 21), height};
     }
     case CT_HeaderSection:
       return usual + QSize(2 * headMargin(), scaled(8));

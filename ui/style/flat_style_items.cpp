@@ -5,6 +5,7 @@
 #include <QTableView>
 
 #include "ui/style/flat_style.h"
+#include "ui/style/icons.h"
 #include "ui/style/scale.h"
 #include "ui/style/theme.h"
 
@@ -96,6 +97,8 @@ void FlatStyle::drawControl(ControlElement element, const QStyleOption* option, 
     words.currentText = words.fontMetrics.elidedText(words.currentText, Qt::ElideRight, room);
     return QProxyStyle::drawControl(element, &words, painter, widget);
   }
+  if (element == CE_ToolButtonLabel && widget && widget->objectName() == "qt_menubar_ext_button")
+    return drawIcon(*painter, Icon::Chevron, option->rect, t.ink);  // the menus that have no room
   if (element == CE_Splitter) return painter->fillRect(option->rect, t.hairline);
   if (element == CE_MenuBarEmptyArea || element == CE_HeaderEmptyArea || element == CE_HeaderSection)
     painter->fillRect(option->rect, t.panel);

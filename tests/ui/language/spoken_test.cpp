@@ -150,18 +150,6 @@ class Texts {
   }
 };
 
-void learn(Window& w, const std::string& environment) {
-  const auto life = w.session->life().snapshot().life;
-  ASSERT_TRUE(w.session->newLives().beginEnvironment(environment));
-  ASSERT_TRUE(
-      w.waitFor([&] { return w.session->life().snapshot().life > life && w.session->life().values(); }, 30'000));
-  w.session->life().setTurbo(true);
-  w.session->life().setRunning(true);
-  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().totals.episodes > 12; }, 30'000));
-  w.session->life().setRunning(false);
-  QTest::qWait(100);
-}
-
 /// The dialog behind an entry of the menus.
 QDialog* openDialog(Window& w, const char* menuItem) {
   for (QAction* action : w.window->findChildren<QAction*>())
@@ -192,7 +180,7 @@ void everywhere(Window& w, const std::vector<Screen>& screens, Look look) {
     look(*w.window, screen);
   };
   for (const char* environment : {"pendulum", "leo"}) {
-    ASSERT_NO_FATAL_FAILURE(learn(w, environment));
+    ASSERT_NO_FATAL_FAILURE(live(w, environment));
     LivePage& page = w.window->livePage();
     onEach([&](const Screen& screen) {
       page.resetLayout();

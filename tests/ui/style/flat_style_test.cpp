@@ -8,6 +8,7 @@
 #include <QComboBox>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMenuBar>
 #include <QPushButton>
 #include <QRadioButton>
 #include <QSpinBox>
@@ -18,6 +19,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "tests/ui/window/size_setup.h"
+#include "tests/ui/window/text_recorder.h"
 #include "ui/style/theme.h"
 
 namespace surefoot {
@@ -125,6 +128,37 @@ TEST(FlatStyle, AMenuIsAsHighAsItsItems) {
   axes.addSection("Horizontal");
   axes.addAction("pole angle");
   EXPECT_EQ(axes.sizeHint().height(), 2 * line + 2 * (4 + 1)) << "the head of a section is to be read";
+}
+
+TEST(FlatStyle, TheLongestEntryOfAMenuIsWhole) {
+  const UsualSize usual;
+  for (const double text : {1.0, 1.25, kProjectorText}) {
+    applyTextSize(text);
+    QMenu menu;
+    menu.addAction("Shortcuts")->setShortcut(QKeySequence("Ctrl+F1"));
+    menu.addAction("Report of the last crash");
+    menu.popup({0, 0});
+    QStringList drawn;
+    for (const DrawnText& each : drawnTexts(menu)) drawn << each.text;
+    EXPECT_TRUE(drawn.contains("Report of the last crash")) << text << ": " << drawn.join(" | ").toStdString();
+  }
+}
+
+TEST(FlatStyle, MenusWithoutRoomAreBehindAButtonThatIsSeen) {
+  const UsualLook usual;
+  for (const Appearance look : {Appearance::Dark, Appearance::Light}) {
+    applyAppearance(*qApp, look);
+    QMenuBar bar;
+    for (const char* menu : {"File", "Edit", "View"}) bar.addMenu(menu);
+    bar.resize(90, 30);
+    bar.show();
+    QApplication::processEvents();
+    auto* button = bar.findChild<QToolButton*>("qt_menubar_ext_button");
+    ASSERT_TRUE(button && button->isVisible());
+    const QColor ink = (look == Appearance::Dark ? darkTheme() : lightTheme()).ink;
+    const auto isInk = [&](const QColor& c) { return std::abs(c.lightness() - ink.lightness()) < 60; };
+    EXPECT_GT(share(lookOf(*button), isInk), 0.01);
+  }
 }
 
 }  // namespace surefoot

@@ -55,4 +55,17 @@ struct UsualLook : UsualSize {
   ~UsualLook() { applyAppearance(*qApp, Appearance::Light); }
 };
 
+/// A life that has learned and fallen for a while, and stands still.
+inline void live(Window& w, const std::string& environment) {
+  const auto life = w.session->life().snapshot().life;
+  ASSERT_TRUE(w.session->newLives().beginEnvironment(environment));
+  ASSERT_TRUE(
+      w.waitFor([&] { return w.session->life().snapshot().life > life && w.session->life().values(); }, 30'000));
+  w.session->life().setTurbo(true);
+  w.session->life().setRunning(true);
+  ASSERT_TRUE(w.waitFor([&] { return w.session->life().snapshot().totals.episodes > 12; }, 30'000));
+  w.session->life().setRunning(false);
+  QTest::qWait(100);
+}
+
 }  // namespace surefoot
