@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 
 #include "tests/app/folder.h"
@@ -22,8 +23,10 @@ struct Finished {
 };
 
 inline std::string contentOf(const std::string& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
+  const std::ifstream in(file);
+  std::ostringstream text;  // in blocks: tests are compiled without optimisation
+  text << in.rdbuf();
+  return text.str();
 }
 
 /// A command of the shell.

@@ -50,11 +50,10 @@ class LessonContract : public ::testing::TestWithParam<std::string> {
   Lesson lesson_;
 };
 
+// With the seeds of more students: tests/learning.
 TEST_P(LessonContract, IsLivedThroughByItsSolutions) {
-  const std::vector<std::uint64_t> seeds =
-      lesson_.seedOfStudent ? std::vector<std::uint64_t>{1, 2, 3} : std::vector<std::uint64_t>{lesson_.start.seed};
-  for (const std::uint64_t seed : seeds)
-    EXPECT_EQ(told(GetParam(), liveThrough(everything(), lesson_, seed)), "") << "seed " << seed;
+  const std::uint64_t seed = lesson_.seedOfStudent ? 1 : lesson_.start.seed;
+  EXPECT_EQ(told(GetParam(), liveThrough(everything(), lesson_, seed)), "") << "seed " << seed;
 }
 
 TEST_P(LessonContract, RefusesWrongAnswers) {

@@ -60,8 +60,8 @@ std::uint64_t ChildRobot::printOf(std::span<const double> numbers) const {
 Status ChildRobot::start() {
   if (!programs_->isAllowed(program_))
     return Error{
-        fmt::format("The robot {} starts a program, {}, in {}, {}. Nobody has allowed it yet (on the page Robot, or "
-                    "with --allow-programs).",
+        fmt::format("The robot {} starts a program, {}, in {}, {}. Nobody has allowed it yet (on the page Robot, "
+                    "with --allow-programs, or from C and Python with \"programs\": true).",
                     values_.spec().name, commandText(values_.spec()), link_.folder(), cageText())};
   if (programOf(values_.spec(), link_.folder()) != program_)
     return Error{

@@ -6,6 +6,7 @@
 #include <QWidget>
 #include <vector>
 
+#include "core/statistics/statistics.h"
 #include "ui/style/painted.h"
 #include "ui/support/exporting.h"
 

@@ -9,6 +9,8 @@
 #include <QWidget>
 #include <memory>
 #include <optional>
+#include <set>
+#include <string>
 #include <utility>
 #include <vector>
 

@@ -4,6 +4,7 @@
 // a strip is dragged by its name to another place, or onto another strip.
 #pragma once
 
+#include <QElapsedTimer>
 #include <QWidget>
 #include <optional>
 
