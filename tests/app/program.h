@@ -13,7 +13,7 @@
 #include <sstream>
 #include <string>
 
-#include "tests/app/folder.h"
+#include "tests/folder.h"
 
 namespace surefoot {
 

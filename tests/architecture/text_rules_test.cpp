@@ -52,6 +52,11 @@ TEST(TextOfTheWindow, CanBeTranslated) {
   forbid({"ui"}, R"rx(\bError\{"[A-Z])rx", {});
 }
 
+// Each test is a process, and many run at once: a file in the common folder is another test's, too.
+TEST(FilesOfTests, AreInFoldersOfTheirOwn) {
+  forbid({"tests"}, R"(TempDir\(\)|temp_directory_path\(\)|mkdtemp\()", {"folder.h"});
+}
+
 // Two types of one name in one namespace are one type to the linker: their destructors are mixed up without a word.
 TEST(Names, OfTypesInHeadersAreUnique) {
   const std::regex definition(R"(^(class|struct|enum class) (\w+)( .*)?$)");

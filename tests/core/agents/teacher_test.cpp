@@ -10,6 +10,7 @@
 #include "core/saved/teacher_file.h"
 #include "core/store/store.h"
 #include "tests/core/experiment/test_setup.h"
+#include "tests/folder.h"
 
 namespace surefoot {
 
@@ -29,7 +30,12 @@ class Teacher : public ::testing::Test {
     static const Registry all = fullRegistry();
     return all;
   }
-  static std::string path() { return ::testing::TempDir() + "teacher.safetensors"; }
+  /// Of this process: each test is one, and they run at once.
+  static const Folder& folder() {
+    static const Folder one;
+    return one;
+  }
+  static std::string path() { return folder().file("teacher.safetensors"); }
 
   static std::unique_ptr<Life> lived(const Configuration& c) {
     auto life = makeLife(registry(), c, 0, true);
@@ -105,7 +111,7 @@ TEST_F(Teacher, IsTakenOutOfWhatALifeLearned) {
 TEST_F(Teacher, IsNamedInAJournalWithItsContent) {
   const Configuration c = guarded("0.02");
   const auto life = lived(c);
-  const std::string name = ::testing::TempDir() + "guarded.jsonl";
+  const std::string name = folder().file("guarded.jsonl");
   const std::string text = journalOf(c, summarise(*life, 0, 0.0));
   const auto journal = parseJournal(registry(), text, name);
   ASSERT_TRUE(journal) << journal.error().message;
@@ -122,7 +128,7 @@ TEST_F(Teacher, IsNamedInAJournalWithItsContent) {
 }
 
 TEST_F(Teacher, IsWrittenInAPlanByItsFileAndKeptInTheStore) {
-  const std::string file = ::testing::TempDir() + "guarded.toml";
+  const std::string file = folder().file("guarded.toml");
   ASSERT_TRUE(writeWhole("plan", file, R"(
 lives = 2
 [base]
@@ -140,8 +146,7 @@ set.policy.guardian_limit = 0.02
   EXPECT_NE(plan->conditions[0].text.find(" guardian=" + contentOf(*c.teacher)), std::string::npos);
   const auto stored = planToStore(registry(), *plan);
   ASSERT_TRUE(stored) << stored.error().message;
-  const std::string place = ::testing::TempDir() + "guarded.sqlite";
-  std::filesystem::remove(place);
+  const std::string place = folder().file("guarded.sqlite");
   const auto store = Store::create(place, *stored);
   ASSERT_TRUE(store) << store.error().message;
   const auto again = planFromStore(registry(), *store);

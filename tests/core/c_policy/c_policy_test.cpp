@@ -11,6 +11,7 @@
 #include "core/files/whole_file.h"
 #include "core/saved/q_file.h"
 #include "tests/core/experiment/test_setup.h"
+#include "tests/folder.h"
 
 namespace surefoot {
 
@@ -83,12 +84,10 @@ bool run(const std::string& command) {
 }
 
 /// The actions of the compiled program.
-std::vector<int> theirActions(const std::string& compiler, const std::string& text, const std::string& name,
-                              std::size_t variables, const std::vector<double>& states) {
-  const std::string folder = ::testing::TempDir() + name + "_in_c";
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  const auto in = [&](const char* file) { return folder + "/" + file; };
+std::vector<int> theirActions(const std::string& compiler, const std::string& text, std::size_t variables,
+                              const std::vector<double>& states) {
+  const Folder folder;
+  const auto in = [&](const char* file) { return folder.file(file); };
   std::ofstream(in("policy.c")) << text;
   std::ofstream(in("harness.c")) << kHarness;
   std::ofstream(in("states"), std::ios::binary)
@@ -106,48 +105,47 @@ std::vector<int> theirActions(const std::string& compiler, const std::string& te
 constexpr const char* kSanitized = "-fsanitize=address,undefined -fno-sanitize-recover=all";
 
 /// `others`: also with clang, where there is one.
-void expectTheSame(const Learned& l, const std::string& name, int count = kStates, bool others = false) {
+void expectTheSame(const Learned& l, int count = kStates, bool others = false) {
   const auto text = policyAsC(l.file, l.task(), {});
   ASSERT_TRUE(text) << text.error().message;
   const std::size_t n = l.task().state.size();
   const std::vector<double> states = anyStates(l.task(), count);
   const std::vector<int> ours = ourActions(l, states);
-  EXPECT_EQ(theirActions(std::string("gcc ") + kSanitized, *text, name, n, states), ours);
+  EXPECT_EQ(theirActions(std::string("gcc ") + kSanitized, *text, n, states), ours);
   if (!others || !run("command -v clang >/dev/null")) return;
-  EXPECT_EQ(theirActions("clang", *text, name, n, states), ours) << "clang";
+  EXPECT_EQ(theirActions("clang", *text, n, states), ours) << "clang";
 }
 
 }  // namespace
 
 TEST(PolicyAsC, IsTheSameForADenseTable) {
-  expectTheSame(learned({}, {}, 200), "dense");
+  expectTheSame(learned({}, {}, 200));
 }
 
 TEST(PolicyAsC, IsTheSameForAHashedTable) {
-  expectTheSame(learned({}, {{"features.memory", "8192"}}, 100), "hashed", kStates, true);
+  expectTheSame(learned({}, {{"features.memory", "8192"}}, 100), kStates, true);
 }
 
 TEST(PolicyAsC, IsTheSameWhereAHashedTableIsFullAndBeganAtRandom) {
-  expectTheSame(learned({}, {{"features.memory", "1000"}, {"features.initial_high", "1"}}, 30), "full");
+  expectTheSame(learned({}, {{"features.memory", "1000"}, {"features.initial_high", "1"}}, 30));
 }
 
 TEST(PolicyAsC, IsTheSameForTwoEstimates) {
-  expectTheSame(learned({.agent = "sarsa-2q"}, {}, 200), "two");
+  expectTheSame(learned({.agent = "sarsa-2q"}, {}, 200));
 }
 
 TEST(PolicyAsC, IsTheSameForRadialBasisFunctions) {
-  expectTheSame(learned({.features = "radial-basis"}, {}, 100), "radial");
+  expectTheSame(learned({.features = "radial-basis"}, {}, 100));
 }
 
 TEST(PolicyAsC, IsTheSameForActionsThatShareWeights) {
-  expectTheSame(learned({.environment = "leo"}, {{"features.memory", "2048"}}, 10), "leo", 10'000);
+  expectTheSame(learned({.environment = "leo"}, {{"features.memory", "2048"}}, 10), 10'000);
 }
 
 TEST(PolicyAsC, IsTheSameForATableAndForAnAngleThatGoesRound) {
-  expectTheSame(learned({.environment = "cliff", .features = "table"}, {}, 50), "cliff");
+  expectTheSame(learned({.environment = "cliff", .features = "table"}, {}, 50));
   expectTheSame(
-      learned({.environment = SUREFOOT_SOURCE "/resources/robots/acrobot.toml"}, {{"features.memory", "4096"}}, 5),
-      "round");
+      learned({.environment = SUREFOOT_SOURCE "/resources/robots/acrobot.toml"}, {{"features.memory", "4096"}}, 5));
 }
 
 TEST(PolicyAsC, ChecksItself) {
@@ -158,7 +156,8 @@ TEST(PolicyAsC, ChecksItself) {
     const auto text =
         policyAsC(l.file, l.task(), {.floats = true, .known = {{upright, (right + wrong) % 5}}, .origin = {}});
     ASSERT_TRUE(text);
-    const std::string file = ::testing::TempDir() + "self.c";
+    const Folder folder;
+    const std::string file = folder.file("self.c");
     ASSERT_TRUE(writeWhole("c", file, *text));
     ASSERT_TRUE(
         run("gcc -std=c99 -Wall -Wextra -Wpedantic -Werror -DPOLICY_SELF_TEST -o '" + file + ".out' '" + file + "'"));
@@ -170,7 +169,8 @@ TEST(PolicyAsC, NeedsNothingAndIsSmall) {
   const Learned l = learned({}, {}, 100);
   const auto text = policyAsC(l.file, l.task(), {});
   ASSERT_TRUE(text);
-  const std::string file = ::testing::TempDir() + "alone.c", object = file + ".o";
+  const Folder folder;
+  const std::string file = folder.file("alone.c"), object = file + ".o";
   ASSERT_TRUE(writeWhole("c", file, *text));
   ASSERT_TRUE(run("gcc -std=c99 -O2 -ffreestanding -nostdlib -c -o '" + object + "' '" + file + "'"));
   EXPECT_FALSE(run("nm -u '" + object + "' | grep .")) << "it calls something that it does not have";

@@ -8,8 +8,8 @@
 #include "core/saved/checkpoint.h"
 #include "core/saved/journal.h"
 #include "core/saved/q_file.h"
-#include "tests/app/folder.h"
 #include "tests/core/experiment/test_setup.h"
+#include "tests/folder.h"
 
 namespace surefoot {
 

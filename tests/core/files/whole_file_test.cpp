@@ -9,23 +9,19 @@
 #include <filesystem>
 #include <fstream>
 
+#include "tests/folder.h"
+
 namespace surefoot {
 
 namespace {
 
 class WholeFileTest : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (std::filesystem::temp_directory_path() / "surefoot-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder = name;
-  }
-  void TearDown() override { std::filesystem::remove_all(folder); }
-  std::string path(const char* name) const { return (folder / name).string(); }
+  std::string path(const char* name) const { return folder.file(name); }
   std::ptrdiff_t files() const {
-    return std::distance(std::filesystem::directory_iterator(folder), std::filesystem::directory_iterator());
+    return std::distance(std::filesystem::directory_iterator(folder.file("")), std::filesystem::directory_iterator());
   }
-  std::filesystem::path folder;
+  const Folder folder;
 };
 
 }  // namespace

@@ -4,8 +4,8 @@
 
 #include "core/findings/findings.h"
 #include "core/laboratory/laboratory.h"
-#include "tests/app/folder.h"
 #include "tests/core/experiment/test_setup.h"
+#include "tests/folder.h"
 
 namespace surefoot {
 

@@ -9,8 +9,8 @@
 
 #include "core/files/whole_file.h"
 #include "core/laboratory/laboratory.h"
-#include "tests/app/folder.h"
 #include "tests/core/experiment/test_setup.h"
+#include "tests/folder.h"
 
 namespace surefoot {
 

@@ -6,8 +6,8 @@
 #include <map>
 
 #include "core/findings/findings.h"
-#include "tests/app/folder.h"
 #include "tests/core/experiment/test_setup.h"
+#include "tests/folder.h"
 
 namespace surefoot {
 

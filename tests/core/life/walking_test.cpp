@@ -13,8 +13,8 @@
 #include "core/policies/greedy.h"
 #include "core/saved/checkpoint.h"
 #include "core/store/csv_export.h"
-#include "tests/app/folder.h"
 #include "tests/core/experiment/test_setup.h"
+#include "tests/folder.h"
 
 namespace surefoot {
 

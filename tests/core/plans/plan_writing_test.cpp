@@ -9,6 +9,7 @@
 #include "core/plans/plan_time.h"
 #include "core/saved/q_file.h"
 #include "tests/core/experiment/test_setup.h"
+#include "tests/folder.h"
 
 namespace surefoot {
 
@@ -150,7 +151,8 @@ TEST(PlanWriting, APreLearnedLifeIsWrittenWithHowItWasPreLearned) {
 TEST(PlanWriting, ALifeThatBeganWithAFileIsWrittenWithThatFileOrRefused) {
   const Registry registry = fullRegistry();
   Configuration live = pendulumConfiguration(registry);
-  const std::string path = (std::filesystem::temp_directory_path() / "plan_writing_test.safetensors").string();
+  const Folder folder;
+  const std::string path = folder.file("plan_writing_test.safetensors");
   const auto file = learnedBefore(registry, live);
   ASSERT_TRUE(writeWhole("file", path, file->write()));
   beginWith(live, *readQFile(path));

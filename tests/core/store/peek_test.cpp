@@ -7,8 +7,8 @@
 
 #include "core/life/lives_version.h"
 #include "core/store/store.h"
-#include "tests/app/folder.h"
 #include "tests/core/experiment/test_setup.h"
+#include "tests/folder.h"
 
 namespace surefoot {
 

@@ -12,8 +12,8 @@
 #include "core/laboratory/laboratory.h"
 #include "core/life/lives_version.h"
 #include "core/saved/q_file.h"
-#include "tests/app/folder.h"
 #include "tests/core/experiment/test_setup.h"
+#include "tests/folder.h"
 
 namespace surefoot {
 

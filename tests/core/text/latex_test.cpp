@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "core/findings/findings.h"
-#include "tests/app/folder.h"
+#include "tests/folder.h"
 
 namespace surefoot {
 

@@ -4,6 +4,7 @@
 
 #include "core/files/whole_file.h"
 #include "core/saved/checkpoint.h"
+#include "tests/folder.h"
 #include "tests/full_registry.h"
 #include "tests/physics/robot/robot_files.h"
 
@@ -257,7 +258,8 @@ TEST(RobotWorlds, AFormulaThatComesToNoNumberCutsTheEpisodeOff) {
 TEST(RobotWorlds, EightRewardsAreSplitAndShaped) {
   std::string rewards;
   for (int i = 1; i < kMaxTaskTerms; ++i) rewards += "[[reward]]\nname = \"r" + std::to_string(i) + "\"\nvalue = 0.5\n";
-  const std::string file = ::testing::TempDir() + "eight-rewards.toml";
+  const Folder folder;
+  const std::string file = folder.file("eight-rewards.toml");
   ASSERT_TRUE(writeWhole("robot", file, text(kPendulum, kAngles + rewards)));
   const Registry registry = fullRegistry();
   auto c = configure(registry, {.environment = file, .agent = "sarsa-2q"},

@@ -2,6 +2,7 @@
 // What is said of files that are wrong: each is the pendulum with one change.
 #include "core/experiment/configuration.h"
 #include "core/files/whole_file.h"
+#include "tests/folder.h"
 #include "tests/full_registry.h"
 #include "tests/physics/robot/robot_files.h"
 
@@ -131,7 +132,8 @@ TEST(WrongRobots, AMistakeBehindManyLinesIsToldAtOnce) {
 }
 
 TEST(WrongRobots, WhatLearningCannotHaveIsToldInItsLine) {
-  const std::string file = ::testing::TempDir() + "learning.toml";
+  const Folder folder;
+  const std::string file = folder.file("learning.toml");
   ASSERT_TRUE(writeWhole("robot", file, robotText("pendulum") + "[learning]\ndiscount = 97\n"));
   const Registry registry = fullRegistry();
   const auto c = configure(registry, {.environment = file}, {});

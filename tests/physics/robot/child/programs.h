@@ -12,7 +12,7 @@
 #include "core/environment_programs.h"
 #include "core/experiment/configuration.h"
 #include "physics/robot/child/child_robot.h"
-#include "tests/app/folder.h"
+#include "tests/folder.h"
 #include "tests/full_registry.h"
 
 namespace surefoot {
