@@ -146,8 +146,9 @@ Result<PlanSearch> readSearch(const std::vector<PlanSetting>& settings, const st
   if (p.condition.empty() || p.key.empty() || p.values < 2)
     return planError(path, line,
                      "search: it takes condition, the name of one, set.KEY = [low, high], and values from 2 on.");
-  if (p.logarithmic && p.low <= 0)
-    return planError(path, line, "search: a logarithmic scale begins above 0; scale = \"linear\" begins anywhere.");
+  if (p.logarithmic && p.low * p.high <= 0)
+    return planError(path, line,
+                     "search: a logarithmic scale keeps to one side of 0; scale = \"linear\" goes from anywhere.");
   return p;
 }
 

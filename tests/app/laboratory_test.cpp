@@ -135,9 +135,19 @@ TEST_F(LaboratoryCommands, ShippedPlansAreFoundByNameAndAreSound) {
   const Finished list = surefoot("experiment nothing-like-this");
   EXPECT_EQ(list.code, 3);
   for (const auto& entry : std::filesystem::directory_iterator(std::string(SUREFOOT_SOURCE) + "/resources/plans")) {
+    if (entry.is_directory()) continue;
     const std::string name = entry.path().stem().string();
     EXPECT_NE(list.err.find(name), std::string::npos) << list.err;
     EXPECT_EQ(surefoot("experiment " + name + " --dry-run").code, 0) << name;
+  }
+}
+
+TEST_F(LaboratoryCommands, TheSearchesForSizesOfCautionAreSound) {
+  const std::string plans = std::string(SUREFOOT_SOURCE) + "/resources/plans/caution-search";
+  for (const auto& entry : std::filesystem::directory_iterator(plans)) {
+    const Finished plan = surefoot("experiment " + entry.path().string() + " --dry-run");
+    EXPECT_EQ(plan.code, 0) << plan.err;
+    EXPECT_NE(plan.out.find(" in all for the search"), std::string::npos) << entry.path() << plan.out;
   }
 }
 

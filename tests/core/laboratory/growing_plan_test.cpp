@@ -112,6 +112,14 @@ TEST_F(GrowingPlan, ASearchHalvesItsCandidatesAndReportsFromFreshLives) {
   EXPECT_NE(result->found[0].find("in 7 others against ε-greedy"), std::string::npos) << result->found[0];
 }
 
+TEST_F(GrowingPlan, ASearchGoesInLogarithmicStepsOnEitherSideOfZero) {
+  PlanSearch search;
+  search.low = 10, search.high = 1000, search.values = 3;
+  EXPECT_EQ(search.valuesToTry(), (std::vector<std::string>{"10", "100", "1e+03"}));
+  search.low = -1000, search.high = -10;
+  EXPECT_EQ(search.valuesToTry(), (std::vector<std::string>{"-1e+03", "-100", "-10"}));
+}
+
 TEST_F(GrowingPlan, WhatIsWrongIsNamed) {
   const auto replaced = [](std::string text, const std::string& from, const std::string& to) {
     return text.replace(text.find(from), from.size(), to);
@@ -121,6 +129,7 @@ TEST_F(GrowingPlan, WhatIsWrongIsNamed) {
   EXPECT_NE(refusal(replaced(kDecided, "lives = \"decided\"", "lives = 5")).find("goes with lives"), std::string::npos);
   EXPECT_NE(refusal(replaced(kSearch, "\"Softmax\"\nset", "\"Sotfmax\"\nset")).find("Sotfmax"), std::string::npos);
   EXPECT_NE(refusal(replaced(kSearch, "[0.1, 50]", "[0, 50]")).find("logarithmic"), std::string::npos);
+  EXPECT_NE(refusal(replaced(kSearch, "[0.1, 50]", "[-1, 50]")).find("logarithmic"), std::string::npos);
   EXPECT_NE(refusal(replaced(kSearch, "[0.1, 50]", "0.1")).find("[low, high]"), std::string::npos);
   EXPECT_NE(refusal(replaced(kSearch, "values = 6", "values = 1")).find("values from 2 on"), std::string::npos);
 
