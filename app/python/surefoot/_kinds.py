@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import copy
 import os
 from typing import Any, Mapping
 
@@ -42,6 +43,6 @@ def spec_of(name: str, keywords: Mapping[str, Any]) -> Any:
     """Gymnasium's description of an environment that was not made by Gymnasium."""
     if gymnasium is None:
         return None
-    spec = gymnasium.spec(f"surefoot/{IDS.get(name, 'Robot')}-v0")
+    spec = copy.deepcopy(gymnasium.spec(f"surefoot/{IDS.get(name, 'Robot')}-v0"))  # that is of all
     spec.kwargs = {**({"name": name} if name in IDS else {"robot": name}), **keywords}
     return spec

@@ -2,7 +2,9 @@
 """Environments keep what the interface of Gymnasium promises."""
 
 import inspect
+import types
 import unittest
+import unittest.mock
 
 import support
 import surefoot
@@ -265,6 +267,14 @@ class Interface(support.Folder):
             with self.refused(surefoot.UsageError, "closed"):
                 call()
         self.assertIn("closed", repr(env))
+
+    def test_what_is_registered_stays_as_it_is(self):
+        registered = types.SimpleNamespace(kwargs={"name": "pendulum"})
+        known = types.SimpleNamespace(spec=lambda name: registered)
+        with unittest.mock.patch("surefoot._kinds.gymnasium", known):
+            with surefoot.make("pendulum", preset="lab") as env:
+                self.assertEqual(env.spec.kwargs, {"name": "pendulum", "preset": "lab"})
+        self.assertEqual(registered.kwargs, {"name": "pendulum"}, "else every later one is of the lab")
 
     def test_no_copies(self):
         import copy
