@@ -29,6 +29,7 @@
 #include "ui/crash/crash_notes.h"
 #include "ui/crash/crash_reports.h"
 #include "ui/language/language.h"
+#include "ui/language/speech.h"
 #include "ui/lessons/kiosk/kiosk_window.h"
 #include "ui/lessons/lessons_page.h"
 #include "ui/session/session.h"
@@ -127,12 +128,12 @@ int kioskCommand(const Registry& registry, const WindowRequest& request, Applica
   std::optional<Lesson> lesson;
   std::vector<std::string> names;
   if (std::filesystem::is_regular_file(*request.kiosk, error)) {
-    const auto one = readLessonFile(registry, *request.kiosk);
+    const auto one = readLessonFile(registry, *request.kiosk, lessonInLanguage);
     if (!one) return fail(one.error());
     if (!one->lesson) return fail({complaintText(one->path, one->complaints.at(0))});
     lesson = one->lesson;
   }
-  for (const ShelvedLesson& one : lessonsIn(registry, resourceFolder("lessons"))) {
+  for (const ShelvedLesson& one : lessonsIn(registry, resourceFolder("lessons"), lessonInLanguage)) {
     if (!one.lesson || !one.lesson->kiosk) continue;
     names.push_back(one.lesson->name);
     if (one.lesson->name == *request.kiosk) lesson = one.lesson;
@@ -196,7 +197,9 @@ int windowCommand(const Registry& registry, const WindowRequest& request, int ar
   setup.about.folder = QString::fromStdString(resourceFolder("about"));
   for (const PartVersion& part : partVersions())
     setup.about.versions.emplace_back(QString::fromStdString(part.name), QString::fromStdString(part.version));
-  setup.handbook = [&registry] { return makeHandbook(registry, resourceFolder("handbook"), commandHelp(registry)); };
+  setup.handbook = [&registry] {
+    return makeHandbook(registry, resourceFolder("handbook"), commandHelp(registry), handbookInLanguage());
+  };
   setup.pictures = QString::fromStdString(resourceFolder("screenshots"));
   setup.asksOnQuit = !request.json && !request.log;  // with these, quitting writes the results
   MainWindow window(session, std::move(setup));

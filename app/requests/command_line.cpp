@@ -182,6 +182,7 @@ struct CommandLine {
     resample->add_flag("--json", resampleOptions.json, "report as JSON");
 
     handbook->add_option("FOLDER", handbookOptions.folder, "the folder to make; it must not exist yet")->type_name("");
+    handbook->add_option("--language", handbookOptions.language, "of the pages: en, nl or de [en]")->type_name("CODE");
     bench->add_flag("--json", benchOptions.json, "as JSON");
     file(replay, replayOptions.file, "a journal");
     replay->add_flag("--verify", replayOptions.verify, "fail unless the hash is that of the journal");
@@ -261,7 +262,12 @@ Result<Request> parseCommandLine(const Registry& registry, int argc, char** argv
   if (line.bench->parsed()) return Request(line.benchOptions);
   if (line.replay->parsed()) return Request(line.replayOptions);
   if (line.difference->parsed()) return Request(line.differenceOptions);
-  if (line.handbook->parsed()) return Request(line.handbookOptions);
+  if (line.handbook->parsed()) {
+    const std::vector<std::string>& codes = OpenLine::languages();
+    if (std::find(codes.begin(), codes.end(), line.handbookOptions.language) == codes.end())
+      return unknownName("--language", line.handbookOptions.language, codes);
+    return Request(line.handbookOptions);
+  }
   if (line.lessons.lessons->parsed()) return Request(line.lessons.request);
   if (const Status s = line.open.check(); !s) return s.error();
   auto request = makeTrainRequest(registry, line.windowOptions, true);

@@ -184,6 +184,7 @@ struct NewRobotRequest {
 /// `surefoot handbook`: its pages as HTML, into a new folder.
 struct HandbookRequest {
   std::string folder;
+  std::string language = "en";
 };
 
 /// --help: the text to print.

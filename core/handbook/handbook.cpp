@@ -51,15 +51,16 @@ std::string parameterPage(std::string_view key, std::string_view environment) {
 }
 
 Result<Handbook> makeHandbook(const Registry& registry, const std::string& folder,
-                              const std::vector<CommandHelp>& commands) {
-  auto handbook = writtenPages(folder);
+                              const std::vector<CommandHelp>& commands, const HandbookSpeech& speech) {
+  auto handbook = writtenPages(folder, speech.code);
   if (!handbook) return handbook;
-  for (Handbook& made :
-       std::vector{methodPages(registry), worldPages(registry), parameterPages(registry), commandPages(commands)})
+  for (Handbook& made : std::vector{methodPages(registry, speech), worldPages(registry, speech),
+                                    parameterPages(registry, speech), commandPages(commands)})
     std::move(made.begin(), made.end(), std::back_inserter(*handbook));
   std::stable_sort(handbook->begin(), handbook->end(), [](const HandbookPage& a, const HandbookPage& b) {
     return placeOf(a.section) < placeOf(b.section);
   });
+  for (HandbookPage& page : *handbook) page.section = speech.say(page.section);
   return handbook;
 }
 

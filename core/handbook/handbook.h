@@ -6,6 +6,7 @@
 #include <span>
 
 #include "core/basics/result.h"
+#include "core/handbook/handbook_speech.h"
 #include "core/handbook/page.h"
 #include "core/registry.h"
 
@@ -22,11 +23,12 @@ struct CommandHelp {
   std::vector<Item> options{}, examples{};
 };
 
-/// `folder`: with the written pages. An error names the file that cannot be read.
+/// `folder`: with the written pages. An error names the file that cannot be read. Names of pages and anchors are the
+/// same in every language; pages of commands are what `man` shows, in English.
 Result<Handbook> makeHandbook(const Registry& registry, const std::string& folder,
-                              const std::vector<CommandHelp>& commands);
+                              const std::vector<CommandHelp>& commands, const HandbookSpeech& speech = {});
 
-/// The sections, in the order in which they are read.
+/// The sections, in the order in which they are read, in English.
 std::span<const char* const> handbookSections();
 
 /// The page that tells of a method ("method-trl"), a world, a parameter ("parameters-policy#policy.epsilon"; one of an

@@ -61,7 +61,7 @@ std::string withFileNames(const HandbookPage& page, const Handbook& handbook, st
 }
 
 /// The sections, of which that of this page is open.
-std::string navigation(const Handbook& handbook, const std::string& here) {
+std::string navigation(const Handbook& handbook, const std::string& here, const HandbookSpeech& speech) {
   const HandbookPage* shown = pageNamed(handbook, here);
   std::string nav, section;
   for (const HandbookPage& page : handbook) {
@@ -74,17 +74,17 @@ std::string navigation(const Handbook& handbook, const std::string& here) {
     nav += fmt::format("<a href=\"{}.html\"{}>{}</a>\n", page.name, page.name == here ? " class=\"here\"" : "",
                        escaped(page.title));
   }
-  return "<a href=\"index.html\">Handbook</a>\n" + nav + "</details>\n";
+  return fmt::format("<a href=\"index.html\">{}</a>\n{}</details>\n", escaped(speech.say("Handbook")), nav);
 }
 
 std::string wholePage(const Handbook& handbook, const std::string& name, const std::string& title,
-                      const std::string& body) {
+                      const std::string& body, const HandbookSpeech& speech) {
   return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+      "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\"/>\n"
       "<meta name=\"viewport\" content=\"width=device-width\"/>\n<title>{} – Surefoot</title>\n"
       "<link rel=\"stylesheet\" href=\"style.css\"/>\n</head>\n<body>\n<main>\n"
-      "<p class=\"up\"><a href=\"index.html\">Handbook</a></p>\n{}</main>\n<nav>\n{}</nav>\n</body>\n</html>\n",
-      escaped(title), body, navigation(handbook, name));
+      "<p class=\"up\"><a href=\"index.html\">{}</a></p>\n{}</main>\n<nav>\n{}</nav>\n</body>\n</html>\n",
+      speech.code, escaped(title), escaped(speech.say("Handbook")), body, navigation(handbook, name, speech));
 }
 
 }  // namespace
@@ -101,7 +101,8 @@ std::string htmlOf(const HandbookPage& page) {
 
 namespace {
 
-Status writeInto(const fs::path& folder, const Handbook& handbook, const std::string& pictures) {
+Status writeInto(const fs::path& folder, const Handbook& handbook, const std::string& pictures,
+                 const HandbookSpeech& speech) {
   const auto write = [&](const std::string& name, const std::string& content) {
     return writeWhole("handbook", (folder / name).string(), content);
   };
@@ -116,9 +117,12 @@ Status writeInto(const fs::path& folder, const Handbook& handbook, const std::st
     }
     index += fmt::format("<p><a href=\"{}.html\">{}</a></p>\n", page.name, escaped(page.title));
     const std::string body = withFileNames(page, handbook, shown);
-    if (const Status s = write(page.name + ".html", wholePage(handbook, page.name, page.title, body)); !s) return s;
+    if (const Status s = write(page.name + ".html", wholePage(handbook, page.name, page.title, body, speech)); !s)
+      return s;
   }
-  if (const Status s = write("index.html", wholePage(handbook, "", "Handbook", index + "</div>\n")); !s) return s;
+  if (const Status s = write("index.html", wholePage(handbook, "", speech.say("Handbook"), index + "</div>\n", speech));
+      !s)
+    return s;
   for (const std::string& picture : shown) {
     std::error_code error;
     fs::copy_file(fs::path(pictures) / picture, folder / picture, error);
@@ -131,13 +135,14 @@ Status writeInto(const fs::path& folder, const Handbook& handbook, const std::st
 
 }  // namespace
 
-Status writeHtml(const Handbook& handbook, const std::string& pictures, const std::string& folder) {
+Status writeHtml(const Handbook& handbook, const std::string& pictures, const std::string& folder,
+                 const HandbookSpeech& speech) {
   std::error_code error;
   if (fs::exists(folder, error))
     return Error{fmt::format("{}: it exists already; name a folder that does not.", folder), ErrorKind::File};
   fs::create_directories(folder, error);
   if (error) return Error{fmt::format("{}: it cannot be made: {}.", folder, error.message()), ErrorKind::File};
-  const Status written = writeInto(folder, handbook, pictures);
+  const Status written = writeInto(folder, handbook, pictures, speech);
   if (!written) fs::remove_all(folder, error);  // all of it or nothing
   return written;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/basics/result.h"
+#include "core/handbook/handbook_speech.h"
 #include "core/handbook/page.h"
 
 namespace surefoot {
@@ -11,7 +12,8 @@ namespace surefoot {
 std::string htmlOf(const HandbookPage& page);
 
 /// Every page as NAME.html, index.html with all of them, one style sheet and the pictures that they show, copied from
-/// the folder `pictures`, into a folder that does not exist yet.
-Status writeHtml(const Handbook& handbook, const std::string& pictures, const std::string& folder);
+/// the folder `pictures`, into a folder that does not exist yet. `speech`: that of the handbook.
+Status writeHtml(const Handbook& handbook, const std::string& pictures, const std::string& folder,
+                 const HandbookSpeech& speech = {});
 
 }  // namespace surefoot

@@ -9,7 +9,7 @@ namespace surefoot {
 
 struct HandbookPage {
   std::string name{};     ///< "first-steps"; links name it: [first steps](first-steps)
-  std::string section{};  ///< "The window"
+  std::string section{};  ///< "The window", in the language of the handbook
   std::string title{};    ///< "First steps"
   std::string text{};     ///< Markdown, without the title
 };

@@ -63,14 +63,16 @@ Result<HandbookPage> parsePage(const std::string& written, const std::string& fi
   return page;
 }
 
-Result<Handbook> writtenPages(const std::string& folder) {
+Result<Handbook> writtenPages(const std::string& folder, const std::string& language) {
   std::vector<fs::path> files;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error))
     if (entry.path().extension() == ".md") files.push_back(entry.path());
   std::sort(files.begin(), files.end());
   Handbook pages;
-  for (const fs::path& file : files) {
+  for (const fs::path& english : files) {
+    const fs::path inLanguage = english.parent_path() / language / english.filename();
+    const fs::path& file = fs::is_regular_file(inLanguage, error) ? inLanguage : english;
     const auto text = readText(file.string());
     if (!text) return text.error();
     auto page = parsePage(*text, file.string());

@@ -9,8 +9,9 @@
 
 namespace surefoot {
 
-/// All of a folder, by the numbers of their files. An error names the file that cannot be read, and what is wrong.
-Result<Handbook> writtenPages(const std::string& folder);
+/// All of a folder, by the numbers of their files; in a language, those of FOLDER/LANGUAGE in their place, as far as
+/// they are there. An error names the file that cannot be read, and what is wrong.
+Result<Handbook> writtenPages(const std::string& folder, const std::string& language = "en");
 
 /// `file`: its name, and where what it includes is looked for.
 Result<HandbookPage> parsePage(const std::string& text, const std::string& file);

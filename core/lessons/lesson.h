@@ -80,9 +80,10 @@ struct LessonRun {
 /// Several lives of each of a few ways, with the same seeds for all.
 struct LessonLives {
   struct Way {
-    std::string label;
-    LessonActions first{};  ///< from the lesson's start
-    std::size_t place = 0;  ///< counted over all steps
+    std::string label;       ///< its name in expressions: least("ε stays 0.25")
+    std::string title = {};  ///< the label in the language of the reader
+    LessonActions first{};   ///< from the lesson's start
+    std::size_t place = 0;   ///< counted over all steps
   };
   int count = 10;
   std::string title{};

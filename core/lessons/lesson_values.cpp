@@ -137,10 +137,10 @@ std::string lessonNumber(double value) {
   return text;
 }
 
-std::string LessonValues::text(const LessonText& text, const Life& life) const {
+std::string LessonValues::text(const LessonText& text, const Life& life, const Translate& number) const {
   std::string all = text.empty() ? "" : text.between[0];
   for (std::size_t i = 0; i < text.numbers.size(); ++i)
-    all += lessonNumber(of(text.numbers[i], life)) + text.between[i + 1];
+    all += translated(number, lessonNumber(of(text.numbers[i], life))) + text.between[i + 1];
   return all;
 }
 

@@ -10,6 +10,7 @@
 
 #include "core/lessons/lesson.h"
 #include "core/life/life.h"
+#include "core/text/translate.h"
 #include "core/values_of_state.h"
 
 namespace surefoot {
@@ -42,8 +43,8 @@ class LessonValues {
   bool accepts(const LessonCondition& condition, const Life& life, const PointedAt& place) const {
     return condition.expression.holds(valuesFor(condition, life, &place));
   }
-  /// The text with its numbers: whole ones as they are, others in three digits.
-  std::string text(const LessonText& text, const Life& life) const;
+  /// The text with its numbers as lessonNumber() writes them, and `number` for the reader's language.
+  std::string text(const LessonText& text, const Life& life, const Translate& number = {}) const;
 
   /// Another life begins: what "before." names is this one.
   void endLife(const LifeFacts& facts) { before_ = facts; }

@@ -57,7 +57,10 @@ Result<std::pair<TemporaryFolder, std::string>> copyOf(const std::string& path) 
   const std::string copy = folder + "/store.sqlite";
   for (const char* part : {"", "-wal", "-journal"}) {
     if (!isThere(path + part)) continue;
-    if (!fs::copy_file(path + part, copy + part, failed)) return fileError(path, "it cannot be copied to be read.");
+    if (!fs::copy_file(path + part, copy + part, failed)) {
+      if (*part && !isThere(path + part)) continue;  // its writer took it away in this moment
+      return fileError(path, "it cannot be copied to be read.");
+    }
     fs::permissions(copy + part, fs::perms::owner_all, failed);
   }
   if (isThere(copy + "-journal"))  // SQLite undoes the change when the copy is opened to write

@@ -4350,6 +4350,3241 @@
         <source>step limit</source>
         <translation>Schrittgrenze</translation>
     </message>
+    <message>
+        <source>A coarse value function that is learned first and shapes the rewards.</source>
+        <translation>Eine grobe Wertfunktion, die zuerst gelernt wird und dann die Belohnungen formt.</translation>
+    </message>
+    <message>
+        <source>A life</source>
+        <translation>Ein Leben</translation>
+    </message>
+    <message>
+        <source>Actions</source>
+        <translation>Aktionen</translation>
+    </message>
+    <message>
+        <source>Begins another life: the table is made anew.</source>
+        <translation>Beginnt ein neues Leben: Die Tabelle wird neu angelegt.</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Befehle</translation>
+    </message>
+    <message>
+        <source>Experiments</source>
+        <translation>Experimente</translation>
+    </message>
+    <message>
+        <source>Falls that are taken back.</source>
+        <translation>Stürze, die zurückgenommen werden.</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>First steps</source>
+        <translation>Erste Schritte</translation>
+    </message>
+    <message>
+        <source>Has an effect only with {0}.</source>
+        <translation>Wirkt nur mit {0}.</translation>
+    </message>
+    <message>
+        <source>Holds at once.</source>
+        <translation>Gilt sofort.</translation>
+    </message>
+    <message>
+        <source>Holds from the next episode on.</source>
+        <translation>Gilt ab der nächsten Episode.</translation>
+    </message>
+    <message>
+        <source>How rewards are split for Sarsa_2Q</source>
+        <translation>Wie Belohnungen für Sarsa_2Q aufgeteilt werden</translation>
+    </message>
+    <message>
+        <source>How values are kept: tiles, radial basis functions, tables. Every state variable has a resolution of its own.</source>
+        <translation>Wie Werte gespeichert werden: Kacheln, radiale Basisfunktionen, Tabellen. Jede Zustandsvariable hat ihre eigene Auflösung.</translation>
+    </message>
+    <message>
+        <source>Learning</source>
+        <translation>Lernen</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Lektionen</translation>
+    </message>
+    <message>
+        <source>Methods</source>
+        <translation>Methoden</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Panels</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Policies</source>
+        <translation>Policys</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Presets</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>Fragen</translation>
+    </message>
+    <message>
+        <source>Representation</source>
+        <translation>Repräsentation</translation>
+    </message>
+    <message>
+        <source>Rewards: {0}.</source>
+        <translation>Belohnungen: {0}.</translation>
+    </message>
+    <message>
+        <source>Scenarios</source>
+        <translation>Szenarien</translation>
+    </message>
+    <message>
+        <source>Set one with {0}, in the form, or in a plan. A default can be another one in a world that says so; {1} and the form tell.</source>
+        <translation>Man stellt sie mit {0}, im Formular oder in einem Plan ein. Eine Welt kann einen anderen Vorgabewert haben; {1} und das Formular zeigen es.</translation>
+    </message>
+    <message>
+        <source>Shaping of rewards</source>
+        <translation>Reward Shaping</translation>
+    </message>
+    <message>
+        <source>Source: {0}.</source>
+        <translation>Quelle: {0}.</translation>
+    </message>
+    <message>
+        <source>The default is from: {0}.</source>
+        <translation>Der Vorgabewert stammt aus: {0}.</translation>
+    </message>
+    <message>
+        <source>The learning and the representation of the expected gains.</source>
+        <translation>Das Lernen und die Repräsentation der erwarteten Gewinne.</translation>
+    </message>
+    <message>
+        <source>The learning and the representation of the expected losses.</source>
+        <translation>Das Lernen und die Repräsentation der erwarteten Verluste.</translation>
+    </message>
+    <message>
+        <source>The probability that an action ends in a fall, learned beside the values.</source>
+        <translation>Die Wahrscheinlichkeit, dass eine Aktion in einem Sturz endet, neben den Werten gelernt.</translation>
+    </message>
+    <message>
+        <source>The risk of a fall</source>
+        <translation>Das Sturzrisiko</translation>
+    </message>
+    <message>
+        <source>The window</source>
+        <translation>Das Fenster</translation>
+    </message>
+    <message>
+        <source>What the learning rules have in common.</source>
+        <translation>Was die Lernregeln gemeinsam haben.</translation>
+    </message>
+    <message>
+        <source>What the policies have, with their schedules and what they do with the risk of a fall.</source>
+        <translation>Was die Policys haben, mit ihren Verläufen und dem, was sie mit dem Sturzrisiko tun.</translation>
+    </message>
+    <message>
+        <source>Which part of a reward is a gain and which a loss.</source>
+        <translation>Welcher Teil einer Belohnung Gewinn ist und welcher Verlust.</translation>
+    </message>
+    <message>
+        <source>Without a window</source>
+        <translation>Ohne Fenster</translation>
+    </message>
+    <message>
+        <source>Words</source>
+        <translation>Begriffe</translation>
+    </message>
+    <message>
+        <source>Worlds</source>
+        <translation>Welten</translation>
+    </message>
+    <message>
+        <source>Your own robot</source>
+        <translation>Ihr eigener Roboter</translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation>und</translation>
+    </message>
+    <message>
+        <source>of Sarsa_2Q</source>
+        <translation>von Sarsa_2Q</translation>
+    </message>
+    <message>
+        <source>one of {0}; default {1}.</source>
+        <translation>{0}; Vorgabe {1}.</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <translation>oder</translation>
+    </message>
+    <message>
+        <source>{0} actions</source>
+        <translation>{0} Aktionen</translation>
+    </message>
+    <message>
+        <source>{0} … {1}; default {2}.</source>
+        <translation>{0} … {1}; Vorgabe {2}.</translation>
+    </message>
+    <message>
+        <source>Handbook</source>
+        <translation>Handbuch</translation>
+    </message>
+</context>
+<context>
+    <name>lessons</name>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>**Q(S, A)** is what it expects of action A in state S; at first 0. A step corrects one value by **α δ**, with α = 0.5. The surprise, or TD error, is **δ = R + γ Q(S′, A′) − Q(S, A)**: R is the reward, S′ and A′ the next state and action. Watch until the first goal.</source>
+        <translation>**Q(S, A)** ist, was er von Aktion A in Zustand S erwartet; anfangs 0. Ein Schritt korrigiert einen Wert um **α δ**, mit α = 0,5. Die Überraschung, der TD-Fehler, ist **δ = R + γ Q(S′, A′) − Q(S, A)**: R ist die Belohnung, S′ und A′ sind der nächste Zustand und die nächste Aktion. Sehen Sie bis zum ersten Ziel zu.</translation>
+    </message>
+    <message>
+        <source>**Sarsa** learns from what it does: it values a step by the step that it really takes next, also a random one. It learns for 500 episodes with ε = 0.1. Then exploring and learning stop, and the steps of its way are counted. The short way has 13, the long one 17.</source>
+        <translation>**Sarsa** lernt aus dem, was es tut: Es bewertet einen Schritt nach dem, den es danach wirklich geht, auch einem zufälligen. Es lernt 500 Episoden mit ε = 0,1. Dann enden Explorieren und Lernen, und die Schritte seines Weges werden gezählt. Der kurze hat 13, der lange 17.</translation>
+    </message>
+    <message>
+        <source>**TRL**, threshold-restricted learning, explores as often as ε-greedy with the same ε: here in one step of five. But then it draws almost only among the actions that are worth more than a threshold. Drag the line across the bars, and watch how likely each action is.</source>
+        <translation>**TRL**, threshold-restricted learning, exploriert so oft wie ε-greedy mit demselben ε: hier in einem von fünf Schritten. Aber dann lost es fast nur unter den Aktionen, die mehr wert sind als eine Schwelle. Ziehen Sie die Linie über die Balken und sehen Sie, wie wahrscheinlich jede Aktion ist.</translation>
+    </message>
+    <message>
+        <source>**Tile coding** lays 16 grids over each other, each displaced a little; a value is the sum over 16 tiles. Here each of the 16 has resolution 1. Compare it with one grid of resolution 2. Ten lives of each, six minutes from nothing.</source>
+        <translation>**Tile Coding** legt 16 Gitter übereinander, jedes etwas versetzt; ein Wert ist die Summe über 16 Kacheln. Hier hat jedes der 16 die Auflösung 1. Vergleichen Sie es mit einem Gitter der Auflösung 2. Je zehn Leben, sechs Minuten von null an.</translation>
+    </message>
+    <message>
+        <source>**{observed(5)} falls** in ten minutes with ε = 0.05. Now the same again, from the same knowledge, but **greedy**: it always takes the action that it thinks best, and still learns.</source>
+        <translation>**{observed(5)} Stürze** in zehn Minuten mit ε = 0,05. Jetzt dasselbe noch einmal, mit demselben Wissen, aber **greedy**: Er nimmt immer die Aktion, die er für die beste hält, und lernt weiter.</translation>
+    </message>
+    <message>
+        <source>0.98 to the power of 35 is about one half; 70 is twice 35.</source>
+        <translation>0,98 hoch 35 ist etwa die Hälfte; 70 ist zweimal 35.</translation>
+    </message>
+    <message>
+        <source>16 grids of 1</source>
+        <translation>16 Gitter von 1</translation>
+    </message>
+    <message>
+        <source>2.5 times the torque is a larger error than half the torque. The fair comparison for half is **twice**. Ten lives of each, after simulations with × 0.5 and with × 2.</source>
+        <translation>Das 2,5-fache Drehmoment ist ein größerer Fehler als das halbe. Der faire Vergleich für die Hälfte ist **das Doppelte**. Je zehn Leben, nach Simulationen mit × 0,5 und mit × 2.</translation>
+    </message>
+    <message>
+        <source>5 of 100 are 1 of 20.</source>
+        <translation>5 von 100 sind 1 von 20.</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>A **trace** marks each step, and a step learns in proportion to its mark. With every later step all marks are multiplied by γ λ, here 0.9 · 0.9 = 0.81. The same walk, with the trace: the last step loses 50. The step before it was *left* from state 3.</source>
+        <translation>Ein **Trace** markiert jeden Schritt, und ein Schritt lernt so viel, wie seine Marke stark ist. Mit jedem weiteren Schritt werden alle Marken mit γ λ multipliziert, hier 0,9 · 0,9 = 0,81. Derselbe Weg mit dem Trace: Der letzte Schritt verliert 50. Der Schritt davor war *links* von Zustand 3.</translation>
+    </message>
+    <message>
+        <source>A Sarsa without random steps takes the short way, too. There is another remedy: Q-learning again, with ε = 0.1, which fell {observed(4)} times. Beside its values it now learns **ρ**, how likely an action ends in a fall, and a random step may only take actions whose risk is at most 20 %.</source>
+        <translation>Auch ein Sarsa ohne zufällige Schritte nimmt den kurzen Weg. Es gibt ein anderes Mittel: wieder Q-learning, mit ε = 0,1, das {observed(4)}-mal stürzte. Neben seinen Werten lernt es nun **ρ**, wie wahrscheinlich eine Aktion im Sturz endet, und ein zufälliger Schritt darf nur Aktionen mit höchstens 20 % Risiko nehmen.</translation>
+    </message>
+    <message>
+        <source>A detour costs nothing: left is worth 100 · γ = 100, as much as right.</source>
+        <translation>Ein Umweg kostet nichts: Links ist 100 · γ = 100 wert, so viel wie rechts.</translation>
+    </message>
+    <message>
+        <source>A fair comparison: with greedy, and with a smaller ε.</source>
+        <translation>Einen fairen Vergleich: mit greedy und mit einem kleineren ε.</translation>
+    </message>
+    <message>
+        <source>A fall teaches only the few states in its own tiles.</source>
+        <translation>Ein Sturz lehrt nur die wenigen Zustände in seinen eigenen Kacheln etwas.</translation>
+    </message>
+    <message>
+        <source>A full turn has 360°. Into how many tiles is it cut?</source>
+        <translation>Eine volle Drehung hat 360°. In wie viele Kacheln ist sie geteilt?</translation>
+    </message>
+    <message>
+        <source>A full turn has 360°. There are 0.4 times as many tiles.</source>
+        <translation>Eine volle Drehung hat 360°. Es gibt 0,4-mal so viele Kacheln.</translation>
+    </message>
+    <message>
+        <source>A goal is shared out like a fall. First without a trace, **λ = 0**, from the beginning. The robot lives until two things hold: it stands on state 5, five steps from the goal, and *right* is worth more than 0 there.</source>
+        <translation>Ein Ziel wird verteilt wie ein Sturz. Zuerst ohne Trace, **λ = 0**, von Anfang an. Der Roboter lebt, bis zweierlei gilt: Er steht auf Zustand 5, fünf Schritte vom Ziel, und *rechts* ist dort mehr als 0 wert.</translation>
+    </message>
+    <message>
+        <source>A life with more chance</source>
+        <translation>Ein Leben mit mehr Zufall</translation>
+    </message>
+    <message>
+        <source>A limit on the risk of a fall</source>
+        <translation>Eine Grenze für das Sturzrisiko</translation>
+    </message>
+    <message>
+        <source>A line you drag</source>
+        <translation>Eine Linie zum Ziehen</translation>
+    </message>
+    <message>
+        <source>A loss is expected sooner. Can it also be expected where there is no danger?</source>
+        <translation>Ein Verlust wird früher erwartet. Kann er auch erwartet werden, wo keine Gefahr ist?</translation>
+    </message>
+    <message>
+        <source>A loss should be expected also near the place of a fall: wide tiles spread it. The goal is small, and what leads to it has to be told apart finely, or it is reached less often. Tiles that are too wide spread the loss even to the upright pole.</source>
+        <translation>Ein Verlust soll auch nahe der Stelle eines Sturzes erwartet werden: Breite Kacheln verbreiten ihn. Das Ziel ist klein, und was zu ihm führt, muss fein unterschieden werden, sonst wird es seltener erreicht. Zu breite Kacheln tragen den Verlust bis zum aufrechten Stab.</translation>
+    </message>
+    <message>
+        <source>A mark on the curve is a fall; a click plays it back.</source>
+        <translation>Eine Marke an der Kurve ist ein Sturz; ein Klick spielt ihn ab.</translation>
+    </message>
+    <message>
+        <source>A narrower interval, of 99 %.</source>
+        <translation>Ein engeres Intervall, von 99 %.</translation>
+    </message>
+    <message>
+        <source>A paper reports the best of five runs. What is wrong with that?</source>
+        <translation>Ein Artikel berichtet den besten von fünf Läufen. Was ist daran falsch?</translation>
+    </message>
+    <message>
+        <source>A place it knows nothing about</source>
+        <translation>Ein Ort, von dem er nichts weiß</translation>
+    </message>
+    <message>
+        <source>A pole is hinged to a cart. 200 times a second the robot chooses one of five torques (turning forces) for the cart&apos;s wheel; the arrow shows it. An **episode** ends when the pole stands upright and still, or when it has fallen. This robot has learned nothing yet. Slow it down with the pace.</source>
+        <translation>Auf einem Wagen sitzt ein Stab an einem Gelenk. 200-mal in der Sekunde wählt der Roboter eines von fünf Drehmomenten für das Rad des Wagens; der Pfeil zeigt es. Eine **Episode** endet, wenn der Stab aufrecht stillsteht oder wenn er umgefallen ist. Dieser Roboter hat noch nichts gelernt. Verlangsamen Sie ihn mit dem Tempo.</translation>
+    </message>
+    <message>
+        <source>A pole on a cart, and a program that has never seen one. You watch it, take the pole in your hand, say how often it will fall, and look at its falls again.</source>
+        <translation>Ein Stab auf einem Wagen, und ein Programm, das so etwas noch nie gesehen hat. Sie sehen zu, nehmen den Stab selbst in die Hand, sagen, wie oft er stürzen wird, und sehen sich seine Stürze noch einmal an.</translation>
+    </message>
+    <message>
+        <source>A pole that is upright but moves fast leans a moment later. Where it is and how fast it moves both count.</source>
+        <translation>Ein Stab, der aufrecht steht, sich aber schnell bewegt, ist einen Moment später schief. Wo er ist und wie schnell er sich bewegt, zählt beides.</translation>
+    </message>
+    <message>
+        <source>A pole that leans by 1° shares its tile with one that leans by 50° to the same side: wide tiles tell little apart. It fell {observed(1)} times. Now the resolution is **8**, a tile 3.75° wide. Again two minutes from nothing.</source>
+        <translation>Ein Stab, der um 1° geneigt ist, teilt seine Kachel mit einem, der um 50° zur selben Seite geneigt ist: Breite Kacheln unterscheiden wenig. Er stürzte {observed(1)}-mal. Jetzt ist die Auflösung **8**, eine Kachel 3,75° breit. Wieder zwei Minuten von null an.</translation>
+    </message>
+    <message>
+        <source>A reward that lies further away counts less: with each step that it is further away it is multiplied by **γ** (gamma), here 0.9. From state 9 one step gives 100, so state 9 is worth 100. State 8 lies one step further away: 0.9 · 100 = 90. The robot stands on state 6.</source>
+        <translation>Eine Belohnung, die weiter entfernt liegt, zählt weniger: Mit jedem Schritt Entfernung wird sie mit **γ** (Gamma) multipliziert, hier 0,9. Von Zustand 9 gibt ein Schritt 100, also ist Zustand 9 100 wert. Zustand 8 liegt einen Schritt weiter weg: 0,9 · 100 = 90. Der Roboter steht auf Zustand 6.</translation>
+    </message>
+    <message>
+        <source>A robot can try any action now and then, or take the better ones more often. The second way has one knob, the temperature. You turn it, let both ways explore equally often, and count their falls.</source>
+        <translation>Ein Roboter kann ab und zu irgendeine Aktion probieren oder die besseren öfter nehmen. Die zweite Art hat einen Regler, die Temperatur. Sie drehen daran, lassen beide Arten gleich oft explorieren und zählen ihre Stürze.</translation>
+    </message>
+    <message>
+        <source>A robot cannot try every state. It cuts them into tiles and learns values for each. How wide should a tile be? You try both ends, look for the middle, and then see a way out.</source>
+        <translation>Ein Roboter kann nicht jeden Zustand probieren. Er teilt sie in Kacheln und lernt Werte für jede. Wie breit soll eine Kachel sein? Sie probieren beide Enden, suchen die Mitte und sehen dann einen Ausweg.</translation>
+    </message>
+    <message>
+        <source>A robot falls. Which of its steps was to blame: the last one, or those that led there? λ shares the blame out. You work out one share, find a step that is blamed wrongly, and see what the sharing is good for.</source>
+        <translation>Ein Roboter stürzt. Welcher seiner Schritte war schuld: der letzte oder die, die dorthin führten? λ verteilt die Schuld. Sie rechnen einen Anteil aus, finden einen Schritt, der zu Unrecht beschuldigt wird, und sehen, wozu das Verteilen gut ist.</translation>
+    </message>
+    <message>
+        <source>A robot has fallen many times and still expects no loss just before the next fall. Give its losses a Q-function of their own, and choose how far from a fall it is felt.</source>
+        <translation>Ein Roboter ist schon oft gestürzt und erwartet kurz vor dem nächsten Sturz immer noch keinen Verlust. Geben Sie seinen Verlusten eine eigene Q-Funktion und wählen Sie, wie weit weg ein Sturz zu spüren ist.</translation>
+    </message>
+    <message>
+        <source>A robot that cannot walk</source>
+        <translation>Ein Roboter, der nicht gehen kann</translation>
+    </message>
+    <message>
+        <source>A robot that has learned in a simulation meets reality. It still tries something else now and then. How often is that good for it?</source>
+        <translation>Ein Roboter, der in einer Simulation gelernt hat, trifft auf die Wirklichkeit. Ab und zu probiert er noch etwas anderes. Wie oft tut ihm das gut?</translation>
+    </message>
+    <message>
+        <source>A robot that knows nothing learns in reality for 200 episodes. Look how often it falls; each fall may break something. In a simulation nothing breaks. So let it fall there first.</source>
+        <translation>Ein Roboter, der nichts weiß, lernt 200 Episoden in der Wirklichkeit. Sehen Sie, wie oft er stürzt; jeder Sturz kann etwas kaputt machen. In einer Simulation geht nichts kaputt. Lassen Sie ihn also zuerst dort stürzen.</translation>
+    </message>
+    <message>
+        <source>A rule of thumb</source>
+        <translation>Eine Faustregel</translation>
+    </message>
+    <message>
+        <source>A second thing to learn</source>
+        <translation>Etwas Zweites zu lernen</translation>
+    </message>
+    <message>
+        <source>A share of the blame</source>
+        <translation>Ein Teil der Schuld</translation>
+    </message>
+    <message>
+        <source>A simulation with strong motors</source>
+        <translation>Eine Simulation mit starken Motoren</translation>
+    </message>
+    <message>
+        <source>A simulation with weak motors</source>
+        <translation>Eine Simulation mit schwachen Motoren</translation>
+    </message>
+    <message>
+        <source>A step costs 1 for both of them.</source>
+        <translation>Ein Schritt kostet für beide 1.</translation>
+    </message>
+    <message>
+        <source>A step that is blamed</source>
+        <translation>Ein Schritt, der beschuldigt wird</translation>
+    </message>
+    <message>
+        <source>A threshold of 50</source>
+        <translation>Eine Schwelle von 50</translation>
+    </message>
+    <message>
+        <source>A tile of Q⁻ is 124° wide now. What else is in the tile in which it fell?</source>
+        <translation>Eine Kachel von Q⁻ ist jetzt 124° breit. Was liegt sonst noch in der Kachel, in der er stürzte?</translation>
+    </message>
+    <message>
+        <source>A torque to the right pushes the cart to the right, under a pole that leans to the right.</source>
+        <translation>Ein Drehmoment nach rechts schiebt den Wagen nach rechts, unter einen Stab, der sich nach rechts neigt.</translation>
+    </message>
+    <message>
+        <source>A trace knows how long ago a step was taken, not whether it was to blame.</source>
+        <translation>Ein Trace weiß, wie lange ein Schritt her ist, nicht, ob er schuld war.</translation>
+    </message>
+    <message>
+        <source>A value with a small α is a mean over many steps; with a large one the last few steps decide.</source>
+        <translation>Ein Wert mit kleinem α ist ein Mittel über viele Schritte; mit großem entscheiden die letzten paar.</translation>
+    </message>
+    <message>
+        <source>A, thirty</source>
+        <translation>A, dreißig</translation>
+    </message>
+    <message>
+        <source>About the same.</source>
+        <translation>Etwa dasselbe.</translation>
+    </message>
+    <message>
+        <source>Above the line</source>
+        <translation>Über der Linie</translation>
+    </message>
+    <message>
+        <source>After 100 episodes it is {observed(5)}: what comes is what it expects, and the value stays. α decides how quickly it gets there. Turn α, and start again after each try. With the same **seed** chance is the same, so the robot walks to its first goal in the same way.</source>
+        <translation>Nach 100 Episoden ist er {observed(5)}: Es kommt, was er erwartet, und der Wert bleibt. α bestimmt, wie schnell es so weit ist. Drehen Sie an α und starten Sie nach jedem Versuch neu. Mit demselben **Seed** ist der Zufall derselbe; der Roboter geht also auf dieselbe Weise zu seinem ersten Ziel.</translation>
+    </message>
+    <message>
+        <source>After 200 episodes</source>
+        <translation>Nach 200 Episoden</translation>
+    </message>
+    <message>
+        <source>After half the torque it fell less often than after twice the torque. Is weaker always better? Three more simulations: 0.3, 0.8 and 1.5 times the real torque.</source>
+        <translation>Nach dem halben Drehmoment stürzte er seltener als nach dem doppelten. Ist schwächer immer besser? Drei weitere Simulationen: das 0,3-, 0,8- und 1,5-fache des wirklichen Drehmoments.</translation>
+    </message>
+    <message>
+        <source>All actions of a state share what happens there.</source>
+        <translation>Alle Aktionen eines Zustands teilen, was dort geschieht.</translation>
+    </message>
+    <message>
+        <source>All learning here is one small correction, made after every step. You work it out by hand twice, with easy numbers, and then let the robot do it. Then you turn α, the size of the correction.</source>
+        <translation>Alles Lernen ist hier eine kleine Korrektur nach jedem Schritt. Sie rechnen sie zweimal von Hand aus, mit einfachen Zahlen, und lassen es dann den Roboter tun. Danach drehen Sie an α, der Größe der Korrektur.</translation>
+    </message>
+    <message>
+        <source>All ten lives of Q-learning walk along the edge, all ten of Sarsa keep off it. For a robot that makes no mistakes the short way is better. But while they learn, both take one step in ten at random. This Sarsa fell {falls} times in its 500 episodes.</source>
+        <translation>Alle zehn Leben von Q-learning gehen am Rand entlang, alle zehn von Sarsa halten Abstand. Für einen Roboter, der keine Fehler macht, ist der kurze Weg besser. Aber beim Lernen gehen beide einen von zehn Schritten zufällig. Dieses Sarsa stürzte in seinen 500 Episoden {falls}-mal.</translation>
+    </message>
+    <message>
+        <source>All values were 0. What is Q(3, left) after the fall?</source>
+        <translation>Alle Werte waren 0. Wie groß ist Q(3, links) nach dem Sturz?</translation>
+    </message>
+    <message>
+        <source>Among how many actions does it choose each time?</source>
+        <translation>Unter wie vielen Aktionen wählt er jedes Mal?</translation>
+    </message>
+    <message>
+        <source>An action that is worth τ less than the best is taken 2.7 times less often; one worth 2τ less, 7.4 times. Before, the second best was worth {observed(1)} less. Now the pole leans by 14° and is at rest: the best is worth {q(&quot;1.5&quot;)}, the second best {max(q(&quot;0.75&quot;), q(&quot;0&quot;))}.</source>
+        <translation>Eine Aktion, die τ weniger wert ist als die beste, wird 2,7-mal so selten gewählt; eine, die 2τ weniger wert ist, 7,4-mal. Vorhin war die zweitbeste {observed(1)} weniger wert. Jetzt ist der Stab um 14° geneigt und ruht: Die beste ist {q(&quot;1.5&quot;)} wert, die zweitbeste {max(q(&quot;0.75&quot;), q(&quot;0&quot;))}.</translation>
+    </message>
+    <message>
+        <source>An action with a risk of 1 in 100 now counts 30 less.</source>
+        <translation>Eine Aktion mit einem Risiko von 1 zu 100 zählt jetzt 30 weniger.</translation>
+    </message>
+    <message>
+        <source>An interval of 99 % is wider, and the difference is not what is in doubt.</source>
+        <translation>Ein Intervall von 99 % ist breiter, und am Unterschied wird nicht gezweifelt.</translation>
+    </message>
+    <message>
+        <source>Another robot</source>
+        <translation>Ein anderer Roboter</translation>
+    </message>
+    <message>
+        <source>As far-sighted as can be</source>
+        <translation>So weitsichtig wie möglich</translation>
+    </message>
+    <message>
+        <source>As long as it explores near something that can break it: Sarsa, because it counts its own random steps and keeps away. If it can learn where falls cost nothing, and afterwards stops exploring: Q-learning, whose way is shorter.</source>
+        <translation>Solange er nahe an etwas exploriert, das ihn kaputt machen kann: Sarsa, weil es seine eigenen zufälligen Schritte mitrechnet und Abstand hält. Wenn er dort lernen kann, wo Stürze nichts kosten, und danach nicht mehr exploriert: Q-learning, dessen Weg kürzer ist.</translation>
+    </message>
+    <message>
+        <source>As short-sighted as can be</source>
+        <translation>So kurzsichtig wie möglich</translation>
+    </message>
+    <message>
+        <source>Ask for a show of hands before every answer. In step 1 expect votes for A. Say openly how the numbers were come by: the seed of B was looked for among 28 (3 of them differ from A by more than 3.5 falls in five lives; no interval left out 0). Seed 1 was taken for all else because it shows how five lives go wrong both ways. In the seeds 1 to 60 five lives gave an interval without 0 for Softmax against greedy twice, thirty lives four times (always for greedy); ε 0.05 against Softmax left out 0 with thirty lives in all 60, with five in 23. Step 7: in 8 seeds ten pairs told ε 0.05 from 0.1 in 6, ten against ten others in 2; with twenty it was 8 and 3. The interval is that of the mean difference of life k and life k, by Student&apos;s t.</source>
+        <translation>Bitten Sie vor jeder Antwort um Handzeichen. Erwarten Sie in Schritt 1 Stimmen für A. Sagen Sie offen, woher die Zahlen kommen: Der Seed von B wurde unter 28 gesucht (3 davon unterscheiden sich von A in fünf Leben um mehr als 3,5 Stürze; kein Intervall schloss die 0 aus). Seed 1 wurde für alles andere genommen, weil er zeigt, wie fünf Leben in beide Richtungen irren. In den Seeds 1 bis 60 ergaben fünf Leben für Softmax gegen greedy zweimal ein Intervall ohne 0, dreißig Leben viermal (immer für greedy); ε 0,05 gegen Softmax schloss mit dreißig Leben in allen 60 die 0 aus, mit fünf in 23. Schritt 7: In 8 Seeds unterschieden zehn Paare ε 0,05 von 0,1 in 6, zehn gegen zehn andere in 2; mit zwanzig waren es 8 und 3. Das Intervall ist das des mittleren Unterschieds von Leben k und Leben k, nach Students t.</translation>
+    </message>
+    <message>
+        <source>At least four steps in five take the best action, wherever the line lies.</source>
+        <translation>Mindestens vier von fünf Schritten nehmen die beste Aktion, wo immer die Linie liegt.</translation>
+    </message>
+    <message>
+        <source>At which value of Q(9, right) is δ = 100 − Q(9, right) zero?</source>
+        <translation>Bei welchem Wert von Q(9, rechts) ist δ = 100 − Q(9, rechts) null?</translation>
+    </message>
+    <message>
+        <source>At which τ would the second best be taken 2.7 times less often than the best, here?</source>
+        <translation>Bei welchem τ würde hier die zweitbeste 2,7-mal so selten gewählt wie die beste?</translation>
+    </message>
+    <message>
+        <source>Average falls in six minutes: all fine {mean(&quot;Q⁻ 1&quot;)}; only Q⁻ coarse {mean(&quot;only Q⁻ coarse&quot;)}; both coarse {mean(&quot;both coarse&quot;)}; Q⁻ far too coarse {mean(&quot;Q⁻ 0.1&quot;)}. Goals reached in three minutes: only Q⁻ coarse {mean(&quot;goals, only Q⁻ coarse&quot;)}, both coarse {mean(&quot;goals, both coarse&quot;)}.</source>
+        <translation>Mittlere Stürze in sechs Minuten: alles fein {mean(&quot;Q⁻ 1&quot;)}; nur Q⁻ grob {mean(&quot;only Q⁻ coarse&quot;)}; beide grob {mean(&quot;both coarse&quot;)}; Q⁻ viel zu grob {mean(&quot;Q⁻ 0.1&quot;)}. Erreichte Ziele in drei Minuten: nur Q⁻ grob {mean(&quot;goals, only Q⁻ coarse&quot;)}, beide grob {mean(&quot;goals, both coarse&quot;)}.</translation>
+    </message>
+    <message>
+        <source>Average falls in six minutes: one grid of resolution 2, {mean(&quot;one grid of 2&quot;)}; 16 displaced grids of resolution 1, {mean(&quot;16 grids of 1&quot;)}.</source>
+        <translation>Mittlere Stürze in sechs Minuten: ein Gitter der Auflösung 2, {mean(&quot;one grid of 2&quot;)}; 16 versetzte Gitter der Auflösung 1, {mean(&quot;16 grids of 1&quot;)}.</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>B, thirty</source>
+        <translation>B, dreißig</translation>
+    </message>
+    <message>
+        <source>Because only falls teach where falls are. A robot that is careful in the simulation sees few of them, and its risk is wrong in the places where it never was. In simulation falls are information that costs nothing; in reality they cost.</source>
+        <translation>Weil nur Stürze lehren, wo Stürze sind. Ein Roboter, der in der Simulation vorsichtig ist, sieht wenige davon, und sein Risiko ist dort falsch, wo er nie war. In der Simulation sind Stürze Information, die nichts kostet; in der Wirklichkeit kosten sie.</translation>
+    </message>
+    <message>
+        <source>Before the next fall</source>
+        <translation>Vor dem nächsten Sturz</translation>
+    </message>
+    <message>
+        <source>Below all values it forbids nothing; above all values it has nothing to allow.</source>
+        <translation>Unter allen Werten verbietet sie nichts; über allen Werten hat sie nichts zu erlauben.</translation>
+    </message>
+    <message>
+        <source>Between which two temperatures does the share pass 8?</source>
+        <translation>Zwischen welchen zwei Temperaturen überschreitet der Anteil 8?</translation>
+    </message>
+    <message>
+        <source>Bold in both worlds</source>
+        <translation>Kühn in beiden Welten</translation>
+    </message>
+    <message>
+        <source>Bold in simulation, careful in reality</source>
+        <translation>Kühn in der Simulation, vorsichtig in der Wirklichkeit</translation>
+    </message>
+    <message>
+        <source>Both are worth 0: with γ = 0 nothing of the goal reaches these states, and so it tosses a coin.</source>
+        <translation>Beide sind 0 wert: Mit γ = 0 erreicht nichts vom Ziel diese Zustände, und so wirft er eine Münze.</translation>
+    </message>
+    <message>
+        <source>Both are wrong about this state, but only one of the two errors is a warning.</source>
+        <translation>Beide irren sich über diesen Zustand, aber nur einer der zwei Irrtümer ist eine Warnung.</translation>
+    </message>
+    <message>
+        <source>Both begin with what the same simulation has taught them.</source>
+        <translation>Beide beginnen mit dem, was dieselbe Simulation sie gelehrt hat.</translation>
+    </message>
+    <message>
+        <source>Both explore equally often. Which falls less?</source>
+        <translation>Beide explorieren gleich oft. Welcher stürzt seltener?</translation>
+    </message>
+    <message>
+        <source>Both learned for ten minutes.</source>
+        <translation>Beide haben zehn Minuten gelernt.</translation>
+    </message>
+    <message>
+        <source>Both leave the best action about equally often; τ was chosen so.</source>
+        <translation>Beide weichen etwa gleich oft von der besten Aktion ab; τ ist so gewählt.</translation>
+    </message>
+    <message>
+        <source>Both leave the best action equally often. The left robot then does just anything, even what makes it fall. The right one seldom does what it knows to be bad.</source>
+        <translation>Beide weichen gleich oft von der besten Aktion ab. Der linke Roboter tut dann irgendetwas, auch was ihn stürzen lässt. Der rechte tut selten, was er als schlecht kennt.</translation>
+    </message>
+    <message>
+        <source>Both take an action other than the best in about 8 of 100 steps. Why does Softmax fall less?</source>
+        <translation>Beide nehmen in etwa 8 von 100 Schritten eine andere Aktion als die beste. Warum stürzt Softmax seltener?</translation>
+    </message>
+    <message>
+        <source>By how much is the second best worth less than the best?</source>
+        <translation>Um wie viel ist die zweitbeste weniger wert als die beste?</translation>
+    </message>
+    <message>
+        <source>Can the widest tiles tell a pole at 1° from one at 50°?</source>
+        <translation>Können die breitesten Kacheln einen Stab bei 1° von einem bei 50° unterscheiden?</translation>
+    </message>
+    <message>
+        <source>Careful by the risk.</source>
+        <translation>Vorsichtig durch das Risiko.</translation>
+    </message>
+    <message>
+        <source>Choose α so that Q(9, right) is 100 after a single goal, and let the robot come to state 9 again.</source>
+        <translation>Wählen Sie α so, dass Q(9, rechts) nach einem einzigen Ziel 100 ist, und lassen Sie den Roboter noch einmal auf Zustand 9 kommen.</translation>
+    </message>
+    <message>
+        <source>Click a fall among the last twenty episodes, and watch the arrow.</source>
+        <translation>Klicken Sie auf einen Sturz in den letzten zwanzig Episoden und achten Sie auf den Pfeil.</translation>
+    </message>
+    <message>
+        <source>Click a state about which it has learned nothing.</source>
+        <translation>Klicken Sie auf einen Zustand, über den er nichts gelernt hat.</translation>
+    </message>
+    <message>
+        <source>Click a state that is still worth more than 0 with γ = 0.</source>
+        <translation>Klicken Sie auf einen Zustand, der auch mit γ = 0 noch mehr als 0 wert ist.</translation>
+    </message>
+    <message>
+        <source>Coarser is not always better. Try values between 0.2 and 0.35.</source>
+        <translation>Gröber ist nicht immer besser. Probieren Sie Werte zwischen 0,2 und 0,35.</translation>
+    </message>
+    <message>
+        <source>Coarser still</source>
+        <translation>Noch gröber</translation>
+    </message>
+    <message>
+        <source>Compare each life with the one of the same seed: how many go the other way?</source>
+        <translation>Vergleichen Sie jedes Leben mit dem desselben Seeds: Bei wie vielen ist es umgekehrt?</translation>
+    </message>
+    <message>
+        <source>Compare the line at −100, at 80 and at 200.</source>
+        <translation>Vergleichen Sie die Linie bei −100, bei 80 und bei 200.</translation>
+    </message>
+    <message>
+        <source>Could the robot use a large α at first and a small one later?</source>
+        <translation>Könnte der Roboter anfangs ein großes und später ein kleines α verwenden?</translation>
+    </message>
+    <message>
+        <source>Could weak motors bring the pole up from 29° as well as strong ones?</source>
+        <translation>Könnten schwache Motoren den Stab von 29° aus so gut aufrichten wie starke?</translation>
+    </message>
+    <message>
+        <source>Do step 2 and 3 on the board, with everybody&apos;s numbers. Errors to expect: to add the whole surprise (100 instead of 75), and in step 3 to forget γ (37.5) or to forget α (60).
+
+The first walk is the same for all: from state 2 to the goal in eight steps. Only its last step teaches anything; the next lesson asks whether that must be so.
+
+Step 4 shows who thinks that values hang together. They are separate numbers, and each is corrected only when its own step is taken.
+
+Step 7: the 20 lives have the same seeds for both α. The rule is Sarsa: A′ is the action that is really taken next, so half of the time it is drawn at random. The measure is Q(8, right) when learning has stopped: for this each life is put on state 7 and goes one step.</source>
+        <translation>Machen Sie Schritt 2 und 3 an der Tafel, mit den Zahlen aller. Zu erwartende Fehler: die ganze Überraschung addieren (100 statt 75), in Schritt 3 γ vergessen (37,5) oder α vergessen (60).
+
+Der erste Weg ist für alle derselbe: von Zustand 2 in acht Schritten zum Ziel. Nur sein letzter Schritt lehrt etwas; die nächste Lektion fragt, ob das so sein muss.
+
+Schritt 4 zeigt, wer glaubt, dass Werte zusammenhängen. Es sind getrennte Zahlen, und jede wird nur korrigiert, wenn ihr eigener Schritt getan wird.
+
+Schritt 7: Die 20 Leben haben für beide α dieselben Seeds. Die Regel ist Sarsa: A′ ist die Aktion, die als Nächstes wirklich gewählt wird, also in der Hälfte der Fälle ausgelost. Gemessen wird Q(8, rechts), wenn das Lernen beendet ist: Dafür wird jedes Leben auf Zustand 7 gesetzt und geht einen Schritt.</translation>
+    </message>
+    <message>
+        <source>Does that help? First six minutes of learning from nothing, with the same resolution 1 for both. Two such Q-functions act like a single one.</source>
+        <translation>Hilft das? Zuerst sechs Minuten Lernen von null an, mit derselben Auflösung 1 für beide. Zwei solche Q-Funktionen wirken wie eine einzige.</translation>
+    </message>
+    <message>
+        <source>Each episode ends in one of two ways. Which of the two is easier to reach by chance?</source>
+        <translation>Jede Episode endet auf eine von zwei Arten. Welche davon erreicht man durch Zufall leichter?</translation>
+    </message>
+    <message>
+        <source>Each motor has seven voltages, whatever the others do.</source>
+        <translation>Jeder Motor hat sieben Spannungen, was immer die anderen tun.</translation>
+    </message>
+    <message>
+        <source>Each step corrects one value, that of the step just taken. Look at the last step.</source>
+        <translation>Jeder Schritt korrigiert einen Wert, nämlich den des Schritts, der gerade getan wurde. Sehen Sie den letzten Schritt an.</translation>
+    </message>
+    <message>
+        <source>Each step now costs 1. Is γ = 1 still a bad choice?</source>
+        <translation>Jeder Schritt kostet jetzt 1. Ist γ = 1 immer noch eine schlechte Wahl?</translation>
+    </message>
+    <message>
+        <source>Each tile has to be learned by itself, and a fall is what teaches a bad one.</source>
+        <translation>Jede Kachel muss für sich gelernt werden, und was eine schlechte lehrt, ist ein Sturz.</translation>
+    </message>
+    <message>
+        <source>Every step costs 1. A step into the cliff costs 100 and leads back to the start. The short way, along the edge, has 13 steps; the long way, along the top, has 17. The robot has lived 20 episodes. A click on the map puts it on a square.</source>
+        <translation>Jeder Schritt kostet 1. Ein Schritt über die Klippe kostet 100 und führt an den Start zurück. Der kurze Weg am Rand hat 13 Schritte, der lange, oben herum, 17. Der Roboter hat 20 Episoden gelebt. Ein Klick auf die Karte setzt ihn auf ein Feld.</translation>
+    </message>
+    <message>
+        <source>Every student has a seed of his own, so the numbers differ a little. Expect to hear that narrow tiles are better because they are more exact; let them vote before step 2. In step 4 1, 2 and 4 all do: in 90 lives they fell 202 to 386 times in six minutes, 0.25 463 to 659 times. Ask for the winner by falls in two minutes (1) and after three more (4): there is no best width without saying when. Measured with the seeds 1 to 10, ten lives each: first two minutes 0.25 186 to 200 falls, 1 118 to 137, 4 173 to 196, 8 329 to 345; after three minutes of learning (seeds 1 to 7) 178 to 193, 75 to 90, 44 to 58, 140 to 154. Six minutes: one grid of 2 248 to 287, 16 grids of 1 190 to 218; the interval said so in 10 of 10. In six minutes one grid of 1 or 4 falls about as often as one of 2.</source>
+        <translation>Alle haben einen eigenen Seed, die Zahlen unterscheiden sich also etwas. Erwarten Sie, dass schmale Kacheln besser seien, weil sie genauer sind; lassen Sie vor Schritt 2 abstimmen. In Schritt 4 genügen 1, 2 und 4: In 90 Leben stürzten sie in sechs Minuten 202- bis 386-mal, 0,25 463- bis 659-mal. Fragen Sie nach dem Sieger bei Stürzen in zwei Minuten (1) und nach drei weiteren (4): Es gibt keine beste Breite, ohne zu sagen, wann. Gemessen mit den Seeds 1 bis 10, je zehn Leben: erste zwei Minuten 0,25 186 bis 200 Stürze, 1 118 bis 137, 4 173 bis 196, 8 329 bis 345; nach drei Minuten Lernen (Seeds 1 bis 7) 178 bis 193, 75 bis 90, 44 bis 58, 140 bis 154. Sechs Minuten: ein Gitter von 2 248 bis 287, 16 Gitter von 1 190 bis 218; das Intervall sagte das in 10 von 10. In sechs Minuten stürzt ein Gitter von 1 oder 4 etwa so oft wie eines von 2.</translation>
+    </message>
+    <message>
+        <source>Every way to the goal is worth 100, a long one as well.</source>
+        <translation>Jeder Weg zum Ziel ist 100 wert, auch ein langer.</translation>
+    </message>
+    <message>
+        <source>Everything coarse</source>
+        <translation>Alles grob</translation>
+    </message>
+    <message>
+        <source>Expect to hear &quot;Softmax falls less because it explores less&quot;. Let them vote before step 5 and write the votes down. Step 4 takes that answer away: both leave the best action in 8 of 100 steps. Measured with the seeds 1 to 16, ten lives each: ε 0.1 falls 13 to 24 times, Softmax τ 1.5 2 to 5, greedy 2 to 5. The interval of the difference between ε-greedy and Softmax never held 0, that between greedy and Softmax did in 15 of 16. With τ 10 Softmax falls 76 times, with τ 100 193 times (seeds 1, 2). Do not let them say that Softmax explores where the pole is upright: it leaves the best action wherever another is nearly as good, and that is so at all angles.</source>
+        <translation>Erwarten Sie: „Softmax stürzt weniger, weil es weniger exploriert.“ Lassen Sie vor Schritt 5 abstimmen und schreiben Sie die Stimmen auf. Schritt 4 nimmt diese Antwort weg: Beide weichen in 8 von 100 Schritten von der besten Aktion ab. Gemessen mit den Seeds 1 bis 16, je zehn Leben: ε 0,1 stürzt 13- bis 24-mal, Softmax τ 1,5 2- bis 5-mal, greedy 2- bis 5-mal. Das Intervall des Unterschieds zwischen ε-greedy und Softmax enthielt nie die 0, das zwischen greedy und Softmax in 15 von 16 Fällen. Mit τ 10 stürzt Softmax 76-mal, mit τ 100 193-mal (Seeds 1, 2). Lassen Sie nicht gelten, dass Softmax dort exploriert, wo der Stab aufrecht steht: Es weicht überall von der besten Aktion ab, wo eine andere fast so gut ist, und das ist bei allen Winkeln so.</translation>
+    </message>
+    <message>
+        <source>Expect to hear &quot;more exploring is better, it learns faster&quot;. Let them vote before step 2.
+
+One life is a matter of chance. This one (seed 12) falls 17 times at ε = 0.05 and 64 times at 0.25. In eleven others (seeds 1 to 11) it was 0 to 25 against 61 to 90, always more at 0.25. In step 4 a smaller ε is not always better in one life: 8 falls at 0.02, 14 at 0.025, 7 at 0.01. That is a good moment to ask how many lives one needs; lesson 13 answers it.
+
+Step 3 is the experiment that decides: the same knowledge, with and without random actions. In eleven other seeds the two groups did not overlap either.
+
+Do not say that exploring is needed here: a robot with ε = 0 learns this task, too. At first all actions are worth about 0, so that an action that has led to a fall looks worse than one that has not been tried, and it tries the other by itself. New robots with ε = 0 fell 84 to 185 times in their first 500 episodes, against 160 to 212 at 0.05. Where the goal is hard to find by chance it is otherwise.
+
+Step 5: in eleven other seeds the means were in the same order, and −1600 never overlapped with −100; single lives at 0 and at −100 sometimes did. For a robot that has learned before, as in steps 1 to 4, the reward of a fall makes hardly a difference in 200 episodes. With a punishment that is very hard, about −25,000, learning no longer came to an end in our tests.</source>
+        <translation>Erwarten Sie: „Mehr explorieren ist besser, dann lernt er schneller.“ Lassen Sie vor Schritt 2 abstimmen.
+
+Ein Leben ist Zufall. Dieses (Seed 12) stürzt 17-mal bei ε = 0,05 und 64-mal bei 0,25. Bei elf anderen (Seeds 1 bis 11) waren es 0 bis 25 gegen 61 bis 90, bei 0,25 immer mehr. In Schritt 4 ist ein kleineres ε in einem Leben nicht immer besser: 8 Stürze bei 0,02, 14 bei 0,025, 7 bei 0,01. Ein guter Moment für die Frage, wie viele Leben man braucht; Lektion 13 beantwortet sie.
+
+Schritt 3 ist das entscheidende Experiment: dasselbe Wissen, mit und ohne zufällige Aktionen. Auch bei elf anderen Seeds überschnitten sich die beiden Gruppen nicht.
+
+Sagen Sie nicht, dass Explorieren hier nötig ist: Auch ein Roboter mit ε = 0 lernt diese Aufgabe. Anfangs sind alle Aktionen etwa 0 wert; darum sieht eine Aktion, die zu einem Sturz geführt hat, schlechter aus als eine unversuchte, und er probiert von selbst die andere. Neue Roboter mit ε = 0 stürzten in ihren ersten 500 Episoden 84- bis 185-mal, bei 0,05 waren es 160 bis 212. Wo das Ziel durch Zufall schwer zu finden ist, ist das anders.
+
+Schritt 5: Bei elf anderen Seeds standen die Mittel in derselben Reihenfolge, und −1600 überschnitt sich nie mit −100; einzelne Leben bei 0 und bei −100 manchmal schon. Für einen Roboter, der schon gelernt hat, wie in den Schritten 1 bis 4, macht die Belohnung eines Sturzes in 200 Episoden kaum einen Unterschied. Mit einer sehr harten Strafe, etwa −25 000, kam das Lernen in unseren Versuchen nicht mehr ans Ziel.</translation>
+    </message>
+    <message>
+        <source>Expect to hear &quot;strong motors teach it more&quot;, because there it falls less. Let them vote before step 3. Measured with the seeds 1 to 10, ten lives each, ten minutes of simulation, falls in 200 real episodes: from nothing 127 to 137; × 2.5 45 to 64; × 2 24 to 37; × 1.5 9 to 16; right 1 to 4; × 0.8 2 to 4; × 0.5 8 to 16; × 0.3 73 to 103. Every interval between neighbours in steps 5, 6 and 8 leaves out 0. The right one is best; × 0.8 cannot be told from it. In the simulation itself weak motors cost more falls (seed 1, four lives in ten minutes: × 0.5 934, × 1 236, × 2.5 105; with × 0.3 it still falls in four of five episodes): that is the price, and there it is paid. × 1.5 and × 0.5 fall about equally often, so the comparison has to be made by factors, as in step 6. Step 9: 20 falls on average with the risk obeyed, 48 without.</source>
+        <translation>Erwarten Sie: „Starke Motoren lehren ihn mehr“, weil er dort seltener stürzt. Lassen Sie vor Schritt 3 abstimmen. Gemessen mit den Seeds 1 bis 10, je zehn Leben, zehn Minuten Simulation, Stürze in 200 wirklichen Episoden: von null an 127 bis 137; × 2,5 45 bis 64; × 2 24 bis 37; × 1,5 9 bis 16; richtig 1 bis 4; × 0,8 2 bis 4; × 0,5 8 bis 16; × 0,3 73 bis 103. Jedes Intervall zwischen Nachbarn in den Schritten 5, 6 und 8 schließt die 0 aus. Das richtige ist am besten; × 0,8 ist davon nicht zu unterscheiden. In der Simulation selbst kosten schwache Motoren mehr Stürze (Seed 1, vier Leben in zehn Minuten: × 0,5 934, × 1 236, × 2,5 105; mit × 0,3 stürzt er noch in vier von fünf Episoden): Das ist der Preis, und dort wird er bezahlt. × 1,5 und × 0,5 stürzen etwa gleich oft; verglichen werden muss also nach Faktoren, wie in Schritt 6. Schritt 9: im Mittel 20 Stürze, wenn das Risiko befolgt wird, 48 ohne.</translation>
+    </message>
+    <message>
+        <source>Expect to hear in step 2 that the highest line is the safest. Let them drag it to the end before they answer. After step 5 TRL looks like the better policy; step 7 asks what it was compared with. Let them vote there. Measured with the seeds 1 to 10, ten lives each, ε = 0.2: no restriction 48 to 55 falls, threshold 50 23 to 29, threshold 100 35 to 45; ε-greedy with ε 0.05 6 to 12. The intervals say so every time for 50 against none and for 50 against ε 0.05, and in 8 of 10 for 50 against 100. Half the ε, 0.1, falls 22 to 25 times: about as often as TRL 50, so do not use it to decide anything with ten lives.</source>
+        <translation>Erwarten Sie in Schritt 2, dass die höchste Linie die sicherste sei. Lassen Sie sie erst ans Ende ziehen und dann antworten. Nach Schritt 5 sieht TRL wie die bessere Policy aus; Schritt 7 fragt, womit verglichen wurde. Lassen Sie dort abstimmen. Gemessen mit den Seeds 1 bis 10, je zehn Leben, ε = 0,2: ohne Einschränkung 48 bis 55 Stürze, Schwelle 50 23 bis 29, Schwelle 100 35 bis 45; ε-greedy mit ε 0,05 6 bis 12. Die Intervalle sagen das jedes Mal für 50 gegen keine und für 50 gegen ε 0,05, und in 8 von 10 Fällen für 50 gegen 100. Das halbe ε, 0,1, stürzt 22- bis 25-mal: etwa so oft wie TRL 50; entscheiden Sie damit also nichts mit zehn Leben.</translation>
+    </message>
+    <message>
+        <source>Expected Sarsa takes the mean over its next steps. Which way would you expect of it?</source>
+        <translation>Expected Sarsa nimmt das Mittel über seine nächsten Schritte. Welchen Weg würden Sie von ihm erwarten?</translation>
+    </message>
+    <message>
+        <source>Explore equally often</source>
+        <translation>Gleich oft explorieren</translation>
+    </message>
+    <message>
+        <source>Explore no more than learning needs: every random action may lead to a fall, also when the robot knows better. And let a fall cost enough that each one teaches something.</source>
+        <translation>Nicht mehr explorieren, als das Lernen braucht: Jede zufällige Aktion kann zu einem Sturz führen, auch wenn der Roboter es besser weiß. Und ein Sturz soll so viel kosten, dass jeder etwas lehrt.</translation>
+    </message>
+    <message>
+        <source>Explore only among actions worth more than a threshold (TRL).</source>
+        <translation>Nur unter Aktionen explorieren, die mehr wert sind als eine Schwelle (TRL).</translation>
+    </message>
+    <message>
+        <source>Exploring costs falls</source>
+        <translation>Explorieren kostet Stürze</translation>
+    </message>
+    <message>
+        <source>Exploring is cheap where another action is worth nearly as much as the best. Softmax tries those, and so falls less than ε-greedy that explores as often. It should also be compared with greedy, which does not explore: these lives cannot tell the two apart.</source>
+        <translation>Explorieren ist billig, wo eine andere Aktion fast so viel wert ist wie die beste. Softmax probiert diese und stürzt daher seltener als ein gleich oft explorierendes ε-greedy. Man sollte es auch mit greedy vergleichen, das nicht exploriert: Diese Leben können die beiden nicht unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Exploring need not try everything. A line across the actions&apos; values says what may be tried. Where should it lie, and is it better than simply exploring less?</source>
+        <translation>Explorieren muss nicht alles probieren. Eine Linie durch die Werte der Aktionen sagt, was probiert werden darf. Wo soll sie liegen, und ist das besser, als einfach weniger zu explorieren?</translation>
+    </message>
+    <message>
+        <source>Fall in simulation, not in reality</source>
+        <translation>In der Simulation stürzen, nicht in der Wirklichkeit</translation>
+    </message>
+    <message>
+        <source>Falling less</source>
+        <translation>Weniger stürzen</translation>
+    </message>
+    <message>
+        <source>Falls in 100 episodes: **{observed(3)}** as a beginner, **{observed(5)}** after 20 minutes of practice. Both began each episode at rest, at most 15° from upright. Watch how it balances now.</source>
+        <translation>Stürze in 100 Episoden: **{observed(3)}** als Anfänger, **{observed(5)}** nach 20 Minuten Übung. Beide begannen jede Episode in Ruhe, höchstens 15° neben der Senkrechten. Sehen Sie zu, wie er jetzt balanciert.</translation>
+    </message>
+    <message>
+        <source>Falls in 200 episodes</source>
+        <translation>Stürze in 200 Episoden</translation>
+    </message>
+    <message>
+        <source>Falls in 200 episodes, at equal shares of exploring</source>
+        <translation>Stürze in 200 Episoden, bei gleichem Anteil des Explorierens</translation>
+    </message>
+    <message>
+        <source>Falls in 200 episodes, different simulations</source>
+        <translation>Stürze in 200 Episoden, verschiedene Simulationen</translation>
+    </message>
+    <message>
+        <source>Falls in 200 episodes, on average. With ε = 0.2: ε-greedy {mean(&quot;no line&quot;)}; TRL with the line at 50, {mean(&quot;TRL 50&quot;)}. With ε = 0.05: ε-greedy {mean(&quot;ε-greedy, ε 0.05&quot;)}.</source>
+        <translation>Stürze in 200 Episoden, im Mittel. Mit ε = 0,2: ε-greedy {mean(&quot;no line&quot;)}; TRL mit der Linie bei 50, {mean(&quot;TRL 50&quot;)}. Mit ε = 0,05: ε-greedy {mean(&quot;ε-greedy, ε 0.05&quot;)}.</translation>
+    </message>
+    <message>
+        <source>Falls in 200 episodes, the same simulations</source>
+        <translation>Stürze in 200 Episoden, dieselben Simulationen</translation>
+    </message>
+    <message>
+        <source>Falls in 200 episodes, ε = 0.2</source>
+        <translation>Stürze in 200 Episoden, ε = 0,2</translation>
+    </message>
+    <message>
+        <source>Falls in 200 real episodes, ten lives each, on average: {mean(&quot;× 0.3&quot;)} after × 0.3; {mean(&quot;× 0.8&quot;)} after × 0.8; {mean(&quot;× 1.5&quot;)} after × 1.5. After the right motors it was {mean(&quot;right, × 1&quot;)}.</source>
+        <translation>Stürze in 200 wirklichen Episoden, je zehn Leben, im Mittel: {mean(&quot;× 0.3&quot;)} nach × 0,3; {mean(&quot;× 0.8&quot;)} nach × 0,8; {mean(&quot;× 1.5&quot;)} nach × 1,5. Nach den richtigen Motoren waren es {mean(&quot;right, × 1&quot;)}.</translation>
+    </message>
+    <message>
+        <source>Falls in 500 episodes</source>
+        <translation>Stürze in 500 Episoden</translation>
+    </message>
+    <message>
+        <source>Falls in the first 200 real episodes</source>
+        <translation>Stürze in den ersten 200 wirklichen Episoden</translation>
+    </message>
+    <message>
+        <source>Falls in the first 500 episodes</source>
+        <translation>Stürze in den ersten 500 Episoden</translation>
+    </message>
+    <message>
+        <source>Falls in the first six minutes</source>
+        <translation>Stürze in den ersten sechs Minuten</translation>
+    </message>
+    <message>
+        <source>Falls in the first two minutes</source>
+        <translation>Stürze in den ersten zwei Minuten</translation>
+    </message>
+    <message>
+        <source>Falls in the next 100 episodes</source>
+        <translation>Stürze in den nächsten 100 Episoden</translation>
+    </message>
+    <message>
+        <source>Falls in three minutes on the other robot</source>
+        <translation>Stürze in drei Minuten auf dem anderen Roboter</translation>
+    </message>
+    <message>
+        <source>Falls in two minutes, after three minutes of learning</source>
+        <translation>Stürze in zwei Minuten, nach drei Minuten Lernen</translation>
+    </message>
+    <message>
+        <source>Far from upright, where the map is still hatched.</source>
+        <translation>Weit weg von der Senkrechten, wo die Karte noch schraffiert ist.</translation>
+    </message>
+    <message>
+        <source>Far up nothing is left of the differences between the five.</source>
+        <translation>Ganz oben bleibt von den Unterschieden zwischen den fünf nichts übrig.</translation>
+    </message>
+    <message>
+        <source>Few lives can also hide a difference. In five lives ε-greedy with ε = 0.05 fell {mean(&quot;A&quot;)} times on average, Softmax {mean(&quot;Softmax, five&quot;)} times: one cannot tell. Now thirty lives of each.</source>
+        <translation>Wenige Leben können einen Unterschied auch verbergen. In fünf Leben stürzte ε-greedy mit ε = 0,05 im Mittel {mean(&quot;A&quot;)}-mal, Softmax {mean(&quot;Softmax, five&quot;)}-mal: Es lässt sich nicht sagen. Jetzt je dreißig Leben.</translation>
+    </message>
+    <message>
+        <source>Find a resolution with which it falls fewer than 420 times in six minutes.</source>
+        <translation>Finden Sie eine Auflösung, mit der er in sechs Minuten weniger als 420-mal stürzt.</translation>
+    </message>
+    <message>
+        <source>Find the width that learns soonest and still balances.</source>
+        <translation>Die Breite finden, die am schnellsten lernt und doch balanciert.</translation>
+    </message>
+    <message>
+        <source>Fine or coarse, and for what?</source>
+        <translation>Fein oder grob, und wofür?</translation>
+    </message>
+    <message>
+        <source>Finish the sentence: a robot that learns by itself falls because …</source>
+        <translation>Ergänzen Sie den Satz: Ein Roboter, der selbst lernt, stürzt, weil …</translation>
+    </message>
+    <message>
+        <source>First **ε-greedy** with ε = 0.1, for 200 episodes in reality. In one step of ten it draws among all five actions. But one in five of those draws happens to be the best action. To take another one than the best is called *leaving the best action* here.</source>
+        <translation>Zuerst **ε-greedy** mit ε = 0,1, 200 Episoden in der Wirklichkeit. In einem von zehn Schritten lost er unter allen fünf Aktionen. Eine von fünf Losungen trifft aber zufällig die beste Aktion. Eine andere als die beste zu nehmen heißt hier *von der besten Aktion abweichen*.</translation>
+    </message>
+    <message>
+        <source>First plain ε-greedy in reality, for 200 episodes. In one step of five it draws among all five actions, whatever they are worth.</source>
+        <translation>Zuerst einfaches ε-greedy in der Wirklichkeit, 200 Episoden. In einem von fünf Schritten lost es unter allen fünf Aktionen, was immer sie wert sind.</translation>
+    </message>
+    <message>
+        <source>First δ: what comes is 100, what it expects is 50. Half of that is added.</source>
+        <translation>Zuerst δ: Es kommen 100, erwartet sind 50. Die Hälfte davon kommt hinzu.</translation>
+    </message>
+    <message>
+        <source>Five lives gave {mean(&quot;Softmax, five&quot;)} and {mean(&quot;greedy, five&quot;)} falls. Thirty give {mean(&quot;Softmax&quot;)} and {mean(&quot;greedy&quot;)}, and now the interval of the difference holds 0. A 95 % interval may miss: without any difference it leaves out 0 in 5 of 100 comparisons.</source>
+        <translation>Fünf Leben ergaben {mean(&quot;Softmax, five&quot;)} und {mean(&quot;greedy, five&quot;)} Stürze. Dreißig ergeben {mean(&quot;Softmax&quot;)} und {mean(&quot;greedy&quot;)}, und jetzt enthält das Intervall des Unterschieds die 0. Ein 95-%-Intervall kann danebenliegen: Ohne jeden Unterschied schließt es in 5 von 100 Vergleichen die 0 aus.</translation>
+    </message>
+    <message>
+        <source>Five lives of A, five of B</source>
+        <translation>Fünf Leben von A, fünf von B</translation>
+    </message>
+    <message>
+        <source>Five times as many actions are drawn at random. Not each of them is a bad one.</source>
+        <translation>Fünfmal so viele Aktionen werden ausgelost. Nicht jede davon ist schlecht.</translation>
+    </message>
+    <message>
+        <source>Follow the lines of the seeds: do they all lean to one side?</source>
+        <translation>Folgen Sie den Linien der Seeds: Neigen sie sich alle zur selben Seite?</translation>
+    </message>
+    <message>
+        <source>For how many states does one fall change the values?</source>
+        <translation>Für wie viele Zustände ändert ein Sturz die Werte?</translation>
+    </message>
+    <message>
+        <source>For the end: two simulated hours in turbo, with something to read meanwhile.</source>
+        <translation>Zum Schluss: zwei simulierte Stunden im Turbo, mit etwas zu lesen dazwischen.</translation>
+    </message>
+    <message>
+        <source>From coin toss to certainty: how Softmax chooses (τ).</source>
+        <translation>Vom Münzwurf zur Gewissheit: wie Softmax wählt (τ).</translation>
+    </message>
+    <message>
+        <source>From nothing, in reality</source>
+        <translation>Von null an, in der Wirklichkeit</translation>
+    </message>
+    <message>
+        <source>From simulation to robot</source>
+        <translation>Von der Simulation zum Roboter</translation>
+    </message>
+    <message>
+        <source>From state 4 it went left, right, left, left, right, left, left.</source>
+        <translation>Von Zustand 4 ging er links, rechts, links, links, rechts, links, links.</translation>
+    </message>
+    <message>
+        <source>From the falls in reality.</source>
+        <translation>Aus den Stürzen in der Wirklichkeit.</translation>
+    </message>
+    <message>
+        <source>From the falls in the simulation.</source>
+        <translation>Aus den Stürzen in der Simulation.</translation>
+    </message>
+    <message>
+        <source>From the reward of a fall, −100.</source>
+        <translation>Aus der Belohnung eines Sturzes, −100.</translation>
+    </message>
+    <message>
+        <source>From what did the robot learn the risk of its actions?</source>
+        <translation>Woraus hat der Roboter das Risiko seiner Aktionen gelernt?</translation>
+    </message>
+    <message>
+        <source>From which angle could each of them still bring the pole up in its own simulation?</source>
+        <translation>Ab welchem Winkel könnte jeder der beiden den Stab in seiner eigenen Simulation noch aufrichten?</translation>
+    </message>
+    <message>
+        <source>From which state does the very next step give a reward above 0?</source>
+        <translation>Von welchem Zustand aus gibt der allernächste Schritt eine Belohnung über 0?</translation>
+    </message>
+    <message>
+        <source>Gains and losses apart</source>
+        <translation>Gewinne und Verluste getrennt</translation>
+    </message>
+    <message>
+        <source>Go on: state 7 is worth 0.9 times what state 8 is worth.</source>
+        <translation>Weiter so: Zustand 7 ist 0,9-mal so viel wert wie Zustand 8.</translation>
+    </message>
+    <message>
+        <source>Goals reached in the first three minutes</source>
+        <translation>Erreichte Ziele in den ersten drei Minuten</translation>
+    </message>
+    <message>
+        <source>Grab the pole and pull it.</source>
+        <translation>Greifen Sie den Stab und ziehen Sie daran.</translation>
+    </message>
+    <message>
+        <source>Gravity pulls a leaning pole further over. The more it leans, the harder the pull. The robot goes on trying its torques. Grab the pole with the mouse and try to hold it up. What must you watch? Only where the pole is?</source>
+        <translation>Die Schwerkraft zieht einen schiefen Stab weiter nach unten. Je schiefer er steht, desto stärker. Der Roboter probiert weiter seine Drehmomente. Greifen Sie den Stab mit der Maus und versuchen Sie, ihn oben zu halten. Worauf müssen Sie achten? Nur darauf, wo der Stab ist?</translation>
+    </message>
+    <message>
+        <source>Greedy falls as seldom. When is exploring worth its falls all the same?</source>
+        <translation>Greedy stürzt ebenso selten. Wann ist Explorieren seine Stürze trotzdem wert?</translation>
+    </message>
+    <message>
+        <source>Greedy, which never explores.</source>
+        <translation>Greedy, das nie exploriert.</translation>
+    </message>
+    <message>
+        <source>Half as many falls</source>
+        <translation>Halb so viele Stürze</translation>
+    </message>
+    <message>
+        <source>Half as wide, and then half as wide again.</source>
+        <translation>Halb so breit, und dann noch einmal halb so breit.</translation>
+    </message>
+    <message>
+        <source>Half of the steps are random in all of them. Look at what α is multiplied by.</source>
+        <translation>In allen ist die Hälfte der Schritte zufällig. Sehen Sie nach, womit α multipliziert wird.</translation>
+    </message>
+    <message>
+        <source>Hands off now. A new **life** begins: the robot knows nothing again, and nobody shows it how to balance. It gets a **reward** of 200 when the pole stands upright and still, and −100 when it falls. Everything else it must find out. You will see its first 100 episodes.</source>
+        <translation>Jetzt Hände weg. Ein neues **Leben** beginnt: Der Roboter weiß wieder nichts, und niemand macht ihm das Balancieren vor. Er bekommt eine **Belohnung** von 200, wenn der Stab aufrecht stillsteht, und −100, wenn er stürzt. Alles andere muss er herausfinden. Sie sehen seine ersten 100 Episoden.</translation>
+    </message>
+    <message>
+        <source>Here is the step. There was no reward, and still the robot learned: δ = 0 + 0.8 · 75 − 0 = 60, and Q(8, right) rose by half of that, to 30. A value learns from the next value.</source>
+        <translation>Hier ist der Schritt. Es gab keine Belohnung, und doch hat der Roboter gelernt: δ = 0 + 0,8 · 75 − 0 = 60, und Q(8, rechts) stieg um die Hälfte davon, auf 30. Ein Wert lernt vom nächsten Wert.</translation>
+    </message>
+    <message>
+        <source>How careful?</source>
+        <translation>Wie vorsichtig?</translation>
+    </message>
+    <message>
+        <source>How coarse may it be?</source>
+        <translation>Wie grob darf es sein?</translation>
+    </message>
+    <message>
+        <source>How does it find out that a step over the edge falls?</source>
+        <translation>Wie findet es heraus, dass ein Schritt über den Rand ein Sturz ist?</translation>
+    </message>
+    <message>
+        <source>How does the wrongly blamed step get its value back?</source>
+        <translation>Wie bekommt der zu Unrecht beschuldigte Schritt seinen Wert zurück?</translation>
+    </message>
+    <message>
+        <source>How far do the dots of one ε lie apart?</source>
+        <translation>Wie weit liegen die Punkte eines ε auseinander?</translation>
+    </message>
+    <message>
+        <source>How far does one lucky or unlucky step move the value with each α?</source>
+        <translation>Wie weit verschiebt ein glücklicher oder unglücklicher Schritt den Wert bei jedem α?</translation>
+    </message>
+    <message>
+        <source>How many actions lie above the line, and among how many does TRL draw then?</source>
+        <translation>Wie viele Aktionen liegen über der Linie, und unter wie vielen lost TRL dann?</translation>
+    </message>
+    <message>
+        <source>How many lives it takes to say so, and with which interval.</source>
+        <translation>Wie viele Leben man braucht, um das zu sagen, und mit welchem Intervall.</translation>
+    </message>
+    <message>
+        <source>How many more tiles are there, in three variables?</source>
+        <translation>Wie viel mehr Kacheln gibt es, in drei Variablen?</translation>
+    </message>
+    <message>
+        <source>How many of its first 100 episodes will end in a fall?</source>
+        <translation>Wie viele seiner ersten 100 Episoden enden mit einem Sturz?</translation>
+    </message>
+    <message>
+        <source>How many of the falls may have come from random actions?</source>
+        <translation>Wie viele der Stürze können von zufälligen Aktionen gekommen sein?</translation>
+    </message>
+    <message>
+        <source>How many steps next to the edge does each way have?</source>
+        <translation>Wie viele Schritte neben dem Rand hat jeder der beiden Wege?</translation>
+    </message>
+    <message>
+        <source>How many steps per episode will it take?</source>
+        <translation>Wie viele Schritte je Episode wird er brauchen?</translation>
+    </message>
+    <message>
+        <source>How many steps will its way have?</source>
+        <translation>Wie viele Schritte wird sein Weg haben?</translation>
+    </message>
+    <message>
+        <source>How many times will it have reached the goal by then?</source>
+        <translation>Wie oft wird er das Ziel bis dahin erreicht haben?</translation>
+    </message>
+    <message>
+        <source>How often will Q-learning fall in 500 episodes?</source>
+        <translation>Wie oft wird Q-learning in 500 Episoden stürzen?</translation>
+    </message>
+    <message>
+        <source>How often will it fall in 200 episodes?</source>
+        <translation>Wie oft wird er in 200 Episoden stürzen?</translation>
+    </message>
+    <message>
+        <source>How often will it fall in its first ten minutes?</source>
+        <translation>Wie oft wird er in seinen ersten zehn Minuten stürzen?</translation>
+    </message>
+    <message>
+        <source>How often will it fall in its first two minutes?</source>
+        <translation>Wie oft wird er in seinen ersten zwei Minuten stürzen?</translation>
+    </message>
+    <message>
+        <source>How often will it fall in six minutes?</source>
+        <translation>Wie oft wird er in sechs Minuten stürzen?</translation>
+    </message>
+    <message>
+        <source>How often will it fall in the next ten minutes?</source>
+        <translation>Wie oft wird er in den nächsten zehn Minuten stürzen?</translation>
+    </message>
+    <message>
+        <source>How often will it fall in these 200 real episodes?</source>
+        <translation>Wie oft wird er in diesen 200 wirklichen Episoden stürzen?</translation>
+    </message>
+    <message>
+        <source>How often will it fall in these ten minutes?</source>
+        <translation>Wie oft wird er in diesen zehn Minuten stürzen?</translation>
+    </message>
+    <message>
+        <source>How often will it fall with ε = 0.25?</source>
+        <translation>Wie oft wird er mit ε = 0,25 stürzen?</translation>
+    </message>
+    <message>
+        <source>How often will it fall?</source>
+        <translation>Wie oft wird er stürzen?</translation>
+    </message>
+    <message>
+        <source>How should a simulation be wrong?</source>
+        <translation>Wie sollte eine Simulation falsch sein?</translation>
+    </message>
+    <message>
+        <source>How steep is the curve of falls in its last ten minutes?</source>
+        <translation>Wie steil ist die Kurve der Stürze in den letzten zehn Minuten?</translation>
+    </message>
+    <message>
+        <source>How weak may it be?</source>
+        <translation>Wie schwach dürfen sie sein?</translation>
+    </message>
+    <message>
+        <source>How wide are the bars of the means now?</source>
+        <translation>Wie breit sind die Balken der Mittel jetzt?</translation>
+    </message>
+    <message>
+        <source>How wide is a tile along the pole&apos;s angle?</source>
+        <translation>Wie breit ist eine Kachel entlang dem Winkel des Stabs?</translation>
+    </message>
+    <message>
+        <source>How would you let a robot learn?</source>
+        <translation>Wie würden Sie einen Roboter lernen lassen?</translation>
+    </message>
+    <message>
+        <source>If the robot has to explore that often, a threshold lets it do so with fewer falls. If it need not, a smaller ε saves more. So TRL has to be compared with ε-greedy of a smaller ε, too, not only of the same ε.</source>
+        <translation>Muss der Roboter so oft explorieren, dann lässt ihn eine Schwelle das mit weniger Stürzen tun. Muss er es nicht, spart ein kleineres ε mehr. TRL ist also auch mit ε-greedy eines kleineren ε zu vergleichen, nicht nur desselben ε.</translation>
+    </message>
+    <message>
+        <source>If wide tiles help, why two Q-functions at all? For a fair comparison give **both** the resolution 0.4, which is one coarse Q-function. Ten lives of each.</source>
+        <translation>Wenn breite Kacheln helfen, warum dann überhaupt zwei Q-Funktionen? Geben Sie für einen fairen Vergleich **beiden** die Auflösung 0,4; das ist eine einzige grobe Q-Funktion. Je zehn Leben.</translation>
+    </message>
+    <message>
+        <source>In 100 steps it draws 10 times. How many of these draws are not the best action?</source>
+        <translation>In 100 Schritten lost er 10-mal. Wie viele dieser Lose sind nicht die beste Aktion?</translation>
+    </message>
+    <message>
+        <source>In a simulation falls cost nothing, but no simulation is right. Its motors may be too strong or too weak. Say beforehand which of the two helps more, and then ask whether the comparison was fair.</source>
+        <translation>In einer Simulation kosten Stürze nichts, aber keine Simulation stimmt. Ihre Motoren können zu stark oder zu schwach sein. Sagen Sie vorher, was von beidem mehr hilft, und fragen Sie dann, ob der Vergleich fair war.</translation>
+    </message>
+    <message>
+        <source>In how many of 100 steps does it take an action other than the best?</source>
+        <translation>In wie vielen von 100 Schritten nimmt er eine andere Aktion als die beste?</translation>
+    </message>
+    <message>
+        <source>In its own simulation the motors are weak: to bring the pole up from 29° is harder there.</source>
+        <translation>In seiner eigenen Simulation sind die Motoren schwach: Den Stab von 29° aufzurichten ist dort schwerer.</translation>
+    </message>
+    <message>
+        <source>In reality it obeys the risk: it chooses by **Q − 3000·ρ**. Nothing was learned anew; only the choice is another. 200 real episodes: without this it fell {observed(1)} times, with a penalty of −6400 {observed(2)} times.</source>
+        <translation>In der Wirklichkeit hält er sich an das Risiko: Er wählt nach **Q − 3000·ρ**. Nichts wurde neu gelernt; nur die Wahl ist eine andere. 200 wirkliche Episoden: Ohne das stürzte er {observed(1)}-mal, mit einer Strafe von −6400 {observed(2)}-mal.</translation>
+    </message>
+    <message>
+        <source>In simulation LEO fell {observed(3)} times and broke nothing. On the other robot it fell {observed(5)} times with ε = 0.05 and {observed(6)} times greedy, in ten minutes each.</source>
+        <translation>In der Simulation stürzte LEO {observed(3)}-mal, und nichts ging kaputt. Auf dem anderen Roboter stürzte er {observed(5)}-mal mit ε = 0,05 und {observed(6)}-mal greedy, jeweils in zehn Minuten.</translation>
+    </message>
+    <message>
+        <source>In simulation a robot may fall as often as it likes, and should: only falls teach where falls are. In reality it should not. One number that it learns beside its values lets it be bold in one world and careful in the other.</source>
+        <translation>In der Simulation darf ein Roboter stürzen, so oft er will, und soll es auch: Nur Stürze lehren, wo Stürze sind. In der Wirklichkeit soll er es nicht. Eine Zahl, die er neben seinen Werten lernt, lässt ihn in der einen Welt kühn und in der anderen vorsichtig sein.</translation>
+    </message>
+    <message>
+        <source>In these 500 episodes it has been on every square at the edge. Think of its falls.</source>
+        <translation>In diesen 500 Episoden war es auf jedem Feld am Rand. Denken Sie an seine Stürze.</translation>
+    </message>
+    <message>
+        <source>In this life a coarser Q⁻ came to {observed(4)} falls instead of {observed(3)}. How coarse may it be? Turn the resolution of Q⁻; each time a new life begins. Run six minutes in turbo.</source>
+        <translation>In diesem Leben kam ein gröberes Q⁻ auf {observed(4)} Stürze statt {observed(3)}. Wie grob darf es sein? Drehen Sie an der Auflösung von Q⁻; jedes Mal beginnt ein neues Leben. Lassen Sie sechs Minuten im Turbo laufen.</translation>
+    </message>
+    <message>
+        <source>In which of the two states does Softmax with τ = 1.5 sometimes take the second best?</source>
+        <translation>In welchem der zwei Zustände nimmt Softmax mit τ = 1,5 manchmal die zweitbeste?</translation>
+    </message>
+    <message>
+        <source>In your own words</source>
+        <translation>In Ihren eigenen Worten</translation>
+    </message>
+    <message>
+        <source>Is anything else as good, that the claim does not mention?</source>
+        <translation>Ist etwas anderes ebenso gut, das die Behauptung nicht erwähnt?</translation>
+    </message>
+    <message>
+        <source>Is it really better?</source>
+        <translation>Ist es wirklich besser?</translation>
+    </message>
+    <message>
+        <source>Is that fair?</source>
+        <translation>Ist das fair?</translation>
+    </message>
+    <message>
+        <source>Is the robot that falls least also the one that learns soonest? How would you measure it?</source>
+        <translation>Ist der Roboter, der am seltensten stürzt, auch der, der am schnellsten lernt? Wie würden Sie das messen?</translation>
+    </message>
+    <message>
+        <source>It counts the falls that its own random steps will bring at the edge.</source>
+        <translation>Es rechnet die Stürze mit, die seine eigenen zufälligen Schritte am Rand bringen werden.</translation>
+    </message>
+    <message>
+        <source>It did not know yet which torque helps where.</source>
+        <translation>Er wusste noch nicht, welches Drehmoment wo hilft.</translation>
+    </message>
+    <message>
+        <source>It does not mind the cost of a step.</source>
+        <translation>Die Kosten eines Schritts sind ihm egal.</translation>
+    </message>
+    <message>
+        <source>It expects heavy losses even upright: Q⁻ can hardly tell good from bad.</source>
+        <translation>Er erwartet auch aufrecht schwere Verluste: Q⁻ kann Gut und Schlecht kaum unterscheiden.</translation>
+    </message>
+    <message>
+        <source>It expects that it can still save itself.</source>
+        <translation>Er erwartet, dass er sich noch retten kann.</translation>
+    </message>
+    <message>
+        <source>It expects too little loss.</source>
+        <translation>Er erwartet zu wenig Verlust.</translation>
+    </message>
+    <message>
+        <source>It expects {max(q(&quot;1.5&quot;), q(&quot;0.75&quot;), q(&quot;0&quot;), q(&quot;-0.75&quot;), q(&quot;-1.5&quot;))}, not {observed(4)}. Ten lives each fall, on average, {mean(&quot;nothing&quot;)} times from nothing, {mean(&quot;strong, × 2.5&quot;)} after the strong motors, {mean(&quot;weak, × 0.5&quot;)} after the weak ones and {mean(&quot;right, × 1&quot;)} after the right ones.</source>
+        <translation>Er erwartet {max(q(&quot;1.5&quot;), q(&quot;0.75&quot;), q(&quot;0&quot;), q(&quot;-0.75&quot;), q(&quot;-1.5&quot;))}, nicht {observed(4)}. Je zehn Leben stürzen im Mittel {mean(&quot;nothing&quot;)}-mal von null an, {mean(&quot;strong, × 2.5&quot;)}-mal nach den starken Motoren, {mean(&quot;weak, × 0.5&quot;)}-mal nach den schwachen und {mean(&quot;right, × 1&quot;)}-mal nach den richtigen.</translation>
+    </message>
+    <message>
+        <source>It explores less.</source>
+        <translation>Es exploriert weniger.</translation>
+    </message>
+    <message>
+        <source>It explores more often.</source>
+        <translation>Es exploriert öfter.</translation>
+    </message>
+    <message>
+        <source>It explores more.</source>
+        <translation>Er exploriert mehr.</translation>
+    </message>
+    <message>
+        <source>It fell **{observed(1)} times** in 200 episodes. Now it first learns for ten minutes in a simulation. But the simulation is wrong: its motors are **2.5 times too strong**. After that come 200 episodes in reality.</source>
+        <translation>Er stürzte in 200 Episoden **{observed(1)}-mal**. Jetzt lernt er zuerst zehn Minuten in einer Simulation. Aber die ist falsch: Ihre Motoren sind **2,5-mal zu stark**. Danach kommen 200 Episoden in der Wirklichkeit.</translation>
+    </message>
+    <message>
+        <source>It fell **{observed(1)} times**. The first idea: a fall costs −6400 instead of −100, in the simulation **and** in reality. Everything else stays.</source>
+        <translation>Er stürzte **{observed(1)}-mal**. Die erste Idee: Ein Sturz kostet −6400 statt −100, in der Simulation **und** in der Wirklichkeit. Alles andere bleibt.</translation>
+    </message>
+    <message>
+        <source>It fell **{observed(3)} times** in 200 episodes. Now TRL with a threshold of **50**. The same robot, and it explores in one step of five, as before.</source>
+        <translation>Er stürzte in 200 Episoden **{observed(3)}-mal**. Jetzt TRL mit einer Schwelle von **50**. Derselbe Roboter, und er exploriert in einem von fünf Schritten, wie vorher.</translation>
+    </message>
+    <message>
+        <source>It fell {observed(2)} times; with the wide tiles {observed(1)} times. What it learns in a narrow tile helps in no other, and there are 32,768 times as many of them. The map shows where it has learned anything.</source>
+        <translation>Er stürzte {observed(2)}-mal; mit den breiten Kacheln {observed(1)}-mal. Was er in einer schmalen Kachel lernt, hilft in keiner anderen, und es gibt 32 768-mal so viele. Die Karte zeigt, wo er etwas gelernt hat.</translation>
+    </message>
+    <message>
+        <source>It fell {observed(3)} times. Each fall has a mark below the curve, and a click plays it back slowly. To save a leaning pole, the wheel must drive the cart **under** it, to the side where it leans. Does the arrow point to that side all the time?</source>
+        <translation>Er ist {observed(3)}-mal gestürzt. Jeder Sturz hat eine Marke unter der Kurve, und ein Klick spielt ihn langsam ab. Um einen schiefen Stab zu retten, muss das Rad den Wagen **unter** ihn fahren, zu der Seite, nach der er sich neigt. Zeigt der Pfeil die ganze Zeit zu dieser Seite?</translation>
+    </message>
+    <message>
+        <source>It fell {observed(4)} times. In ten lives of each, Sarsa falls {least(&quot;Sarsa falls&quot;)} to {most(&quot;Sarsa falls&quot;)} times and Q-learning {least(&quot;Q-learning falls&quot;)} to {most(&quot;Q-learning falls&quot;)} times. To Q-learning the short way is worth more, to Sarsa the longer one.</source>
+        <translation>Es stürzte {observed(4)}-mal. In je zehn Leben stürzt Sarsa {least(&quot;Sarsa falls&quot;)}- bis {most(&quot;Sarsa falls&quot;)}-mal und Q-learning {least(&quot;Q-learning falls&quot;)}- bis {most(&quot;Q-learning falls&quot;)}-mal. Für Q-learning ist der kurze Weg mehr wert, für Sarsa der längere.</translation>
+    </message>
+    <message>
+        <source>It fell {observed(7)} times instead of {observed(4)}, and walks along the edge: it fell about once for every square beside the cliff, and then knew. Without that, with ε = 0.1, Sarsa kept off the edge and Q-learning did not.</source>
+        <translation>Es stürzte {observed(7)}-mal statt {observed(4)}-mal und geht am Rand entlang: Es stürzte etwa einmal für jedes Feld neben der Klippe und wusste es dann. Ohne das hielt, mit ε = 0,1, Sarsa Abstand vom Rand und Q-learning nicht.</translation>
+    </message>
+    <message>
+        <source>It follows what it learned in the simulation, also where that is wrong.</source>
+        <translation>Es folgt dem, was es in der Simulation gelernt hat, auch wo das falsch ist.</translation>
+    </message>
+    <message>
+        <source>It forbids the best action.</source>
+        <translation>Sie verbietet die beste Aktion.</translation>
+    </message>
+    <message>
+        <source>It forgets what it has learned.</source>
+        <translation>Er vergisst, was er gelernt hat.</translation>
+    </message>
+    <message>
+        <source>It has been at the goal many times. Look at state 9.</source>
+        <translation>Er war schon oft am Ziel. Sehen Sie Zustand 9 an.</translation>
+    </message>
+    <message>
+        <source>It has fallen so often. Why does it expect no loss here?</source>
+        <translation>Er ist so oft gestürzt. Warum erwartet er hier keinen Verlust?</translation>
+    </message>
+    <message>
+        <source>It has learned for longer.</source>
+        <translation>Es hat länger gelernt.</translation>
+    </message>
+    <message>
+        <source>It has never been in these tiles.</source>
+        <translation>Er war noch nie in diesen Kacheln.</translation>
+    </message>
+    <message>
+        <source>It has never been on the short way.</source>
+        <translation>Es war nie auf dem kurzen Weg.</translation>
+    </message>
+    <message>
+        <source>It has not found the goal yet.</source>
+        <translation>Er hat das Ziel noch nicht gefunden.</translation>
+    </message>
+    <message>
+        <source>It has not learned for long enough.</source>
+        <translation>Er hat nicht lange genug gelernt.</translation>
+    </message>
+    <message>
+        <source>It has not lived in reality yet.</source>
+        <translation>Er hat noch nicht in der Wirklichkeit gelebt.</translation>
+    </message>
+    <message>
+        <source>It is 75: δ was 50, half as much as before. Next the robot is put on state 8 and goes right. Q(8, right) is 0, and the reward is R = 0. But on state 9 it will go right, and Q(9, right) = 75. Here γ = 0.8.</source>
+        <translation>Es ist 75: δ war 50, halb so groß wie vorher. Als Nächstes wird der Roboter auf Zustand 8 gesetzt und geht nach rechts. Q(8, rechts) ist 0, und die Belohnung ist R = 0. Aber auf Zustand 9 wird er nach rechts gehen, und Q(9, rechts) = 75. Hier ist γ = 0,8.</translation>
+    </message>
+    <message>
+        <source>It is afraid of the fall.</source>
+        <translation>Er hat Angst vor dem Sturz.</translation>
+    </message>
+    <message>
+        <source>It is the same motor now. Look at the pole: does it come upright?</source>
+        <translation>Es ist jetzt derselbe Motor. Sehen Sie auf den Stab: Richtet er sich auf?</translation>
+    </message>
+    <message>
+        <source>It keeps away from the fall.</source>
+        <translation>Er hält sich vom Sturz fern.</translation>
+    </message>
+    <message>
+        <source>It knows enough to fall seldom. But it still takes one action in four at random, also where that is dangerous.</source>
+        <translation>Er weiß genug, um selten zu stürzen. Aber er wählt weiter eine von vier Aktionen zufällig, auch wo das gefährlich ist.</translation>
+    </message>
+    <message>
+        <source>It leads to state 3, away from the fall. Look at the world.</source>
+        <translation>Es führt zu Zustand 3, weg vom Sturz. Sehen Sie die Welt an.</translation>
+    </message>
+    <message>
+        <source>It leads to the fall, too.</source>
+        <translation>Es führt auch zum Sturz.</translation>
+    </message>
+    <message>
+        <source>It learned caution in the simulation, and with it less of where falls are.</source>
+        <translation>Er hat in der Simulation Vorsicht gelernt, und damit weniger darüber, wo Stürze sind.</translation>
+    </message>
+    <message>
+        <source>It learned for longer.</source>
+        <translation>Er hat länger gelernt.</translation>
+    </message>
+    <message>
+        <source>It learns more slowly, so it knows too little.</source>
+        <translation>Er lernt langsamer und weiß daher zu wenig.</translation>
+    </message>
+    <message>
+        <source>It no longer gets the reward of the goal.</source>
+        <translation>Er bekommt die Belohnung des Ziels nicht mehr.</translation>
+    </message>
+    <message>
+        <source>It takes such a lean for lost, and so errs on the safe side.</source>
+        <translation>Er hält so eine Neigung für verloren und irrt sich so zur sicheren Seite.</translation>
+    </message>
+    <message>
+        <source>It wants to fall then, because that ends the episode.</source>
+        <translation>Er will dann stürzen, weil das die Episode beendet.</translation>
+    </message>
+    <message>
+        <source>It was taken shortly before the fall.</source>
+        <translation>Es wurde kurz vor dem Sturz getan.</translation>
+    </message>
+    <message>
+        <source>It will keep away from falls in both worlds. But what does it know of the real one?</source>
+        <translation>Er wird sich in beiden Welten von Stürzen fernhalten. Aber was weiß er von der wirklichen?</translation>
+    </message>
+    <message>
+        <source>Its episodes began with the pole too far over.</source>
+        <translation>Am Anfang seiner Episoden stand der Stab zu schief.</translation>
+    </message>
+    <message>
+        <source>Its mark has faded once, to 0.81. It loses 0.81 times what the last step loses.</source>
+        <translation>Seine Marke ist einmal verblasst, auf 0,81. Er verliert 0,81-mal so viel wie der letzte Schritt.</translation>
+    </message>
+    <message>
+        <source>Its motor is too weak for the pole.</source>
+        <translation>Sein Motor ist zu schwach für den Stab.</translation>
+    </message>
+    <message>
+        <source>Its random actions make it fall, whatever it knows.</source>
+        <translation>Seine zufälligen Aktionen bringen ihn zu Fall, was immer er weiß.</translation>
+    </message>
+    <message>
+        <source>Its random steps are what makes the edge costly. And what it learned with them it must learn anew.</source>
+        <translation>Seine zufälligen Schritte machen den Rand teuer. Und was es mit ihnen gelernt hat, muss es neu lernen.</translation>
+    </message>
+    <message>
+        <source>Its tiles are only 12° wide, and all its falls went through other ones.</source>
+        <translation>Seine Kacheln sind nur 12° breit, und alle seine Stürze gingen durch andere.</translation>
+    </message>
+    <message>
+        <source>LEO has two legs and seven parts, and knows nothing when it begins. Give it two simulated hours. Then put what it has learned on a robot with other motors, and compare two ways to go on.</source>
+        <translation>LEO hat zwei Beine und sieben Teile und weiß am Anfang nichts. Geben Sie ihm zwei simulierte Stunden. Übertragen Sie dann das Gelernte auf einen Roboter mit anderen Motoren und vergleichen Sie zwei Arten weiterzumachen.</translation>
+    </message>
+    <message>
+        <source>LEO is held by a boom, so that it cannot fall sideways. Thirty times a second it sets three motors, each to one of seven voltages. It gets a reward for every metre, and pays for energy, for time and for falls. It knows nothing yet. Watch it for a while.</source>
+        <translation>LEO wird von einem Ausleger gehalten, damit er nicht zur Seite stürzt. Dreißigmal in der Sekunde stellt er drei Motoren auf je eine von sieben Spannungen. Er bekommt eine Belohnung für jeden Meter und zahlt für Energie, Zeit und Stürze. Noch weiß er nichts. Sehen Sie ihm eine Weile zu.</translation>
+    </message>
+    <message>
+        <source>LEO walks</source>
+        <translation>LEO geht</translation>
+    </message>
+    <message>
+        <source>Learn first on a wrong model, and choose how it should be wrong.</source>
+        <translation>Zuerst an einem falschen Modell lernen und wählen, wie es falsch sein soll.</translation>
+    </message>
+    <message>
+        <source>Learn how likely a fall is, and obey it only where falls cost something.</source>
+        <translation>Lernen, wie wahrscheinlich ein Sturz ist, und sich nur daran halten, wo Stürze etwas kosten.</translation>
+    </message>
+    <message>
+        <source>Left and right are worth the same there.</source>
+        <translation>Links und rechts sind dort gleich viel wert.</translation>
+    </message>
+    <message>
+        <source>Less.</source>
+        <translation>Weniger.</translation>
+    </message>
+    <message>
+        <source>Let it fall in simulation first, as often as it needs. Then explore as little as possible on the robot: in this run greedy fell less. And check it with more than one learned robot before you say so of all.</source>
+        <translation>Ihn zuerst in der Simulation stürzen lassen, so oft er es braucht. Danach auf dem Roboter so wenig wie möglich explorieren: In diesem Lauf stürzte greedy seltener. Und es mit mehr als einem gelernten Roboter prüfen, bevor man es von allen sagt.</translation>
+    </message>
+    <message>
+        <source>Let it run, and look at the arrows on the map: which way do they lead from the start?</source>
+        <translation>Lassen Sie ihn laufen und sehen Sie die Pfeile auf der Karte an: Wohin führen sie vom Start aus?</translation>
+    </message>
+    <message>
+        <source>Let them vote before step 5: expect to hear &quot;the coarser, the better&quot;. The fair comparison of step 7 is easily forgotten: one coarse Q-function. Measured with the seeds 1 to 10, ten lives of six minutes each: fine 65 to 77 falls, Q⁻ 0.4 44 to 50, Q⁻ 0.1 198 to 282, both 0.4 69 to 76; every interval between them says so, but that between fine and both coarse, which differ little in falls. With both coarse the goal is reached about 770 times in six minutes in place of about 1,300. One life showed the opposite in 2 of 10 seeds, hence ten. On the walking robot LEO a coarse Q⁻ for all that is negative falls 15 times as often; if it holds the falls alone, as here, it falls as often as one Q-function.</source>
+        <translation>Lassen Sie vor Schritt 5 abstimmen: Erwarten Sie „je gröber, desto besser“. Den fairen Vergleich von Schritt 7 vergisst man leicht: eine einzige grobe Q-Funktion. Gemessen mit den Seeds 1 bis 10, je zehn Leben von sechs Minuten: fein 65 bis 77 Stürze, Q⁻ 0,4 44 bis 50, Q⁻ 0,1 198 bis 282, beide 0,4 69 bis 76; jedes Intervall dazwischen sagt das, außer dem zwischen fein und beide grob, die sich in den Stürzen wenig unterscheiden. Mit beiden grob wird das Ziel in sechs Minuten etwa 770-mal erreicht statt etwa 1 300-mal. Ein einzelnes Leben zeigte in 2 von 10 Seeds das Gegenteil, daher zehn. Beim Laufroboter LEO stürzt ein grobes Q⁻ für alles Negative 15-mal so oft; enthält es nur die Stürze, wie hier, stürzt er so oft wie mit einer Q-Funktion.</translation>
+    </message>
+    <message>
+        <source>Look at how far the dots of both overlap, not only at the means.</source>
+        <translation>Sehen Sie, wie weit sich die Punkte beider überschneiden, nicht nur auf die Mittel.</translation>
+    </message>
+    <message>
+        <source>Look at the dots of both, and at the bars of their means.</source>
+        <translation>Sehen Sie die Punkte beider an und die Balken ihrer Mittel.</translation>
+    </message>
+    <message>
+        <source>Look at the dots, not at the means alone.</source>
+        <translation>Sehen Sie die Punkte an, nicht nur die Mittel.</translation>
+    </message>
+    <message>
+        <source>Look at the dots: none of them is near 0.</source>
+        <translation>Sehen Sie die Punkte an: Keiner liegt nahe 0.</translation>
+    </message>
+    <message>
+        <source>Look at the first seven steps: no reward came, none was expected, δ = 0.</source>
+        <translation>Sehen Sie die ersten sieben Schritte an: Keine Belohnung kam, keine war erwartet, δ = 0.</translation>
+    </message>
+    <message>
+        <source>Look at the map: has it ever learned a value here?</source>
+        <translation>Sehen Sie die Karte an: Hat er hier je einen Wert gelernt?</translation>
+    </message>
+    <message>
+        <source>Look at the rewards: 0 for a fall, 200 for the goal.</source>
+        <translation>Sehen Sie die Belohnungen an: 0 für einen Sturz, 200 für das Ziel.</translation>
+    </message>
+    <message>
+        <source>Look at what it expects at 3°.</source>
+        <translation>Sehen Sie nach, was er bei 3° erwartet.</translation>
+    </message>
+    <message>
+        <source>Make Sarsa take the short way: bring its average reward to −13.5 or better.</source>
+        <translation>Bringen Sie Sarsa auf den kurzen Weg: Seine mittlere Belohnung soll −13,5 oder besser werden.</translation>
+    </message>
+    <message>
+        <source>Make it fall less often in six minutes than with the fine Q⁻, with a resolution of at most 0.35.</source>
+        <translation>Bringen Sie ihn dazu, in sechs Minuten seltener zu stürzen als mit feinem Q⁻, mit einer Auflösung von höchstens 0,35.</translation>
+    </message>
+    <message>
+        <source>Make it fall less than half as often as with ε = 0.05.</source>
+        <translation>Bringen Sie ihn dazu, weniger als halb so oft zu stürzen wie mit ε = 0,05.</translation>
+    </message>
+    <message>
+        <source>Marks fade to γ λ with every step, and γ is 0.9. For which λ is that one half?</source>
+        <translation>Marken verblassen mit jedem Schritt um γ λ, und γ ist 0,9. Für welches λ ist das die Hälfte?</translation>
+    </message>
+    <message>
+        <source>More lives.</source>
+        <translation>Mehr Leben.</translation>
+    </message>
+    <message>
+        <source>More.</source>
+        <translation>Mehr.</translation>
+    </message>
+    <message>
+        <source>Neither simulation is exact. Look at what each of them made the robot expect.</source>
+        <translation>Keine der beiden Simulationen ist genau. Sehen Sie, was jede den Roboter erwarten ließ.</translation>
+    </message>
+    <message>
+        <source>No amount of learning gives two states in one tile different values.</source>
+        <translation>Kein noch so langes Lernen gibt zwei Zuständen in einer Kachel verschiedene Werte.</translation>
+    </message>
+    <message>
+        <source>No formula is needed. Let everybody write a number down before step 3; expect low guesses from whoever thinks of balancing a broom on the hand. Forty lives (seeds 1 to 40) fell 68 to 93 times in their first 100 episodes, and 0 to 7 times in 100 after 20 minutes.
+
+Step 2: the pole falls in a fraction of a second, so set the pace to its slowest before anybody grabs it. What one should notice is that the angle alone is not enough: the rate counts as well. Together with the wheel&apos;s rate they are the state.
+
+Step 6: the wrong answers are reasonable guesses about machines. The point is that body and task are the same in both curves. A pole that leans too far cannot be saved with this motor; but no episode begins there.
+
+Each student has numbers of his own, from his name.</source>
+        <translation>Eine Formel ist nicht nötig. Lassen Sie vor Schritt 3 alle eine Zahl aufschreiben; wer an das Balancieren eines Besens auf der Hand denkt, wird niedrig raten. Vierzig Leben (Seeds 1 bis 40) stürzten in ihren ersten 100 Episoden 68- bis 93-mal und nach 20 Minuten 0- bis 7-mal in 100.
+
+Schritt 2: Der Stab fällt im Bruchteil einer Sekunde; stellen Sie das Tempo also auf das langsamste, bevor jemand ihn greift. Bemerken soll man, dass der Winkel allein nicht reicht: Die Drehrate zählt auch. Zusammen mit der Drehrate des Rades bilden sie den Zustand.
+
+Schritt 6: Die falschen Antworten sind vernünftige Vermutungen über Maschinen. Es kommt darauf an, dass Körper und Aufgabe in beiden Kurven dieselben sind. Ein Stab, der zu schief steht, ist mit diesem Motor nicht zu retten; aber keine Episode beginnt dort.
+
+Alle haben eigene Zahlen, die sich aus ihrem Namen ergeben.</translation>
+    </message>
+    <message>
+        <source>Nobody shows LEO how to walk. Thirty times a second it does [one step of learning](lesson:one-step-of-learning), and [traces](lesson:whom-to-blame) carry each fall back to the steps before it. Metres are rewarded; the rest it must find. The thesis behind this program asked how LEO could learn without breaking. Watch where the curve of falls becomes flatter.</source>
+        <translation>Niemand macht LEO das Gehen vor. Dreißigmal in der Sekunde tut er [einen Schritt Lernen](lesson:one-step-of-learning), und [Traces](lesson:whom-to-blame) tragen jeden Sturz zu den Schritten davor zurück. Belohnt werden Meter; den Rest muss er finden. Die Masterarbeit hinter diesem Programm fragte, wie LEO lernen kann, ohne kaputtzugehen. Achten Sie darauf, wo die Kurve der Stürze flacher wird.</translation>
+    </message>
+    <message>
+        <source>Nobody told this robot which torque is right. It found out by trying, and most of its first 100 episodes ended in a fall. In a simulation a fall costs nothing. A real robot can break.</source>
+        <translation>Niemand hat diesem Roboter gesagt, welches Drehmoment richtig ist. Er hat es durch Ausprobieren herausgefunden, und die meisten seiner ersten 100 Episoden endeten mit einem Sturz. In einer Simulation kostet ein Sturz nichts. Ein echter Roboter kann kaputtgehen.</translation>
+    </message>
+    <message>
+        <source>Nothing in them is drawn: every episode begins alike, and greedy does not explore.</source>
+        <translation>In ihnen wird nichts ausgelost: Jede Episode beginnt gleich, und greedy exploriert nicht.</translation>
+    </message>
+    <message>
+        <source>Nothing: it changes together with Q(8, right).</source>
+        <translation>Nichts: Er ändert sich zusammen mit Q(8, rechts).</translation>
+    </message>
+    <message>
+        <source>Now drag the line to both ends: first below all five bars, then above all of them. Each time look how likely the worst action is.</source>
+        <translation>Ziehen Sie die Linie nun an beide Enden: zuerst unter alle fünf Balken, dann über alle. Sehen Sie jedes Mal nach, wie wahrscheinlich die schlechteste Aktion ist.</translation>
+    </message>
+    <message>
+        <source>Now half of its steps are random. After a step to state 9 it sometimes goes *right*, sometimes *left*: what a step teaches depends on chance. In 20 lives of 500 episodes Q(8, right) ends between {least(&quot;α 0.02&quot;)} and {most(&quot;α 0.02&quot;)} with α = 0.02, and between {least(&quot;α 0.5&quot;)} and {most(&quot;α 0.5&quot;)} with α = 0.5.</source>
+        <translation>Jetzt ist die Hälfte seiner Schritte zufällig. Nach einem Schritt auf Zustand 9 geht er manchmal nach *rechts*, manchmal nach *links*: Was ein Schritt lehrt, hängt vom Zufall ab. In 20 Leben von 500 Episoden endet Q(8, rechts) zwischen {least(&quot;α 0.02&quot;)} und {most(&quot;α 0.02&quot;)} mit α = 0,02 und zwischen {least(&quot;α 0.5&quot;)} und {most(&quot;α 0.5&quot;)} mit α = 0,5.</translation>
+    </message>
+    <message>
+        <source>Now it has practised for 20 minutes, by its own clock. The pole, the cart and the motor are the same as before. Here are 100 more episodes. As a beginner it fell {observed(3)} times.</source>
+        <translation>Jetzt hat er 20 Minuten geübt, nach seiner eigenen Uhr. Stab, Wagen und Motor sind dieselben wie vorher. Hier sind 100 weitere Episoden. Als Anfänger stürzte er {observed(3)}-mal.</translation>
+    </message>
+    <message>
+        <source>Now it leans and is at rest</source>
+        <translation>Jetzt steht er schief und ruht</translation>
+    </message>
+    <message>
+        <source>Now the two minutes after three minutes of learning. Falls on average: {mean(&quot;resolution 0.25, later&quot;)} with 0.25; {mean(&quot;resolution 1, later&quot;)} with 1; {mean(&quot;resolution 4, later&quot;)} with 4; {mean(&quot;resolution 8, later&quot;)} with 8. The order has changed: look who falls least now.</source>
+        <translation>Jetzt die zwei Minuten nach drei Minuten Lernen. Stürze im Mittel: {mean(&quot;resolution 0.25, later&quot;)} mit 0,25; {mean(&quot;resolution 1, later&quot;)} mit 1; {mean(&quot;resolution 4, later&quot;)} mit 4; {mean(&quot;resolution 8, later&quot;)} mit 8. Die Reihenfolge hat sich geändert: Sehen Sie, wer jetzt am seltensten stürzt.</translation>
+    </message>
+    <message>
+        <source>Now two robots that do differ. One chooses by **Softmax** with τ = 1; the other is **greedy**: it always takes the best action it knows. Five lives of each. Does the interval of the difference hold 0?</source>
+        <translation>Jetzt zwei Roboter, die wirklich verschieden sind. Einer wählt mit **Softmax**, τ = 1; der andere ist **greedy**: Er nimmt immer die beste Aktion, die er kennt. Je fünf Leben. Enthält das Intervall des Unterschieds die 0?</translation>
+    </message>
+    <message>
+        <source>Now you choose. Turn the resolution; each time a new life begins from nothing. Run six minutes in turbo and count the falls. Try wide tiles, narrow tiles, and what lies between.</source>
+        <translation>Jetzt wählen Sie. Drehen Sie an der Auflösung; jedes Mal beginnt ein neues Leben von null an. Lassen Sie sechs Minuten im Turbo laufen und zählen Sie die Stürze. Probieren Sie breite Kacheln, schmale Kacheln und was dazwischen liegt.</translation>
+    </message>
+    <message>
+        <source>Obey it now</source>
+        <translation>Jetzt daran halten</translation>
+    </message>
+    <message>
+        <source>On a walking robot standing still is to fall. What would a large weight do there?</source>
+        <translation>Für einen Laufroboter heißt stillstehen stürzen. Was würde ein großes Gewicht dort bewirken?</translation>
+    </message>
+    <message>
+        <source>On average the ten lives needed {mean(&quot;λ 0&quot;)} steps with λ = 0 and {mean(&quot;λ 0.9&quot;)} with λ = 0.9. After the first fall *right* from state 2 was worth −32.8, wrongly. After 100 episodes, still with λ = 0.9, it is worth {q(&quot;right&quot;)}.</source>
+        <translation>Im Mittel brauchten die zehn Leben {mean(&quot;λ 0&quot;)} Schritte mit λ = 0 und {mean(&quot;λ 0.9&quot;)} mit λ = 0,9. Nach dem ersten Sturz war *rechts* von Zustand 2 zu Unrecht −32,8 wert. Nach 100 Episoden, weiter mit λ = 0,9, ist es {q(&quot;right&quot;)} wert.</translation>
+    </message>
+    <message>
+        <source>On state 5: what is a step to the right worth, and what a step to the left?</source>
+        <translation>Auf Zustand 5: Was ist ein Schritt nach rechts wert, und was einer nach links?</translation>
+    </message>
+    <message>
+        <source>One fall</source>
+        <translation>Ein Sturz</translation>
+    </message>
+    <message>
+        <source>One fall, many guilty steps: traces share out the blame (λ).</source>
+        <translation>Ein Sturz, viele schuldige Schritte: Traces verteilen die Schuld (λ).</translation>
+    </message>
+    <message>
+        <source>One forgets a fall in a few episodes.</source>
+        <translation>Einen Sturz vergisst man in wenigen Episoden.</translation>
+    </message>
+    <message>
+        <source>One goal must be enough</source>
+        <translation>Ein Ziel muss genügen</translation>
+    </message>
+    <message>
+        <source>One knob</source>
+        <translation>Ein Regler</translation>
+    </message>
+    <message>
+        <source>One knob, another way</source>
+        <translation>Ein Regler, ein anderer Weg</translation>
+    </message>
+    <message>
+        <source>One life may be luck. So here are ten lives of each, each with a simulation of its own before. On average they fall {mean(&quot;ε 0.1&quot;)} and {mean(&quot;τ 1.5&quot;)} times. Think of the two states: in one the second best came close, {observed(1)} below the best; in the other it lay far below.</source>
+        <translation>Ein Leben kann Glück sein. Darum hier je zehn Leben, jedes mit einer eigenen Simulation davor. Im Mittel stürzen sie {mean(&quot;ε 0.1&quot;)}- und {mean(&quot;τ 1.5&quot;)}-mal. Denken Sie an die zwei Zustände: In einem kam die zweitbeste nahe heran, {observed(1)} unter der besten; im anderen lag sie weit darunter.</translation>
+    </message>
+    <message>
+        <source>One robot falls less often than another. Is it the better one, or had it luck? You judge from five lives, from thirty, and in pairs, and then read a claim as a referee would.</source>
+        <translation>Ein Roboter stürzt seltener als ein anderer. Ist er besser, oder hatte er Glück? Sie urteilen nach fünf Leben, nach dreißig und in Paaren und lesen dann eine Behauptung, wie ein Gutachter es täte.</translation>
+    </message>
+    <message>
+        <source>One step before</source>
+        <translation>Einen Schritt früher</translation>
+    </message>
+    <message>
+        <source>One step in five explores. Among how many actions does it then draw?</source>
+        <translation>Ein Schritt von fünf exploriert. Unter wie vielen Aktionen lost es dann?</translation>
+    </message>
+    <message>
+        <source>One step in ten is random, and one random step in four goes down.</source>
+        <translation>Einer von zehn Schritten ist zufällig, und einer von vier zufälligen geht nach unten.</translation>
+    </message>
+    <message>
+        <source>One step of learning</source>
+        <translation>Ein Schritt Lernen</translation>
+    </message>
+    <message>
+        <source>Only exploring brings chance into these lives. Ten greedy lives would need ten learned robots, not ten seeds.</source>
+        <translation>Nur das Explorieren bringt Zufall in diese Leben. Zehn Greedy-Leben bräuchten zehn gelernte Roboter, nicht zehn Seeds.</translation>
+    </message>
+    <message>
+        <source>Only one step is worth less than 0: left from state 2. Look at the map of states 3 to 8.</source>
+        <translation>Nur ein Schritt ist weniger als 0 wert: links von Zustand 2. Sehen Sie auf der Karte die Zustände 3 bis 8 an.</translation>
+    </message>
+    <message>
+        <source>Only the step from 7 compares Q(7, right) with what comes after it, Q(8, A′).</source>
+        <translation>Nur der Schritt von 7 vergleicht Q(7, rechts) mit dem, was danach kommt, Q(8, A′).</translation>
+    </message>
+    <message>
+        <source>Only the step left from state 2 leads to the fall. Look at the values of all the others.</source>
+        <translation>Nur der Schritt nach links von Zustand 2 führt zum Sturz. Sehen Sie die Werte aller anderen an.</translation>
+    </message>
+    <message>
+        <source>Only the step to the right from state 9 gives +100. Which state can learn from state 9?</source>
+        <translation>Nur der Schritt nach rechts von Zustand 9 gibt +100. Welcher Zustand kann von Zustand 9 lernen?</translation>
+    </message>
+    <message>
+        <source>Only what it has learned is different: which torque helps at which angle and rate.</source>
+        <translation>Verschieden ist nur, was er gelernt hat: welches Drehmoment bei welchem Winkel und welcher Drehrate hilft.</translation>
+    </message>
+    <message>
+        <source>Order them by falls in reality, the fewest first.</source>
+        <translation>Ordnen Sie sie nach Stürzen in der Wirklichkeit, die wenigsten zuerst.</translation>
+    </message>
+    <message>
+        <source>Pause first. The map has the same squares as the field; the cliff is its lowest row.</source>
+        <translation>Halten Sie zuerst an. Die Karte hat dieselben Felder; ihre unterste Zeile ist die Klippe.</translation>
+    </message>
+    <message>
+        <source>Play a fall back</source>
+        <translation>Einen Sturz abspielen</translation>
+    </message>
+    <message>
+        <source>Punish falls harder?</source>
+        <translation>Stürze härter bestrafen?</translation>
+    </message>
+    <message>
+        <source>Punished with −6400.</source>
+        <translation>Bestraft mit −6400.</translation>
+    </message>
+    <message>
+        <source>Put it next to the edge</source>
+        <translation>An den Rand setzen</translation>
+    </message>
+    <message>
+        <source>Put the robot on a square at the edge, and let it go on.</source>
+        <translation>Setzen Sie den Roboter auf ein Feld am Rand und lassen Sie ihn weitergehen.</translation>
+    </message>
+    <message>
+        <source>Q(3, left) is {observed(2)}. Now look at state 2. The robot had been here two steps earlier, too, and went *right*, away from the fall. That step is blamed as well: *right* is worth {q(&quot;right&quot;)} now, *left* {round(q(&quot;left&quot;))}.</source>
+        <translation>Q(3, links) ist {observed(2)}. Sehen Sie jetzt Zustand 2 an. Der Roboter war zwei Schritte vorher schon einmal hier und ging nach *rechts*, weg vom Sturz. Auch dieser Schritt wird beschuldigt: *rechts* ist jetzt {q(&quot;right&quot;)} wert, *links* {round(q(&quot;left&quot;))}.</translation>
+    </message>
+    <message>
+        <source>Q(7, right) is still 0. What must happen for it to change?</source>
+        <translation>Q(7, rechts) ist noch 0. Was muss geschehen, damit sich das ändert?</translation>
+    </message>
+    <message>
+        <source>Q(8, right) after 500 episodes</source>
+        <translation>Q(8, rechts) nach 500 Episoden</translation>
+    </message>
+    <message>
+        <source>Q-learning</source>
+        <translation>Q-learning</translation>
+    </message>
+    <message>
+        <source>Q-learning falls</source>
+        <translation>Stürze Q-learning</translation>
+    </message>
+    <message>
+        <source>Q-learning knows the better way and earns less. How can both be true?</source>
+        <translation>Q-learning kennt den besseren Weg und verdient weniger. Wie kann beides wahr sein?</translation>
+    </message>
+    <message>
+        <source>Q⁺ is as fine as before, and the goal as near.</source>
+        <translation>Q⁺ ist so fein wie vorher, und das Ziel so nah.</translation>
+    </message>
+    <message>
+        <source>Q⁻ 0.1</source>
+        <translation>Q⁻ 0,1</translation>
+    </message>
+    <message>
+        <source>Q⁻ 0.4</source>
+        <translation>Q⁻ 0,4</translation>
+    </message>
+    <message>
+        <source>Q⁻ 1</source>
+        <translation>Q⁻ 1</translation>
+    </message>
+    <message>
+        <source>Q⁻ had 29 tiles in a full turn of the pole. How wide is one now?</source>
+        <translation>Q⁻ hatte 29 Kacheln in einer vollen Drehung des Stabs. Wie breit ist jetzt eine?</translation>
+    </message>
+    <message>
+        <source>Rather a little too weak than too strong: the robot then takes more states for lost, and has something in reserve in reality. But not so weak that it cannot learn the task in the simulation.</source>
+        <translation>Lieber etwas zu schwach als zu stark: Der Roboter hält dann mehr Zustände für verloren und hat in der Wirklichkeit Reserven. Aber nicht so schwach, dass er die Aufgabe in der Simulation nicht lernen kann.</translation>
+    </message>
+    <message>
+        <source>Resolution 4 has learned just as long.</source>
+        <translation>Auflösung 4 hat genauso lange gelernt.</translation>
+    </message>
+    <message>
+        <source>Row after five steps of its way</source>
+        <translation>Zeile nach fünf Schritten seines Weges</translation>
+    </message>
+    <message>
+        <source>Sarsa</source>
+        <translation>Sarsa</translation>
+    </message>
+    <message>
+        <source>Sarsa falls</source>
+        <translation>Stürze Sarsa</translation>
+    </message>
+    <message>
+        <source>Sarsa values what it really does, random steps included; Q-learning values what it would do without them.</source>
+        <translation>Sarsa bewertet, was es wirklich tut, zufällige Schritte eingeschlossen; Q-learning bewertet, was es ohne sie täte.</translation>
+    </message>
+    <message>
+        <source>Set the weight so that it falls at most 15 times in 200 real episodes.</source>
+        <translation>Stellen Sie das Gewicht so ein, dass er in 200 wirklichen Episoden höchstens 15-mal stürzt.</translation>
+    </message>
+    <message>
+        <source>Set γ so that state 2 comes to be worth between 1 and 5, and put the robot on state 2.</source>
+        <translation>Stellen Sie γ so ein, dass Zustand 2 schließlich zwischen 1 und 5 wert ist, und setzen Sie den Roboter auf Zustand 2.</translation>
+    </message>
+    <message>
+        <source>Set λ so that after the first fall Q(3, left) is between −23 and −27.</source>
+        <translation>Stellen Sie λ so ein, dass Q(3, links) nach dem ersten Sturz zwischen −23 und −27 liegt.</translation>
+    </message>
+    <message>
+        <source>Share it out by hand</source>
+        <translation>Von Hand verteilen</translation>
+    </message>
+    <message>
+        <source>Six minutes with a coarse Q⁻</source>
+        <translation>Sechs Minuten mit grobem Q⁻</translation>
+    </message>
+    <message>
+        <source>Six minutes, both fine</source>
+        <translation>Sechs Minuten, beide fein</translation>
+    </message>
+    <message>
+        <source>Sixteen grids</source>
+        <translation>Sechzehn Gitter</translation>
+    </message>
+    <message>
+        <source>Sixteen grids of resolution 1: how many different values can a full turn have?</source>
+        <translation>Sechzehn Gitter der Auflösung 1: Wie viele verschiedene Werte kann eine volle Drehung haben?</translation>
+    </message>
+    <message>
+        <source>So far a fall cost 100 points: its **reward** was −100. What if it cost nothing, or 1600? Robots that know nothing live 500 episodes, ten lives for each reward. On average they fall {mean(&quot;reward 0&quot;)} times with 0, {mean(&quot;reward −100&quot;)} times with −100 and {mean(&quot;reward −1600&quot;)} times with −1600. ε is 0.05 for all.</source>
+        <translation>Bisher kostete ein Sturz 100 Punkte: Seine **Belohnung** war −100. Und wenn er nichts kostete, oder 1600? Roboter, die nichts wissen, leben 500 Episoden, zehn Leben für jede Belohnung. Im Mittel stürzen sie {mean(&quot;reward 0&quot;)}-mal mit 0, {mean(&quot;reward −100&quot;)}-mal mit −100 und {mean(&quot;reward −1600&quot;)}-mal mit −1600. ε ist bei allen 0,05.</translation>
+    </message>
+    <message>
+        <source>So far all lives began with what one robot had learned. Now each life has a simulation of its own, with strong motors: ten simulations for ε = 0.05, and ten **others** for ε = 0.1. Some simulations teach more than others.</source>
+        <translation>Bisher begannen alle Leben mit dem, was ein Roboter gelernt hatte. Jetzt hat jedes Leben eine eigene Simulation, mit starken Motoren: zehn Simulationen für ε = 0,05 und zehn **andere** für ε = 0,1. Manche Simulationen lehren mehr als andere.</translation>
+    </message>
+    <message>
+        <source>Softmax</source>
+        <translation>Softmax</translation>
+    </message>
+    <message>
+        <source>Softmax and greedy, five lives</source>
+        <translation>Softmax und greedy, fünf Leben</translation>
+    </message>
+    <message>
+        <source>Softmax and greedy, thirty lives</source>
+        <translation>Softmax und greedy, dreißig Leben</translation>
+    </message>
+    <message>
+        <source>Softmax and ε-greedy</source>
+        <translation>Softmax und ε-greedy</translation>
+    </message>
+    <message>
+        <source>Softmax, again thirty</source>
+        <translation>Softmax, wieder dreißig</translation>
+    </message>
+    <message>
+        <source>Softmax, five</source>
+        <translation>Softmax, fünf</translation>
+    </message>
+    <message>
+        <source>Somebody claims: &quot;In thirty lives Softmax fell {mean(&quot;Softmax, again thirty&quot;)} times and ε-greedy {mean(&quot;ε-greedy, again thirty&quot;)} times; the interval leaves out 0. So Softmax is the way not to fall.&quot; You remember: greedy fell {mean(&quot;greedy&quot;)} times.</source>
+        <translation>Jemand behauptet: „In dreißig Leben stürzte Softmax {mean(&quot;Softmax, again thirty&quot;)}-mal und ε-greedy {mean(&quot;ε-greedy, again thirty&quot;)}-mal; das Intervall schließt die 0 aus. Also stürzt man mit Softmax am seltensten.“ Sie erinnern sich: Greedy stürzte {mean(&quot;greedy&quot;)}-mal.</translation>
+    </message>
+    <message>
+        <source>Something between</source>
+        <translation>Etwas dazwischen</translation>
+    </message>
+    <message>
+        <source>State 6 is worth {observed(2)}, which is 0.9³ · 100. State 2 lies seven steps from state 9: 0.9⁷ · 100 is about 48. Turn γ and let the robot go on: the map follows. Click state 2 to put the robot there; it reads the value.</source>
+        <translation>Zustand 6 ist {observed(2)} wert, das ist 0,9³ · 100. Zustand 2 liegt sieben Schritte von Zustand 9: 0,9⁷ · 100 ist etwa 48. Drehen Sie an γ und lassen Sie den Roboter weitermachen: Die Karte folgt. Klicken Sie auf Zustand 2, um den Roboter dorthin zu setzen; dann steht der Wert da.</translation>
+    </message>
+    <message>
+        <source>States that need different actions share a tile.</source>
+        <translation>Zustände, die verschiedene Aktionen brauchen, teilen eine Kachel.</translation>
+    </message>
+    <message>
+        <source>Step 1: the values grow from the goal backwards, one state at a time. Let somebody say it aloud: &quot;the worth of a state is γ times the worth of the next one&quot;.
+
+Step 6 is the one for a vote. Expect to hear that far-sighted is best, and 4 to 6 steps. With γ = 1 all values tie at 100, so the robot tosses a coin except at the edge of the fall. It takes about as long as with γ = 0, for the opposite reason: there all are worth 0. In step 8 any γ between, even 0.5, makes it go straight; only the size of the values changes.
+
+For those who know the field: Q-learning with α = 1 and ε = 0.2, so that in this world without chance the values are exact and really tie. It takes one step in five at random; that is why 4.5 steps, the shortest possible, are not quite reached. γ = 1 is not wrong as such: at the cliff each step costs 1, and γ = 1 is the usual choice there.</source>
+        <translation>Schritt 1: Die Werte wachsen vom Ziel aus rückwärts, ein Zustand nach dem anderen. Lassen Sie es jemanden laut sagen: „Ein Zustand ist γ-mal so viel wert wie der nächste.“
+
+Schritt 6 eignet sich für eine Abstimmung. Erwarten Sie, dass weitsichtig am besten sei, und 4 bis 6 Schritte. Mit γ = 1 sind alle Werte gleich 100, sodass der Roboter eine Münze wirft, außer am Rand des Sturzes. Er braucht etwa so lange wie mit γ = 0, aus dem umgekehrten Grund: Dort sind alle 0 wert. In Schritt 8 lässt ihn jedes γ dazwischen, selbst 0,5, geradeaus gehen; nur die Größe der Werte ändert sich.
+
+Für Fachleute: Q-learning mit α = 1 und ε = 0,2, sodass die Werte in dieser Welt ohne Zufall exakt sind und wirklich gleich werden. Jeder fünfte Schritt ist zufällig; darum werden 4,5 Schritte, das kürzest Mögliche, nicht ganz erreicht. γ = 1 ist an sich nicht falsch: An der Klippe kostet jeder Schritt 1, und dort ist γ = 1 die übliche Wahl.</translation>
+    </message>
+    <message>
+        <source>Step 3 computes for about ten seconds, on a slow machine for half a minute: talk meanwhile. Seeds 1 to 4, one life each: first ten minutes 300 to 383 falls, two hours 768 to 1,897, the ten minutes after 13 to 46; on the other robot in ten minutes ε 0.05 6 to 45, greedy 0 to 11, and greedy less every time. The recipe walker-mismatch has 25 learned robots and a whole hour: ε 0.05 163 ± 36 falls, ε 0.01 65 ± 19, greedy 34 ± 14. With which of them a life begins matters more than the policy: greedy falls 1 to 137 times in that hour. What they should not take home: that greedy is best for learning from nothing. There it falls less, too, but only 13 of 30 lives walk at the end, with ε 0.05 25 of 30 (recipe walker-scratch).</source>
+        <translation>Schritt 3 rechnet etwa zehn Sekunden, auf einer langsamen Maschine eine halbe Minute: Reden Sie inzwischen. Seeds 1 bis 4, je ein Leben: erste zehn Minuten 300 bis 383 Stürze, zwei Stunden 768 bis 1 897, die zehn Minuten danach 13 bis 46; auf dem anderen Roboter in zehn Minuten ε 0,05 6 bis 45, greedy 0 bis 11, und greedy jedes Mal weniger. Das Rezept walker-mismatch hat 25 gelernte Roboter und eine ganze Stunde: ε 0,05 163 ± 36 Stürze, ε 0,01 65 ± 19, greedy 34 ± 14. Mit welchem davon ein Leben beginnt, ist wichtiger als die Policy: greedy stürzt in dieser Stunde 1- bis 137-mal. Was man nicht mitnehmen soll: dass greedy zum Lernen von null an am besten sei. Auch dort stürzt es seltener, aber am Ende gehen nur 13 von 30 Leben, mit ε 0,05 25 von 30 (Rezept walker-scratch).</translation>
+    </message>
+    <message>
+        <source>Steps in the first ten episodes</source>
+        <translation>Schritte in den ersten zehn Episoden</translation>
+    </message>
+    <message>
+        <source>Steps per episode, over 300 episodes</source>
+        <translation>Schritte je Episode, über 300 Episoden</translation>
+    </message>
+    <message>
+        <source>Steps per episode: {observed(4)} with γ = 0.9, {observed(5)} with γ = 0. Now **γ = 1**: a reward counts in full, however far away it is. The robot begins again and lives 300 episodes.</source>
+        <translation>Schritte je Episode: {observed(4)} mit γ = 0,9, {observed(5)} mit γ = 0. Jetzt **γ = 1**: Eine Belohnung zählt voll, wie weit entfernt sie auch ist. Der Roboter beginnt neu und lebt 300 Episoden.</translation>
+    </message>
+    <message>
+        <source>Steps with an action other than the best, of 100</source>
+        <translation>Schritte mit einer anderen Aktion als der besten, von 100</translation>
+    </message>
+    <message>
+        <source>TRL 100</source>
+        <translation>TRL 100</translation>
+    </message>
+    <message>
+        <source>TRL 50</source>
+        <translation>TRL 50</translation>
+    </message>
+    <message>
+        <source>TRL 50, ε 0.2</source>
+        <translation>TRL 50, ε 0,2</translation>
+    </message>
+    <message>
+        <source>TRL with a threshold of 50 fell less than ε-greedy with the same ε. But who says that ε must be 0.2? Ten lives of each: TRL 50 with ε = 0.2, and plain ε-greedy with ε = 0.05.</source>
+        <translation>TRL mit einer Schwelle von 50 stürzte seltener als ε-greedy mit demselben ε. Aber wer sagt, dass ε 0,2 sein muss? Je zehn Leben: TRL 50 mit ε = 0,2 und einfaches ε-greedy mit ε = 0,05.</translation>
+    </message>
+    <message>
+        <source>Take the pole in your hand</source>
+        <translation>Den Stab in die Hand nehmen</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Temperatur</translation>
+    </message>
+    <message>
+        <source>Ten lives each: on average {mean(&quot;Q⁻ 1&quot;)} falls with resolution 1 of Q⁻, {mean(&quot;Q⁻ 0.4&quot;)} with 0.4 and {mean(&quot;Q⁻ 0.1&quot;)} with **0.1**. Here is one with 0.1 after 20 episodes, held nearly upright, at 3°. Two of its five actions promise a heavy loss there: {q(&quot;0&quot;)} and {q(&quot;1.5&quot;)}.</source>
+        <translation>Je zehn Leben: im Mittel {mean(&quot;Q⁻ 1&quot;)} Stürze mit Auflösung 1 von Q⁻, {mean(&quot;Q⁻ 0.4&quot;)} mit 0,4 und {mean(&quot;Q⁻ 0.1&quot;)} mit **0,1**. Hier ist eines mit 0,1 nach 20 Episoden, fast aufrecht festgehalten, bei 3°. Zwei seiner fünf Aktionen versprechen dort einen schweren Verlust: {q(&quot;0&quot;)} und {q(&quot;1.5&quot;)}.</translation>
+    </message>
+    <message>
+        <source>Ten lives give an interval of ± 4 falls. About how many give ± 1?</source>
+        <translation>Zehn Leben ergeben ein Intervall von ± 4 Stürzen. Wie viele ergeben etwa ± 1?</translation>
+    </message>
+    <message>
+        <source>Ten lives of each</source>
+        <translation>Je zehn Leben</translation>
+    </message>
+    <message>
+        <source>Ten lives with each resolution, the first two minutes. Falls on average: {mean(&quot;resolution 0.25&quot;)} with 0.25; {mean(&quot;resolution 1&quot;)} with 1; {mean(&quot;resolution 4&quot;)} with 4; {mean(&quot;resolution 8&quot;)} with 8.</source>
+        <translation>Zehn Leben mit jeder Auflösung, die ersten zwei Minuten. Stürze im Mittel: {mean(&quot;resolution 0.25&quot;)} mit 0,25; {mean(&quot;resolution 1&quot;)} mit 1; {mean(&quot;resolution 4&quot;)} mit 4; {mean(&quot;resolution 8&quot;)} mit 8.</translation>
+    </message>
+    <message>
+        <source>Ten lives with each γ: at most {most(&quot;γ 0.9&quot;)} steps per episode with γ = 0.9, at least {least(&quot;γ 0&quot;)} with γ = 0, at least {least(&quot;γ 1&quot;)} with γ = 1. On the map states 2 to 9 are all worth 100 now. The goal is known, and still it takes its time.</source>
+        <translation>Zehn Leben mit jedem γ: höchstens {most(&quot;γ 0.9&quot;)} Schritte je Episode mit γ = 0,9, mindestens {least(&quot;γ 0&quot;)} mit γ = 0, mindestens {least(&quot;γ 1&quot;)} mit γ = 1. Auf der Karte sind die Zustände 2 bis 9 jetzt alle 100 wert. Das Ziel ist bekannt, und doch lässt er sich Zeit.</translation>
+    </message>
+    <message>
+        <source>Ten minutes are 600 seconds. For how long does it stay up?</source>
+        <translation>Zehn Minuten sind 600 Sekunden. Wie lange bleibt er auf den Beinen?</translation>
+    </message>
+    <message>
+        <source>Ten pairs</source>
+        <translation>Zehn Paare</translation>
+    </message>
+    <message>
+        <source>Ten states in a row</source>
+        <translation>Zehn Zustände in einer Reihe</translation>
+    </message>
+    <message>
+        <source>Ten states in a row, a fall at one end and the goal at the other. You work out what a state is worth, turn the knob that decides how far a reward reaches, and watch what the robot makes of it.</source>
+        <translation>Zehn Zustände in einer Reihe, an einem Ende ein Sturz und am anderen das Ziel. Sie rechnen aus, was ein Zustand wert ist, drehen an dem Regler, der bestimmt, wie weit eine Belohnung reicht, und sehen, was der Roboter daraus macht.</translation>
+    </message>
+    <message>
+        <source>Ten states in a row. State 1 is a fall: reward −100. State 10 is the goal: +100. All other steps give 0. The robot starts in between and steps left or right. The map shows what each state is worth so far: what the better step promises. Which state learns first?</source>
+        <translation>Zehn Zustände in einer Reihe. Zustand 1 ist ein Sturz: Belohnung −100. Zustand 10 ist das Ziel: +100. Alle anderen Schritte geben 0. Der Roboter beginnt dazwischen und geht nach links oder rechts. Die Karte zeigt, was jeder Zustand bisher wert ist: was der bessere Schritt verspricht. Welcher Zustand lernt zuerst?</translation>
+    </message>
+    <message>
+        <source>Ten states in a row: how far a reward reaches, from γ = 0 to γ = 1.</source>
+        <translation>Zehn Zustände in einer Reihe: wie weit eine Belohnung reicht, von γ = 0 bis γ = 1.</translation>
+    </message>
+    <message>
+        <source>The cliff: Sarsa or Q-learning?</source>
+        <translation>Die Klippe: Sarsa oder Q-learning?</translation>
+    </message>
+    <message>
+        <source>The difference is there, but Softmax cannot be told from greedy. A method has to beat the best simple one.</source>
+        <translation>Der Unterschied ist da, aber Softmax lässt sich nicht von greedy unterscheiden. Eine Methode muss die beste einfache schlagen.</translation>
+    </message>
+    <message>
+        <source>The episodes are numbered along the bottom of the chart. The last twenty are at its right end.</source>
+        <translation>Die Episoden sind am unteren Rand des Diagramms nummeriert. Die letzten zwanzig stehen ganz rechts.</translation>
+    </message>
+    <message>
+        <source>The falls of the other one</source>
+        <translation>Die Stürze des anderen</translation>
+    </message>
+    <message>
+        <source>The first surprise</source>
+        <translation>Die erste Überraschung</translation>
+    </message>
+    <message>
+        <source>The first ten minutes</source>
+        <translation>Die ersten zehn Minuten</translation>
+    </message>
+    <message>
+        <source>The first two minutes</source>
+        <translation>Die ersten zwei Minuten</translation>
+    </message>
+    <message>
+        <source>The goal gives the same 100 as with γ = 0.9, where the robot hurried.</source>
+        <translation>Das Ziel gibt dieselben 100 wie mit γ = 0,9, wo der Roboter sich beeilte.</translation>
+    </message>
+    <message>
+        <source>The goal gives too little.</source>
+        <translation>Das Ziel bringt zu wenig.</translation>
+    </message>
+    <message>
+        <source>The greedy robot still learns. From what?</source>
+        <translation>Der Greedy-Roboter lernt immer noch. Woraus?</translation>
+    </message>
+    <message>
+        <source>The idea in one sentence: what is learned (values and risk) and what is done with it (the policy) are two things, and only the second has to be careful in reality. The risk is a probability of its own (Geibel and Wysotzki 2005), learned as a value is, with a reward of 1 for a fall.
+
+Why is a penalty not the same? While it learns in one world only, it is, exactly: choosing by Q − wρ with ρ on the tiles of Q is a fall reward lower by w, life for life. The difference is the change from one world to the other: a penalty must be there from the beginning, and makes the lesson timid.
+
+Greedy is the fair opponent, because who does not explore does not fall from exploring. Ask for it before you show it: here it falls even more often, because it does what was right in the simulation and corrects it late. Ten lives each fell 75 times on average as bold as before, 93 greedy, 22 punished with −6400, 11 careful.</source>
+        <translation>Die Idee in einem Satz: Was gelernt wird (Werte und Risiko) und was damit getan wird (die Policy), sind zwei Dinge, und nur das zweite muss in der Wirklichkeit vorsichtig sein. Das Risiko ist eine eigene Wahrscheinlichkeit (Geibel und Wysotzki 2005), gelernt wie ein Wert, mit einer Belohnung von 1 für einen Sturz.
+
+Warum ist eine Strafe nicht dasselbe? Solange er nur in einer Welt lernt, ist sie es genau: Nach Q − wρ zu wählen, mit ρ auf den Kacheln von Q, ist eine um w niedrigere Sturzbelohnung, Leben für Leben. Der Unterschied liegt im Wechsel von einer Welt zur anderen: Eine Strafe muss von Anfang an da sein und macht das Lernen dort ängstlich.
+
+Greedy ist der faire Gegner, denn wer nicht exploriert, stürzt nicht durchs Explorieren. Fragen Sie danach, bevor Sie es zeigen: Hier stürzt es sogar öfter, weil es tut, was in der Simulation richtig war, und es spät berichtigt. Je zehn Leben stürzten im Mittel 75-mal so kühn wie vorher, 93-mal greedy, 22-mal bestraft mit −6400, 11-mal vorsichtig.</translation>
+    </message>
+    <message>
+        <source>The last step brought the first surprise: δ = 100, and Q(9, right) rose by 0.5 · 100 to 50. Now the robot is put on state 9 again and goes right again. The reward is R = 100. After the goal there is no next step, so γ Q(S′, A′) is 0.</source>
+        <translation>Der letzte Schritt brachte die erste Überraschung: δ = 100, und Q(9, rechts) stieg um 0,5 · 100 auf 50. Nun wird der Roboter wieder auf Zustand 9 gesetzt und geht wieder nach rechts. Die Belohnung ist R = 100. Nach dem Ziel gibt es keinen nächsten Schritt, also ist γ Q(S′, A′) gleich 0.</translation>
+    </message>
+    <message>
+        <source>The left robot explores with any action, also one that is worth far less than the best. The right one seldom takes such an action: how seldom, its temperature decides.</source>
+        <translation>Der linke Roboter exploriert mit jeder Aktion, auch einer, die viel weniger wert ist als die beste. Der rechte nimmt so eine Aktion selten: Wie selten, bestimmt seine Temperatur.</translation>
+    </message>
+    <message>
+        <source>The lesson was as bold as before, so it met many falls; what it learned of them is obeyed where it counts.</source>
+        <translation>Die Lektion war so kühn wie vorher, brachte also viele Stürze; an das, was er aus ihnen lernte, hält er sich, wo es zählt.</translation>
+    </message>
+    <message>
+        <source>The map shows Q⁻ below. How much of it has a value at all?</source>
+        <translation>Die Karte zeigt unten Q⁻. Wie viel davon hat überhaupt einen Wert?</translation>
+    </message>
+    <message>
+        <source>The other robot, greedy</source>
+        <translation>Der andere Roboter, greedy</translation>
+    </message>
+    <message>
+        <source>The pole falls to both sides alike. What would a tile of 360° say?</source>
+        <translation>Der Stab fällt nach beiden Seiten gleich. Was würde eine Kachel von 360° sagen?</translation>
+    </message>
+    <message>
+        <source>The practised robot begins as far over. Look at where its episodes begin.</source>
+        <translation>Der geübte Roboter beginnt ebenso schief. Sehen Sie, wo seine Episoden beginnen.</translation>
+    </message>
+    <message>
+        <source>The risk is a probability: it counts falls, whatever they cost.</source>
+        <translation>Das Risiko ist eine Wahrscheinlichkeit: Es zählt Stürze, was immer sie kosten.</translation>
+    </message>
+    <message>
+        <source>The robot begins again and lives 100 episodes. Each time it steps right from state 9 the reward is 100, and the surprise is half as large as the time before: 100, 50, 25 …</source>
+        <translation>Der Roboter beginnt neu und lebt 100 Episoden. Jedes Mal, wenn er von Zustand 9 nach rechts geht, ist die Belohnung 100 und die Überraschung halb so groß wie beim vorigen Mal: 100, 50, 25 …</translation>
+    </message>
+    <message>
+        <source>The robot is told 200 and −100. What would it learn if a fall cost nothing?</source>
+        <translation>Dem Roboter werden 200 und −100 mitgeteilt. Was würde er lernen, wenn ein Sturz nichts kostete?</translation>
+    </message>
+    <message>
+        <source>The robot knows nothing yet and walks at random until it falls: −100. α is 0.5. Only the last step learns from the fall: *left* from state 2 loses 50. Follow the walk. Did the steps before it have no part in the fall?</source>
+        <translation>Der Roboter weiß noch nichts und geht zufällig umher, bis er stürzt: −100. α ist 0,5. Nur der letzte Schritt lernt aus dem Sturz: *links* von Zustand 2 verliert 50. Verfolgen Sie den Weg. Hatten die Schritte davor keinen Anteil am Sturz?</translation>
+    </message>
+    <message>
+        <source>The robot must reach the goal once more.</source>
+        <translation>Der Roboter muss das Ziel noch einmal erreichen.</translation>
+    </message>
+    <message>
+        <source>The robot must step from 7 to 8.</source>
+        <translation>Der Roboter muss von 7 nach 8 gehen.</translation>
+    </message>
+    <message>
+        <source>The same beginning, but now the **resolution** of Q⁻, the knob *scale*, is 0.4 in place of 1: its tiles are wider. Q⁺ stays as it was. Again 20 episodes, {falls} falls. In the same state it now expects {q(&quot;0&quot;)}. With wider tiles a fall is felt further away.</source>
+        <translation>Derselbe Anfang, aber jetzt ist die **Auflösung** von Q⁻, der Regler *Skalierung*, 0,4 statt 1: Seine Kacheln sind breiter. Q⁺ blieb, wie es war. Wieder 20 Episoden, {falls} Stürze. Im selben Zustand erwartet er jetzt {q(&quot;0&quot;)}. Mit breiteren Kacheln ist ein Sturz weiter weg zu spüren.</translation>
+    </message>
+    <message>
+        <source>The same once more, but in **pairs**: both ε begin with what was learned in the same ten simulations, and the difference within each pair is judged. What makes both lives of a pair good or bad drops out.</source>
+        <translation>Dasselbe noch einmal, aber in **Paaren**: Beide ε beginnen mit dem, was in denselben zehn Simulationen gelernt wurde, und beurteilt wird der Unterschied in jedem Paar. Was beide Leben eines Paars gut oder schlecht macht, fällt heraus.</translation>
+    </message>
+    <message>
+        <source>The same robot after 20 minutes</source>
+        <translation>Derselbe Roboter nach 20 Minuten</translation>
+    </message>
+    <message>
+        <source>The same robot could obey its risk in the simulation already. Then it would fall less there, too.</source>
+        <translation>Derselbe Roboter könnte sich schon in der Simulation an sein Risiko halten. Dann würde er auch dort seltener stürzen.</translation>
+    </message>
+    <message>
+        <source>The same step again</source>
+        <translation>Derselbe Schritt noch einmal</translation>
+    </message>
+    <message>
+        <source>The states are cut into **tiles**, and states in one tile share their values. A full turn of the pole is cut into 12 tiles times the **resolution** (the knob *Scale*), here 0.25. The robot has learned from nothing for two minutes. The map has two of them, one for each side, and ends before they do.</source>
+        <translation>Die Zustände werden in **Kacheln** geteilt, und Zustände in einer Kachel teilen ihre Werte. Eine volle Drehung des Stabs wird in 12 Kacheln mal der **Auflösung** (der Regler *Skalierung*) geteilt, hier 0,25. Der Roboter hat zwei Minuten von null an gelernt. Die Karte zeigt zwei davon, eine für jede Seite, und endet, bevor sie es tun.</translation>
+    </message>
+    <message>
+        <source>The step into the goal changes Q(9, right) only. Look at what the last step changed.</source>
+        <translation>Der Schritt ins Ziel ändert nur Q(9, rechts). Sehen Sie nach, was der letzte Schritt geändert hat.</translation>
+    </message>
+    <message>
+        <source>The steps it takes</source>
+        <translation>Die Schritte, die er braucht</translation>
+    </message>
+    <message>
+        <source>The ten minutes after</source>
+        <translation>Die zehn Minuten danach</translation>
+    </message>
+    <message>
+        <source>The walk to the first fall is 4, 3, 4, 3, 2, 3, 2, fall, for everybody: nothing is learned before it, so λ does not change it. Draw it on the board and let the class say who is guilty before step 2.
+
+Step 2: whoever says 45 has forgotten γ or λ. The marks fade by the product.
+
+Strictly, every step but the last could still be undone here. On a robot it is otherwise: when a pole falls, the last steps cannot save it any more, and those that could were taken earlier.
+
+Step 3 is the heart: *right* from state 2 was the step that saved the robot, and it loses 32.8. Those who say that all actions of a state are blamed have a point in other programs, not here: *left* lost 50.
+
+Step 5 and 6: with λ = 0 this life needs 7 goals until it stands on state 5 and knows, with λ = 0.9 it needs 2. Over 24 other seeds it was 5 to 14 with λ = 0, 1 to 6 with λ = 0.9, and never more with λ = 0.9 than with λ = 0. That it is not always 1 has two reasons: the first way to the goal need not lead past state 5, and the robot has to be on state 5 to show that it knows.</source>
+        <translation>Der Weg bis zum ersten Sturz ist für alle 4, 3, 4, 3, 2, 3, 2, Sturz: Vorher wird nichts gelernt, also ändert λ ihn nicht. Zeichnen Sie ihn an die Tafel und lassen Sie den Kurs vor Schritt 2 sagen, wer schuld ist.
+
+Schritt 2: Wer 45 sagt, hat γ oder λ vergessen. Die Marken verblassen mit dem Produkt.
+
+Streng genommen wäre hier jeder Schritt außer dem letzten noch gutzumachen. Bei einem Roboter ist das anders: Wenn ein Stab fällt, können ihn die letzten Schritte nicht mehr retten, und die, die es konnten, liegen weiter zurück.
+
+Schritt 3 ist der Kern: *rechts* von Zustand 2 war der Schritt, der den Roboter rettete, und er verliert 32,8. Wer sagt, dass alle Aktionen eines Zustands beschuldigt werden, hätte in anderen Programmen nicht unrecht, hier aber schon: *links* verlor 50.
+
+Schritt 5 und 6: Mit λ = 0 braucht dieses Leben 7 Ziele, bis es auf Zustand 5 steht und es weiß, mit λ = 0,9 sind es 2. Bei 24 anderen Seeds waren es 5 bis 14 mit λ = 0, 1 bis 6 mit λ = 0,9, und mit λ = 0,9 nie mehr als mit λ = 0. Dass es nicht immer 1 ist, hat zwei Gründe: Der erste Weg zum Ziel muss nicht an Zustand 5 vorbeiführen, und der Roboter muss auf Zustand 5 stehen, um zu zeigen, dass er es weiß.</translation>
+    </message>
+    <message>
+        <source>The way of good news, λ = 0</source>
+        <translation>Der Weg guter Nachrichten, λ = 0</translation>
+    </message>
+    <message>
+        <source>The way of good news, λ = 0.9</source>
+        <translation>Der Weg guter Nachrichten, λ = 0,9</translation>
+    </message>
+    <message>
+        <source>The weight is a knob for reality alone: turn it while the robot lives, and nothing must be learned anew. It begins at 0. A penalty is not such a knob: it is part of what was learned.</source>
+        <translation>Das Gewicht ist ein Regler nur für die Wirklichkeit: Drehen Sie daran, während der Roboter lebt; nichts muss neu gelernt werden. Es beginnt bei 0. Eine Strafe ist kein solcher Regler: Sie ist Teil dessen, was gelernt wurde.</translation>
+    </message>
+    <message>
+        <source>The wheel&apos;s rate is cut into tiles, too. Would you give it the same width as the pole&apos;s angle?</source>
+        <translation>Auch die Drehrate des Rades wird in Kacheln geteilt. Würden Sie ihr dieselbe Breite geben wie dem Winkel des Stabs?</translation>
+    </message>
+    <message>
+        <source>The ε-greedy lives differ within the same three minutes.</source>
+        <translation>Die ε-greedy-Leben unterscheiden sich in denselben drei Minuten.</translation>
+    </message>
+    <message>
+        <source>Then both would be worth the same. Look at the two bars.</source>
+        <translation>Dann wären beide gleich viel wert. Sehen Sie die zwei Balken an.</translation>
+    </message>
+    <message>
+        <source>Then it would expect a gain. It expects nearly nothing.</source>
+        <translation>Dann würde er einen Gewinn erwarten. Er erwartet fast nichts.</translation>
+    </message>
+    <message>
+        <source>Then those that stop exploring would fall as often. Look at the dots.</source>
+        <translation>Dann würden die, die nicht mehr explorieren, ebenso oft stürzen. Sehen Sie die Punkte an.</translation>
+    </message>
+    <message>
+        <source>There are 343 actions, and a state is ten numbers. No table can hold each state by itself; 16 displaced grids of tiles share them out. It begins again, with ε = 0.05. Ten simulated minutes take the computer a second or two.</source>
+        <translation>Es gibt 343 Aktionen, und ein Zustand sind zehn Zahlen. Keine Tabelle kann jeden Zustand einzeln fassen; 16 versetzte Gitter von Kacheln teilen sie auf. Er beginnt neu, mit ε = 0,05. Zehn simulierte Minuten brauchen auf dem Rechner ein, zwei Sekunden.</translation>
+    </message>
+    <message>
+        <source>There is another opponent. The **greedy** policy always takes the best action it knows: it takes another in 0 of 100 steps. Ten lives each, greedy and Softmax with τ = 1.5. The program judges the difference life by life: if its 95 % interval holds 0, one cannot tell.</source>
+        <translation>Es gibt noch einen Gegner. Die **Greedy**-Policy nimmt immer die beste Aktion, die sie kennt: in 0 von 100 Schritten eine andere. Je zehn Leben, greedy und Softmax mit τ = 1,5. Das Programm beurteilt den Unterschied Leben für Leben: Enthält sein 95-%-Intervall die 0, lässt es sich nicht sagen.</translation>
+    </message>
+    <message>
+        <source>They forget sooner.</source>
+        <translation>Sie vergessen schneller.</translation>
+    </message>
+    <message>
+        <source>They have nothing left to learn.</source>
+        <translation>Sie haben nichts mehr zu lernen.</translation>
+    </message>
+    <message>
+        <source>They keep what they learned, as wide ones do.</source>
+        <translation>Sie behalten, was sie gelernt haben, wie breite auch.</translation>
+    </message>
+    <message>
+        <source>They learn from every step, as the others do.</source>
+        <translation>Sie lernen aus jedem Schritt, wie die anderen.</translation>
+    </message>
+    <message>
+        <source>They tell more apart than wider ones.</source>
+        <translation>Sie unterscheiden mehr als breitere.</translation>
+    </message>
+    <message>
+        <source>They tell too few states apart.</source>
+        <translation>Sie unterscheiden zu wenige Zustände.</translation>
+    </message>
+    <message>
+        <source>Think of the two states: which actions did Softmax hardly ever take?</source>
+        <translation>Denken Sie an die zwei Zustände: Welche Aktionen nahm Softmax fast nie?</translation>
+    </message>
+    <message>
+        <source>Thirty lives of each</source>
+        <translation>Je dreißig Leben</translation>
+    </message>
+    <message>
+        <source>Thirty were enough: the interval leaves out 0.</source>
+        <translation>Dreißig genügten: Das Intervall schließt die 0 aus.</translation>
+    </message>
+    <message>
+        <source>This Sarsa walks {observed(2)} steps. **Q-learning** values a step by the best step that it could take next. Ten lives of each learned for 500 episodes; then they walk without exploring. The dots show their row after five steps: row 1 is the edge, row 3 the top.</source>
+        <translation>Dieses Sarsa geht {observed(2)} Schritte. **Q-learning** bewertet einen Schritt nach dem besten, den es danach gehen könnte. Je zehn Leben lernten 500 Episoden; nun gehen sie ohne zu explorieren. Die Punkte zeigen ihre Zeile nach fünf Schritten: Zeile 1 ist der Rand, Zeile 3 liegt oben.</translation>
+    </message>
+    <message>
+        <source>This is Example 6.6 of Sutton and Barto, with their ε = 0.1 and γ = 1, and α = 0.3. Say &quot;the short way&quot; and &quot;the long way&quot; until step 3, not the names: that is the prediction.
+
+Step 2: whoever knows shortest-path problems may say 13. Of 200 Sarsa lives that we tried 184 had a way of 17 steps, 5 of 15, 3 of 19, and 8 went in a circle, because their values were still noisy when learning stopped. After five steps 198 of them were on row 2 or 3. Q-learning&apos;s way had 13 steps in all lives that we tried.
+
+Step 6 has a trap: to set ε to 0 without starting again does not change the way. What the squares at the edge are worth was learned with falls, and without exploring the robot never goes there to correct it. That is worth a discussion of its own. A very small ε is not enough either: at 0.005 most lives still keep off the edge.
+
+Which is better? While they explore Sarsa earns more (about −23 against −48 in the last 80 episodes), afterwards Q-learning does (−13 against −17). &quot;Better&quot; needs a &quot;when&quot;.
+
+Step 7: of ten lives each falls about twelve times, once for each way over the edge, and its way has 13 steps. With ε = 0 it falls as rarely; but this one goes on exploring, in one step of fifteen. To forbid the greedy action as well (the rule *filter*) does not work here: standing still in a corner is the safest of all.</source>
+        <translation>Das ist Beispiel 6.6 von Sutton und Barto, mit ihrem ε = 0,1 und γ = 1, und α = 0,3. Sagen Sie bis Schritt 3 „der kurze Weg“ und „der lange Weg“, nicht die Namen: Das ist die Vorhersage.
+
+Schritt 2: Wer Kürzeste-Wege-Probleme kennt, sagt vielleicht 13. Von 200 Leben mit Sarsa, die wir probierten, hatten 184 einen Weg von 17 Schritten, 5 von 15, 3 von 19, und 8 gingen im Kreis, weil ihre Werte noch rauschten, als das Lernen endete. Nach fünf Schritten waren 198 von ihnen in Zeile 2 oder 3. Der Weg von Q-learning hatte in allen Leben, die wir probierten, 13 Schritte.
+
+Schritt 6 hat eine Falle: ε auf 0 zu setzen, ohne neu zu starten, ändert den Weg nicht. Was die Felder am Rand wert sind, wurde mit Stürzen gelernt, und ohne Explorieren kommt der Roboter nie dorthin, um es zu berichtigen. Das ist ein eigenes Gespräch wert. Ein sehr kleines ε genügt auch nicht: Bei 0,005 halten die meisten Leben noch Abstand.
+
+Welche ist besser? Solange sie explorieren, verdient Sarsa mehr (etwa −23 gegen −48 in den letzten 80 Episoden), danach Q-learning (−13 gegen −17). Zu „besser“ gehört ein „wann“.
+
+Schritt 7: Von zehn Leben stürzt jedes etwa zwölfmal, einmal für jede Art, über den Rand zu gehen, und sein Weg hat 13 Schritte. Mit ε = 0 stürzt es ebenso selten; dieses hier exploriert aber weiter, in einem von fünfzehn Schritten. Auch die Greedy-Aktion zu verbieten (die Regel *filter*) taugt hier nicht: In einer Ecke stillzustehen ist das Sicherste von allem.</translation>
+    </message>
+    <message>
+        <source>This is Sarsa again, after 500 episodes with ε = 0.1. Turn one knob, then press Restart, the round arrow: it must learn anew. A way of 13 steps without a fall gives a reward of −13 an episode. Look at the average reward of the last 80 episodes.</source>
+        <translation>Das ist wieder Sarsa, nach 500 Episoden mit ε = 0,1. Drehen Sie an einem Regler und drücken Sie dann Neustart, den runden Pfeil: Es muss neu lernen. Ein Weg von 13 Schritten ohne Sturz gibt eine Belohnung von −13 je Episode. Sehen Sie auf die mittlere Belohnung der letzten 80 Episoden.</translation>
+    </message>
+    <message>
+        <source>This robot has learned in a simulation. Its pole leans a little and swings back up. The bars show what each action is worth, **Q**, and how likely **Softmax** takes it: the better, the likelier. One knob sets how much likelier, the temperature **τ**. Drag it down and up; type 1000 into its number.</source>
+        <translation>Dieser Roboter hat in einer Simulation gelernt. Sein Stab neigt sich etwas und schwingt zurück. Die Balken zeigen, was jede Aktion wert ist, **Q**, und wie wahrscheinlich **Softmax** sie wählt: je besser, desto eher. Ein Regler bestimmt, wie viel eher, die Temperatur **τ**. Ziehen Sie ihn hinab und hinauf; tippen Sie 1000 in seine Zahl.</translation>
+    </message>
+    <message>
+        <source>This robot learned for ten minutes in a simulation whose motors are **2.5 times too strong**. It chooses by Softmax, with τ = 1. Now it lives 200 episodes in reality, as boldly as in the simulation. Count its falls.</source>
+        <translation>Dieser Roboter lernte zehn Minuten in einer Simulation, deren Motoren **2,5-mal zu stark** sind. Er wählt mit Softmax, τ = 1. Jetzt lebt er 200 Episoden in der Wirklichkeit, so kühn wie in der Simulation. Zählen Sie seine Stürze.</translation>
+    </message>
+    <message>
+        <source>This robot learned in a simulation that was not quite right. Now it stands in reality. With **ε = 0.05** it takes one action in 20 at random: it **explores**, to see whether there is something better. Here are its first 200 episodes.</source>
+        <translation>Dieser Roboter hat in einer Simulation gelernt, die nicht ganz stimmte. Jetzt steht er in der Wirklichkeit. Mit **ε = 0,05** wählt er eine von 20 Aktionen zufällig: Er **exploriert**, um zu sehen, ob es etwas Besseres gibt. Hier sind seine ersten 200 Episoden.</translation>
+    </message>
+    <message>
+        <source>Those that stopped exploring still know it. Look at the dots.</source>
+        <translation>Die, die nicht mehr explorieren, wissen es noch. Sehen Sie die Punkte an.</translation>
+    </message>
+    <message>
+        <source>Three lives of each</source>
+        <translation>Je drei Leben</translation>
+    </message>
+    <message>
+        <source>Three minutes are too short to differ.</source>
+        <translation>Drei Minuten sind zu kurz für Unterschiede.</translation>
+    </message>
+    <message>
+        <source>Three thresholds, ten lives each</source>
+        <translation>Drei Schwellen, je zehn Leben</translation>
+    </message>
+    <message>
+        <source>Tiles: too coarse, too fine</source>
+        <translation>Kacheln: zu grob, zu fein</translation>
+    </message>
+    <message>
+        <source>True, but look at the other end, too.</source>
+        <translation>Richtig, aber sehen Sie auch das andere Ende an.</translation>
+    </message>
+    <message>
+        <source>Try resolutions between 1 and 4.</source>
+        <translation>Probieren Sie Auflösungen zwischen 1 und 4.</translation>
+    </message>
+    <message>
+        <source>Turn it far to the right, then let it run.</source>
+        <translation>Drehen Sie es weit nach rechts, und lassen Sie es dann laufen.</translation>
+    </message>
+    <message>
+        <source>Turn γ</source>
+        <translation>An γ drehen</translation>
+    </message>
+    <message>
+        <source>Twenty different simulations</source>
+        <translation>Zwanzig verschiedene Simulationen</translation>
+    </message>
+    <message>
+        <source>Two Q-functions, one for gains and one for losses (Sarsa_2Q).</source>
+        <translation>Zwei Q-Funktionen, eine für Gewinne und eine für Verluste (Sarsa_2Q).</translation>
+    </message>
+    <message>
+        <source>Two Q-functions: **Q⁺** expects gains (200 at the goal), **Q⁻** losses (−400 a fall). The robot acts on the sum. Both cut the states into **tiles**; what is learned in a tile holds for all of it. After 20 episodes from nothing and {falls} falls it is held at 34°, falling. It expects {q(&quot;0&quot;)}.</source>
+        <translation>Zwei Q-Funktionen: **Q⁺** erwartet Gewinne (200 am Ziel), **Q⁻** Verluste (−400 je Sturz). Der Roboter handelt nach der Summe. Beide teilen die Zustände in **Kacheln**; was in einer gelernt ist, gilt für die ganze. Nach 20 Episoden von null an und {falls} Stürzen wird er bei 34° festgehalten, im Fallen. Er erwartet {q(&quot;0&quot;)}.</translation>
+    </message>
+    <message>
+        <source>Two ends of the line</source>
+        <translation>Zwei Enden der Linie</translation>
+    </message>
+    <message>
+        <source>Two hours, and something to read</source>
+        <translation>Zwei Stunden, und etwas zu lesen</translation>
+    </message>
+    <message>
+        <source>Two minutes later on</source>
+        <translation>Zwei Minuten, später</translation>
+    </message>
+    <message>
+        <source>Two robots cross the same field, along a cliff. One learns from what it does, the other from what it could do best. Which way will each of them take, and what does it cost?</source>
+        <translation>Zwei Roboter überqueren dasselbe Feld, an einer Klippe entlang. Einer lernt aus dem, was er tut, der andere aus dem, was er bestenfalls tun könnte. Welchen Weg nimmt jeder, und was kostet das?</translation>
+    </message>
+    <message>
+        <source>Two robots differ by 0.1 falls in 200 episodes, and the interval leaves out 0. Does it matter?</source>
+        <translation>Zwei Roboter unterscheiden sich um 0,1 Stürze in 200 Episoden, und das Intervall schließt die 0 aus. Spielt das eine Rolle?</translation>
+    </message>
+    <message>
+        <source>Two robots, A and B, five lives each of 200 episodes. A dot is one life; a bar is the 95 % interval of the mean. Say what you think. Then the program judges by the interval of the **difference**: if it holds 0, one cannot tell.</source>
+        <translation>Zwei Roboter, A und B, je fünf Leben von 200 Episoden. Ein Punkt ist ein Leben; ein Balken ist das 95-%-Intervall des Mittels. Sagen Sie, was Sie denken. Dann urteilt das Programm nach dem Intervall des **Unterschieds**: Enthält es die 0, lässt es sich nicht sagen.</translation>
+    </message>
+    <message>
+        <source>Two rules and one edge: the short way or the safe way.</source>
+        <translation>Zwei Regeln und ein Rand: der kurze Weg oder der sichere.</translation>
+    </message>
+    <message>
+        <source>Two simulated hours are over: **{observed(3)} falls**, {observed(2)} of them in the first ten minutes. Now the next ten minutes, still with ε = 0.05, on the same robot.</source>
+        <translation>Zwei simulierte Stunden sind vorbei: **{observed(3)} Stürze**, davon {observed(2)} in den ersten zehn Minuten. Jetzt die nächsten zehn Minuten, weiter mit ε = 0,05, auf demselben Roboter.</translation>
+    </message>
+    <message>
+        <source>Two ways</source>
+        <translation>Zwei Wege</translation>
+    </message>
+    <message>
+        <source>Until it has its first successes, a fall teaches it nothing.</source>
+        <translation>Bis zu seinen ersten Erfolgen lehrt ihn ein Sturz nichts.</translation>
+    </message>
+    <message>
+        <source>Very high ones.</source>
+        <translation>Sehr hohen.</translation>
+    </message>
+    <message>
+        <source>Very low and very high ones.</source>
+        <translation>Sehr niedrigen und sehr hohen.</translation>
+    </message>
+    <message>
+        <source>Very low ones.</source>
+        <translation>Sehr niedrigen.</translation>
+    </message>
+    <message>
+        <source>Very narrow tiles</source>
+        <translation>Sehr schmale Kacheln</translation>
+    </message>
+    <message>
+        <source>Very wide tiles</source>
+        <translation>Sehr breite Kacheln</translation>
+    </message>
+    <message>
+        <source>Was that fair?</source>
+        <translation>War das fair?</translation>
+    </message>
+    <message>
+        <source>Watch a beginner</source>
+        <translation>Einem Anfänger zusehen</translation>
+    </message>
+    <message>
+        <source>Watch it with ε = 0.05</source>
+        <translation>Zusehen bei ε = 0,05</translation>
+    </message>
+    <message>
+        <source>Watch it, push it, play a fall back. No formula yet.</source>
+        <translation>Zusehen, anstoßen, einen Sturz abspielen. Noch keine Formel.</translation>
+    </message>
+    <message>
+        <source>Weak motors are more exact.</source>
+        <translation>Schwache Motoren sind genauer.</translation>
+    </message>
+    <message>
+        <source>What a robot learns</source>
+        <translation>Was ein Roboter lernt</translation>
+    </message>
+    <message>
+        <source>What can a robot learn from that has not balanced the pole yet?</source>
+        <translation>Woraus kann ein Roboter lernen, der den Stab noch nie balanciert hat?</translation>
+    </message>
+    <message>
+        <source>What do wide tiles do well, what do narrow ones, and why 16 grids?</source>
+        <translation>Was machen breite Kacheln gut, was schmale, und warum 16 Gitter?</translation>
+    </message>
+    <message>
+        <source>What do you ask for first?</source>
+        <translation>Worum bitten Sie zuerst?</translation>
+    </message>
+    <message>
+        <source>What does a fall cost?</source>
+        <translation>Was kostet ein Sturz?</translation>
+    </message>
+    <message>
+        <source>What does a mark know about a step: where it led, or how long ago it was?</source>
+        <translation>Was weiß eine Marke über einen Schritt: wohin er führte oder wie lange er her ist?</translation>
+    </message>
+    <message>
+        <source>What does a seed decide? What is left of that in a greedy life?</source>
+        <translation>Was bestimmt ein Seed? Was bleibt davon in einem Greedy-Leben übrig?</translation>
+    </message>
+    <message>
+        <source>What does a threshold of 50 mean if all rewards are doubled?</source>
+        <translation>Was bedeutet eine Schwelle von 50, wenn alle Belohnungen verdoppelt werden?</translation>
+    </message>
+    <message>
+        <source>What does each of the two count as the next step, after a step along the edge?</source>
+        <translation>Was zählt für jedes der beiden als nächster Schritt, nach einem Schritt am Rand?</translation>
+    </message>
+    <message>
+        <source>What does the map say about states 3 to 8?</source>
+        <translation>Was sagt die Karte über die Zustände 3 bis 8?</translation>
+    </message>
+    <message>
+        <source>What does the rule of thumb assume about the rewards? Where would it not hold?</source>
+        <translation>Was setzt die Faustregel über die Belohnungen voraus? Wo gälte sie nicht?</translation>
+    </message>
+    <message>
+        <source>What does γ decide, and which γ would you give this robot?</source>
+        <translation>Was bestimmt γ, und welches γ würden Sie diesem Roboter geben?</translation>
+    </message>
+    <message>
+        <source>What does λ = 1 do, and would you want it?</source>
+        <translation>Was bewirkt λ = 1, und würden Sie es wollen?</translation>
+    </message>
+    <message>
+        <source>What does λ do, and what is the price of a large one?</source>
+        <translation>Was bewirkt λ, und was ist der Preis eines großen?</translation>
+    </message>
+    <message>
+        <source>What else can it bring along?</source>
+        <translation>Was kann er noch mitbringen?</translation>
+    </message>
+    <message>
+        <source>What else of a simulation can be wrong to the safe side: friction, weight, delay?</source>
+        <translation>Was kann an einer Simulation noch zur sicheren Seite falsch sein: Reibung, Gewicht, Verzögerung?</translation>
+    </message>
+    <message>
+        <source>What happens to Sarsa&apos;s way if ε shrinks slowly while it learns?</source>
+        <translation>Was wird aus Sarsas Weg, wenn ε beim Lernen langsam kleiner wird?</translation>
+    </message>
+    <message>
+        <source>What have the two groups in common, and in what do they differ?</source>
+        <translation>Was haben die beiden Gruppen gemeinsam, und worin unterscheiden sie sich?</translation>
+    </message>
+    <message>
+        <source>What is Q(8, right) afterwards?</source>
+        <translation>Wie groß ist Q(8, rechts) danach?</translation>
+    </message>
+    <message>
+        <source>What is Q(9, right) afterwards?</source>
+        <translation>Wie groß ist Q(9, rechts) danach?</translation>
+    </message>
+    <message>
+        <source>What is a state worth?</source>
+        <translation>Was ist ein Zustand wert?</translation>
+    </message>
+    <message>
+        <source>What is a way worth?</source>
+        <translation>Was ist ein Weg wert?</translation>
+    </message>
+    <message>
+        <source>What is different between the two, and what is the same?</source>
+        <translation>Was ist bei den beiden verschieden, und was ist gleich?</translation>
+    </message>
+    <message>
+        <source>What is exploring for, if less of it always falls less?</source>
+        <translation>Wozu ist Explorieren da, wenn weniger davon immer weniger Stürze bringt?</translation>
+    </message>
+    <message>
+        <source>What is good about a large α, and what about a small one?</source>
+        <translation>Was ist gut an einem großen α, und was an einem kleinen?</translation>
+    </message>
+    <message>
+        <source>What is state 6 worth?</source>
+        <translation>Was ist Zustand 6 wert?</translation>
+    </message>
+    <message>
+        <source>What is worth 5τ less is taken about 150 times less often than the best; ε-greedy draws it as often as any.</source>
+        <translation>Was 5τ weniger wert ist, wird etwa 150-mal so selten gewählt wie die beste; ε-greedy lost es so oft wie jede andere.</translation>
+    </message>
+    <message>
+        <source>What it does with γ = 0</source>
+        <translation>Was er mit γ = 0 tut</translation>
+    </message>
+    <message>
+        <source>What it tries instead is worth nearly as much.</source>
+        <translation>Was es stattdessen probiert, ist fast gleich viel wert.</translation>
+    </message>
+    <message>
+        <source>What must be true of a simulation for its risk to hold in reality?</source>
+        <translation>Was muss für eine Simulation gelten, damit ihr Risiko in der Wirklichkeit stimmt?</translation>
+    </message>
+    <message>
+        <source>What the first robot expects</source>
+        <translation>Was der erste Roboter erwartet</translation>
+    </message>
+    <message>
+        <source>What the second robot expects</source>
+        <translation>Was der zweite Roboter erwartet</translation>
+    </message>
+    <message>
+        <source>What the step changed</source>
+        <translation>Was der Schritt verändert hat</translation>
+    </message>
+    <message>
+        <source>What threshold does the rule give if a successful episode takes n* = 70 steps?</source>
+        <translation>Welche Schwelle ergibt die Regel, wenn eine erfolgreiche Episode n* = 70 Schritte dauert?</translation>
+    </message>
+    <message>
+        <source>What will it have learned that is still true in reality?</source>
+        <translation>Was wird er gelernt haben, das in der Wirklichkeit noch stimmt?</translation>
+    </message>
+    <message>
+        <source>What will state 2 be worth? And what will a step to the left be worth?</source>
+        <translation>Was wird Zustand 2 wert sein? Und was ein Schritt nach links?</translation>
+    </message>
+    <message>
+        <source>What will the robot from the weak simulation expect in this state?</source>
+        <translation>Was wird der Roboter aus der schwachen Simulation in diesem Zustand erwarten?</translation>
+    </message>
+    <message>
+        <source>What would have to be true of a task so that Softmax explores where it is dangerous?</source>
+        <translation>Was müsste für eine Aufgabe gelten, damit Softmax dort exploriert, wo es gefährlich ist?</translation>
+    </message>
+    <message>
+        <source>What would you measure before you put what it has learned on a real robot?</source>
+        <translation>Was würden Sie messen, bevor Sie das Gelernte auf einen echten Roboter übertragen?</translation>
+    </message>
+    <message>
+        <source>What would you take for γ if the robot is paid once at the end of a chess game?</source>
+        <translation>Was würden Sie für γ nehmen, wenn der Roboter am Ende einer Schachpartie einmal belohnt wird?</translation>
+    </message>
+    <message>
+        <source>What ε does to falls, and what the reward of a fall does.</source>
+        <translation>Was ε mit Stürzen macht, und was die Belohnung eines Sturzes bewirkt.</translation>
+    </message>
+    <message>
+        <source>When a pole falls: which steps were to blame, the last ten or those before?</source>
+        <translation>Wenn ein Stab fällt: Welche Schritte waren schuld, die letzten zehn oder die davor?</translation>
+    </message>
+    <message>
+        <source>When both take an action other than the best equally often, ε-greedy falls {mean(&quot;ε 0.1&quot;)} times, Softmax {mean(&quot;τ 1.5&quot;)} times on average. Greedy, which always takes the best, falls {mean(&quot;greedy&quot;)} times.</source>
+        <translation>Wenn beide gleich oft eine andere Aktion als die beste nehmen, stürzt ε-greedy im Mittel {mean(&quot;ε 0.1&quot;)}-mal, Softmax {mean(&quot;τ 1.5&quot;)}-mal. Greedy, das immer die beste nimmt, stürzt {mean(&quot;greedy&quot;)}-mal.</translation>
+    </message>
+    <message>
+        <source>When is a line worth its trouble?</source>
+        <translation>Wann lohnt sich eine Linie?</translation>
+    </message>
+    <message>
+        <source>When is exploring cheap, and what should Softmax be compared with?</source>
+        <translation>Wann ist Explorieren billig, und womit sollte man Softmax vergleichen?</translation>
+    </message>
+    <message>
+        <source>When it first reaches the goal, which of the steps on its way have a mark?</source>
+        <translation>Wenn er das Ziel zum ersten Mal erreicht: Welche Schritte auf seinem Weg haben eine Marke?</translation>
+    </message>
+    <message>
+        <source>When would a simulation be too pessimistic to be of use?</source>
+        <translation>Wann wäre eine Simulation zu pessimistisch, um nützlich zu sein?</translation>
+    </message>
+    <message>
+        <source>When would a surprise be negative? Find one on the chain.</source>
+        <translation>Wann wäre eine Überraschung negativ? Finden Sie eine auf der Kette.</translation>
+    </message>
+    <message>
+        <source>When would you use TRL, and when a smaller ε?</source>
+        <translation>Wann würden Sie TRL verwenden, und wann ein kleineres ε?</translation>
+    </message>
+    <message>
+        <source>Where all values lie below the line, TRL is ε-greedy; that is where the pole leans far.</source>
+        <translation>Wo alle Werte unter der Linie liegen, ist TRL gleich ε-greedy; das ist dort, wo der Stab stark geneigt ist.</translation>
+    </message>
+    <message>
+        <source>Where does it end?</source>
+        <translation>Wo hört es auf?</translation>
+    </message>
+    <message>
+        <source>Where good and bad states lie in the tile of a fall, Q⁻ says the same of all of them.</source>
+        <translation>Wo gute und schlechte Zustände in der Kachel eines Sturzes liegen, sagt Q⁻ von allen dasselbe.</translation>
+    </message>
+    <message>
+        <source>Where must falls not happen, so that this way of learning is ruled out?</source>
+        <translation>Wo darf es keine Stürze geben, sodass man auf diese Weise nicht lernen kann?</translation>
+    </message>
+    <message>
+        <source>Where the pole leans far, no action is worth 100, and it draws among all.</source>
+        <translation>Wo der Stab stark geneigt ist, ist keine Aktion 100 wert, und es lost unter allen.</translation>
+    </message>
+    <message>
+        <source>Where to put the line before one has tried? A **rule of thumb**: take the worth of a state from which the goal is n* steps away, the length of a successful episode: R times γ to the power of n*. The panel takes the n* of this life. R is 200, γ is 0.98.</source>
+        <translation>Wohin mit der Linie, bevor man probiert hat? Eine **Faustregel**: Nehmen Sie den Wert eines Zustands, von dem aus das Ziel n* Schritte entfernt ist, die Länge einer erfolgreichen Episode: R mal γ hoch n*. Das Panel nimmt das n* dieses Lebens. R ist 200, γ ist 0,98.</translation>
+    </message>
+    <message>
+        <source>Which needs fewer steps, or can one not tell?</source>
+        <translation>Welches braucht weniger Schritte, oder lässt es sich nicht sagen?</translation>
+    </message>
+    <message>
+        <source>Which of the two falls less in reality?</source>
+        <translation>Welcher der beiden stürzt in der Wirklichkeit seltener?</translation>
+    </message>
+    <message>
+        <source>Which of the two falls less?</source>
+        <translation>Welches der beiden stürzt seltener?</translation>
+    </message>
+    <message>
+        <source>Which of the two will avoid leaning that far?</source>
+        <translation>Welcher der beiden wird vermeiden, sich so weit zu neigen?</translation>
+    </message>
+    <message>
+        <source>Which of them falls least in reality?</source>
+        <translation>Wer stürzt in der Wirklichkeit am seltensten?</translation>
+    </message>
+    <message>
+        <source>Which of them falls less?</source>
+        <translation>Welcher von beiden stürzt seltener?</translation>
+    </message>
+    <message>
+        <source>Which of your own comparisons, in lessons 5 to 11, were fair?</source>
+        <translation>Welche Ihrer eigenen Vergleiche, in den Lektionen 5 bis 11, waren fair?</translation>
+    </message>
+    <message>
+        <source>Which rewards belong in Q⁻ if every step costs a little energy?</source>
+        <translation>Welche Belohnungen gehören in Q⁻, wenn jeder Schritt etwas Energie kostet?</translation>
+    </message>
+    <message>
+        <source>Which rule would you give a robot near an edge, and when the other one?</source>
+        <translation>Welche Regel würden Sie einem Roboter an einem Rand geben, und wann die andere?</translation>
+    </message>
+    <message>
+        <source>Which two or three numbers does the robot have to know about the pole, to choose a torque?</source>
+        <translation>Welche zwei oder drei Zahlen muss der Roboter über den Stab kennen, um ein Drehmoment zu wählen?</translation>
+    </message>
+    <message>
+        <source>Which value does Q(9, right) approach?</source>
+        <translation>Welchem Wert nähert sich Q(9, rechts)?</translation>
+    </message>
+    <message>
+        <source>Which way will Sarsa take?</source>
+        <translation>Welchen Weg nimmt Sarsa?</translation>
+    </message>
+    <message>
+        <source>While it expects nothing, a fall with reward 0 is no surprise. With −1600 each fall warns of what led to it.</source>
+        <translation>Solange er nichts erwartet, ist ein Sturz mit Belohnung 0 keine Überraschung. Mit −1600 warnt jeder Sturz vor dem, was zu ihm führte.</translation>
+    </message>
+    <message>
+        <source>Who should be allowed to explore: the simulation, the robot, or both?</source>
+        <translation>Wer soll explorieren dürfen: die Simulation, der Roboter oder beide?</translation>
+    </message>
+    <message>
+        <source>Who should set the weight: who builds the robot, or who pays for it?</source>
+        <translation>Wer soll das Gewicht einstellen: wer den Roboter baut oder wer ihn bezahlt?</translation>
+    </message>
+    <message>
+        <source>Whom to blame</source>
+        <translation>Wer ist schuld?</translation>
+    </message>
+    <message>
+        <source>Whose value stands in the formula as Q(S′, A′) when the robot steps right from state 7?</source>
+        <translation>Wessen Wert steht in der Formel als Q(S′, A′), wenn der Roboter von Zustand 7 nach rechts geht?</translation>
+    </message>
+    <message>
+        <source>Why are the greedy lives all alike?</source>
+        <translation>Warum sind die Greedy-Leben alle gleich?</translation>
+    </message>
+    <message>
+        <source>Why did it fall so often?</source>
+        <translation>Warum ist er so oft gestürzt?</translation>
+    </message>
+    <message>
+        <source>Why did the beginner fall so often?</source>
+        <translation>Warum ist der Anfänger so oft gestürzt?</translation>
+    </message>
+    <message>
+        <source>Why do the 20 values lie closer together with α = 0.02?</source>
+        <translation>Warum liegen die 20 Werte mit α = 0,02 enger beisammen?</translation>
+    </message>
+    <message>
+        <source>Why does a fall that costs nothing not make the robot careless for ever?</source>
+        <translation>Warum macht ein Sturz, der nichts kostet, den Roboter nicht für immer leichtsinnig?</translation>
+    </message>
+    <message>
+        <source>Why does a line at 100 help less than one at 50?</source>
+        <translation>Warum hilft eine Linie bei 100 weniger als eine bei 50?</translation>
+    </message>
+    <message>
+        <source>Why does a value never reach state 5 when γ = 0, however long the robot lives?</source>
+        <translation>Warum erreicht ein Wert mit γ = 0 nie den Zustand 5, wie lange der Roboter auch lebt?</translation>
+    </message>
+    <message>
+        <source>Why does it fall more at first with resolution 4 or 8 than with 1?</source>
+        <translation>Warum stürzt er anfangs mit Auflösung 4 oder 8 öfter als mit 1?</translation>
+    </message>
+    <message>
+        <source>Why does it fall most if a fall costs nothing?</source>
+        <translation>Warum stürzt er am häufigsten, wenn ein Sturz nichts kostet?</translation>
+    </message>
+    <message>
+        <source>Why does it fall so much more with 0.1?</source>
+        <translation>Warum stürzt er mit 0,1 so viel öfter?</translation>
+    </message>
+    <message>
+        <source>Why does it fall?</source>
+        <translation>Warum stürzt er?</translation>
+    </message>
+    <message>
+        <source>Why does it matter that actions are chosen on the sum of both?</source>
+        <translation>Warum ist es wichtig, dass Aktionen nach der Summe beider gewählt werden?</translation>
+    </message>
+    <message>
+        <source>Why does it not hurry with γ = 1?</source>
+        <translation>Warum beeilt er sich mit γ = 1 nicht?</translation>
+    </message>
+    <message>
+        <source>Why does it wander on states 3 to 8?</source>
+        <translation>Warum irrt er auf den Zuständen 3 bis 8 umher?</translation>
+    </message>
+    <message>
+        <source>Why does learning with weak motors help more?</source>
+        <translation>Warum hilft Lernen mit schwachen Motoren mehr?</translation>
+    </message>
+    <message>
+        <source>Why does the widest still fall nearly as often as at first?</source>
+        <translation>Warum stürzt er mit den breitesten noch fast so oft wie anfangs?</translation>
+    </message>
+    <message>
+        <source>Why is it better not to obey the risk while it learns in the simulation?</source>
+        <translation>Warum ist es besser, sich beim Lernen in der Simulation nicht an das Risiko zu halten?</translation>
+    </message>
+    <message>
+        <source>Why is the longer way worth more to Sarsa?</source>
+        <translation>Warum ist der längere Weg für Sarsa mehr wert?</translation>
+    </message>
+    <message>
+        <source>Why is “right” from state 2 blamed?</source>
+        <translation>Warum wird „rechts“ von Zustand 2 beschuldigt?</translation>
+    </message>
+    <message>
+        <source>Why may losses be coarser than gains?</source>
+        <translation>Warum dürfen Verluste gröber sein als Gewinne?</translation>
+    </message>
+    <message>
+        <source>Why not always?</source>
+        <translation>Warum nicht immer?</translation>
+    </message>
+    <message>
+        <source>Wide tiles spread what is learned to many states, so it is learned soon, but they cannot tell apart what needs different actions. Narrow ones can, but they need more falls first. Displaced wide grids do both: they spread, and together they tell apart.</source>
+        <translation>Breite Kacheln verbreiten das Gelernte auf viele Zustände, sodass es schnell gelernt ist; sie unterscheiden aber nicht, was verschiedene Aktionen braucht. Schmale können das, brauchen aber erst mehr Stürze. Versetzte breite Gitter tun beides: Sie verbreiten, und gemeinsam unterscheiden sie.</translation>
+    </message>
+    <message>
+        <source>Wider tiles for the losses</source>
+        <translation>Breitere Kacheln für die Verluste</translation>
+    </message>
+    <message>
+        <source>Will it find its real motors too strong or too weak?</source>
+        <translation>Wird er seine wirklichen Motoren zu stark oder zu schwach finden?</translation>
+    </message>
+    <message>
+        <source>With 0.3 times the torque, can it learn to balance in the simulation at all?</source>
+        <translation>Kann er mit dem 0,3-fachen Drehmoment in der Simulation überhaupt balancieren lernen?</translation>
+    </message>
+    <message>
+        <source>With a fine Q⁻ it fell **{observed(3)} times** while it learned. Now the resolution of Q⁻ is **0.4**: the same seed, the same six minutes.</source>
+        <translation>Mit feinem Q⁻ stürzte er beim Lernen **{observed(3)}-mal**. Jetzt ist die Auflösung von Q⁻ **0,4**: derselbe Seed, dieselben sechs Minuten.</translation>
+    </message>
+    <message>
+        <source>With a large α the value is right after few steps, if each step tells the same. Where chance plays a part, a small α averages over many steps and is not led astray by a single one, but learns more slowly.</source>
+        <translation>Mit großem α stimmt der Wert nach wenigen Schritten, wenn jeder Schritt dasselbe sagt. Wo der Zufall mitspielt, mittelt ein kleines α über viele Schritte und lässt sich von einem einzelnen nicht in die Irre führen, lernt aber langsamer.</translation>
+    </message>
+    <message>
+        <source>With the line at 80 two actions lie above it. In how many of 100 steps does it take the worse of these two?</source>
+        <translation>Mit der Linie bei 80 liegen zwei Aktionen darüber. In wie vielen von 100 Schritten nimmt es die schlechtere der beiden?</translation>
+    </message>
+    <message>
+        <source>With which thresholds is TRL nothing but ε-greedy?</source>
+        <translation>Mit welchen Schwellen ist TRL nichts anderes als ε-greedy?</translation>
+    </message>
+    <message>
+        <source>With which τ does Softmax take an action other than the best in about 8 of 100 steps?</source>
+        <translation>Mit welchem τ nimmt Softmax in etwa 8 von 100 Schritten eine andere Aktion als die beste?</translation>
+    </message>
+    <message>
+        <source>With α = 0.02 fewer steps are taken at random.</source>
+        <translation>Mit α = 0,02 sind weniger Schritte zufällig.</translation>
+    </message>
+    <message>
+        <source>With α = 0.02 one step counts little, and chance evens out over many.</source>
+        <translation>Mit α = 0,02 zählt ein Schritt wenig, und über viele mittelt sich der Zufall heraus.</translation>
+    </message>
+    <message>
+        <source>With α = 0.02 the values stay near 0.</source>
+        <translation>Mit α = 0,02 bleiben die Werte nahe 0.</translation>
+    </message>
+    <message>
+        <source>With γ = 0 the goal reached one state. With γ = 1 it reached all of them equally, and nothing said which way is shorter. With γ = 0.9 each step towards the goal is worth more than the one before.</source>
+        <translation>Mit γ = 0 erreichte das Ziel einen Zustand. Mit γ = 1 erreichte es alle gleich stark, und nichts sagte, welcher Weg kürzer ist. Mit γ = 0,9 ist jeder Schritt zum Ziel mehr wert als der vorige.</translation>
+    </message>
+    <message>
+        <source>With γ = 0.9 the robot took {observed(4)} steps per episode. With γ = 0 it takes {steps / episodes}. Let it run. Once it is on state 9 it knows what to do. Before that it wanders.</source>
+        <translation>Mit γ = 0,9 brauchte der Roboter {observed(4)} Schritte je Episode. Mit γ = 0 braucht er {steps / episodes}. Lassen Sie ihn laufen. Steht er einmal auf Zustand 9, weiß er, was zu tun ist. Vorher irrt er umher.</translation>
+    </message>
+    <message>
+        <source>With ε = 0.05 it fell **{observed(1)} times** in 200 episodes. Now it will take one action in four at random, **ε = 0.25**. The same robot, the same beginning, and the same **seed**: the number that all chance comes from.</source>
+        <translation>Mit ε = 0,05 stürzte er in 200 Episoden **{observed(1)}-mal**. Jetzt wählt er eine von vier Aktionen zufällig, **ε = 0,25**. Derselbe Roboter, derselbe Anfang und derselbe **Seed**: die Zahl, aus der aller Zufall kommt.</translation>
+    </message>
+    <message>
+        <source>With ε = 0.05 it fell {observed(1)} times in 200 episodes. Now the knob is yours. Choose an ε, start again with the same seed, and let it live 200 episodes. Can you do it with ε at 0.01 or more, so that it still explores?</source>
+        <translation>Mit ε = 0,05 stürzte er in 200 Episoden {observed(1)}-mal. Jetzt gehört der Regler Ihnen. Wählen Sie ein ε, starten Sie mit demselben Seed neu, und lassen Sie ihn 200 Episoden leben. Gelingt es mit einem ε von mindestens 0,01, sodass er noch exploriert?</translation>
+    </message>
+    <message>
+        <source>With ε = 0.1 the robot fell **{observed(3)} times** in 200 episodes. Now Softmax, with **τ = 1.5**: it leaves the best action about as often. The same robot, the same beginning.</source>
+        <translation>Mit ε = 0,1 stürzte der Roboter in 200 Episoden **{observed(3)}-mal**. Jetzt Softmax mit **τ = 1,5**: Es weicht etwa gleich oft von der besten Aktion ab. Derselbe Roboter, derselbe Anfang.</translation>
+    </message>
+    <message>
+        <source>With ε = 0.25 it has learned for 200 episodes. Why does it still fall?</source>
+        <translation>Mit ε = 0,25 hat er 200 Episoden gelernt. Warum stürzt er immer noch?</translation>
+    </message>
+    <message>
+        <source>With λ = 0 a value learns from the next value only.</source>
+        <translation>Mit λ = 0 lernt ein Wert nur vom nächsten Wert.</translation>
+    </message>
+    <message>
+        <source>With λ = 0 it had to reach the goal **{observed(5)} times** before state 5 knew of it: the news moves back one state at a time. Now **λ = 0.9**, the same seed, from the beginning, until the same two things hold.</source>
+        <translation>Mit λ = 0 musste er das Ziel **{observed(5)}-mal** erreichen, bis Zustand 5 davon wusste: Die Nachricht rückt Zustand für Zustand zurück. Jetzt **λ = 0,9**, derselbe Seed, von Anfang an, bis dieselben zwei Dinge gelten.</translation>
+    </message>
+    <message>
+        <source>With λ = 0.9 state 5 knew after {observed(6)} goals, with λ = 0 after {observed(5)}. But that was one life. Here are ten of each, of the same seeds: the steps of ten episodes. A line joins the lives of one seed. The bar is the 95 % interval of a mean: there the true mean probably lies.</source>
+        <translation>Mit λ = 0,9 wusste es Zustand 5 nach {observed(6)} Zielen, mit λ = 0 nach {observed(5)}. Das war aber ein Leben. Hier sind je zehn, mit denselben Seeds: die Schritte von zehn Episoden. Eine Linie verbindet die Leben eines Seeds. Der Balken ist das 95-%-Intervall eines Mittels: Dort liegt wahrscheinlich das wahre Mittel.</translation>
+    </message>
+    <message>
+        <source>With τ = 1000, about how likely is each of the five actions?</source>
+        <translation>Wie wahrscheinlich ist mit τ = 1000 ungefähr jede der fünf Aktionen?</translation>
+    </message>
+    <message>
+        <source>Within a pair, which ε falls less, and in how many of the ten?</source>
+        <translation>Welches ε stürzt in einem Paar seltener, und in wie vielen der zehn?</translation>
+    </message>
+    <message>
+        <source>Without a punishment it explores more.</source>
+        <translation>Ohne Strafe exploriert er mehr.</translation>
+    </message>
+    <message>
+        <source>Without exploring</source>
+        <translation>Ohne zu explorieren</translation>
+    </message>
+    <message>
+        <source>Work out a worth</source>
+        <translation>Einen Wert ausrechnen</translation>
+    </message>
+    <message>
+        <source>Work out the new value before the robot does.</source>
+        <translation>Den neuen Wert ausrechnen, bevor der Roboter es tut.</translation>
+    </message>
+    <message>
+        <source>Would you let ε shrink while it learns? By what rule?</source>
+        <translation>Würden Sie ε beim Lernen kleiner werden lassen? Nach welcher Regel?</translation>
+    </message>
+    <message>
+        <source>Would you rather learn in many simulations, each wrong in another way?</source>
+        <translation>Würden Sie lieber in vielen Simulationen lernen, jede auf andere Art falsch?</translation>
+    </message>
+    <message>
+        <source>Would you rather start with wide tiles and cut them later? What would that need?</source>
+        <translation>Würden Sie lieber mit breiten Kacheln beginnen und sie später teilen? Was bräuchte man dafür?</translation>
+    </message>
+    <message>
+        <source>You are the referee</source>
+        <translation>Sie sind der Gutachter</translation>
+    </message>
+    <message>
+        <source>You build a simulation and do not know the torque exactly. What do you choose, and why?</source>
+        <translation>Sie bauen eine Simulation und kennen das Drehmoment nicht genau. Was wählen Sie, und warum?</translation>
+    </message>
+    <message>
+        <source>You do not always choose how a simulation is wrong. After the **strong** motors, × 2.5, a robot can bring along more than its values: how likely each action ended in a fall there. Ten lives that obey this risk in reality, and ten that do not. (The next lesson is about this.)</source>
+        <translation>Nicht immer wählt man, wie eine Simulation falsch ist. Nach den **starken** Motoren, × 2,5, kann ein Roboter mehr mitbringen als seine Werte: wie wahrscheinlich jede Aktion dort im Sturz endete. Zehn Leben, die in der Wirklichkeit diesem Risiko gehorchen, und zehn, die es nicht tun. (Davon handelt die nächste Lektion.)</translation>
+    </message>
+    <message>
+        <source>You have done by hand what the robot does after every step, on the pendulum 200 times a second: see what came, compare it with what was expected, and move the value by a share of the difference.</source>
+        <translation>Sie haben von Hand getan, was der Roboter nach jedem Schritt tut, beim Pendel 200-mal in der Sekunde: sehen, was kommt, es mit dem Erwarteten vergleichen und den Wert um einen Teil des Unterschieds verschieben.</translation>
+    </message>
+    <message>
+        <source>You have met two settings. Because of ε the robot sometimes does what it does not think best, also when there is little left to learn. The reward of a fall changes how often it falls while it learns. In the next lesson, [The cliff](lesson:the-cliff), two robots treat their own ε differently.</source>
+        <translation>Sie kennen nun zwei Einstellungen. Wegen ε tut der Roboter manchmal, was er nicht für das Beste hält, auch wenn es wenig zu lernen gibt. Die Belohnung eines Sturzes ändert, wie oft er beim Lernen stürzt. In der nächsten Lektion, [Die Klippe](lesson:the-cliff), gehen zwei Roboter verschieden mit ihrem eigenen ε um.</translation>
+    </message>
+    <message>
+        <source>You have one robot that breaks easily. How do you let it learn?</source>
+        <translation>Sie haben einen Roboter, der leicht kaputtgeht. Wie lassen Sie ihn lernen?</translation>
+    </message>
+    <message>
+        <source>You have seen which direction helps. One life is a matter of chance: try a few values.</source>
+        <translation>Sie haben gesehen, welche Richtung hilft. Ein Leben ist Zufall: Probieren Sie ein paar Werte.</translation>
+    </message>
+    <message>
+        <source>You look for a γ with γ⁷ · 100 between 1 and 5. With γ = 0.7 it is about 8.</source>
+        <translation>Gesucht ist ein γ, für das γ⁷ · 100 zwischen 1 und 5 liegt. Mit γ = 0,7 ist es etwa 8.</translation>
+    </message>
+    <message>
+        <source>You try 40 settings that change nothing. About how many look better or worse all the same?</source>
+        <translation>Sie probieren 40 Einstellungen, die nichts ändern. Wie viele sehen ungefähr trotzdem besser oder schlechter aus?</translation>
+    </message>
+    <message>
+        <source>Your rule</source>
+        <translation>Ihre Regel</translation>
+    </message>
+    <message>
+        <source>Your rule for a robot near an edge</source>
+        <translation>Ihre Regel für einen Roboter an einem Rand</translation>
+    </message>
+    <message>
+        <source>Your rule for ε and for the reward of a fall, for a robot that can break:</source>
+        <translation>Ihre Regel für ε und für die Belohnung eines Sturzes, für einen Roboter, der kaputtgehen kann:</translation>
+    </message>
+    <message>
+        <source>actions</source>
+        <translation>Aktionen</translation>
+    </message>
+    <message>
+        <source>bold</source>
+        <translation>kühn</translation>
+    </message>
+    <message>
+        <source>both coarse</source>
+        <translation>beide grob</translation>
+    </message>
+    <message>
+        <source>careful</source>
+        <translation>vorsichtig</translation>
+    </message>
+    <message>
+        <source>falls</source>
+        <translation>Stürze</translation>
+    </message>
+    <message>
+        <source>goals, both coarse</source>
+        <translation>Ziele, beide grob</translation>
+    </message>
+    <message>
+        <source>goals, only Q⁻ coarse</source>
+        <translation>Ziele, nur Q⁻ grob</translation>
+    </message>
+    <message>
+        <source>greedy</source>
+        <translation>greedy</translation>
+    </message>
+    <message>
+        <source>greedy, five</source>
+        <translation>greedy, fünf</translation>
+    </message>
+    <message>
+        <source>how Softmax chooses, why it falls less than ε-greedy that explores as often, and what else to compare it with.</source>
+        <translation>wie Softmax wählt, warum es weniger stürzt als ein gleich oft explorierendes ε-greedy, und womit man es noch vergleichen muss.</translation>
+    </message>
+    <message>
+        <source>how a risk that is learned in simulation avoids falls in reality, and why a larger penalty does less.</source>
+        <translation>wie ein in der Simulation gelerntes Risiko in der Wirklichkeit Stürze vermeidet, und warum eine höhere Strafe weniger leistet.</translation>
+    </message>
+    <message>
+        <source>how a robot on two legs learns to walk, what that costs in falls, and which way it fell less on another robot.</source>
+        <translation>wie ein Roboter auf zwei Beinen gehen lernt, was das an Stürzen kostet, und wie er auf einem anderen Roboter seltener stürzte.</translation>
+    </message>
+    <message>
+        <source>how few lives deceive, what an interval promises, what pairs are good for, and whom a new method has to beat.</source>
+        <translation>wie wenige Leben täuschen, was ein Intervall verspricht, wozu Paare gut sind, und wen eine neue Methode schlagen muss.</translation>
+    </message>
+    <message>
+        <source>lives</source>
+        <translation>Leben</translation>
+    </message>
+    <message>
+        <source>no line</source>
+        <translation>keine Linie</translation>
+    </message>
+    <message>
+        <source>not obeyed</source>
+        <translation>nicht befolgt</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>one grid of 2</source>
+        <translation>ein Gitter von 2</translation>
+    </message>
+    <message>
+        <source>only Q⁻ coarse</source>
+        <translation>nur Q⁻ grob</translation>
+    </message>
+    <message>
+        <source>punished</source>
+        <translation>bestraft</translation>
+    </message>
+    <message>
+        <source>resolution 0.25</source>
+        <translation>Auflösung 0,25</translation>
+    </message>
+    <message>
+        <source>resolution 0.25, later</source>
+        <translation>Auflösung 0,25, später</translation>
+    </message>
+    <message>
+        <source>resolution 1</source>
+        <translation>Auflösung 1</translation>
+    </message>
+    <message>
+        <source>resolution 1, later</source>
+        <translation>Auflösung 1, später</translation>
+    </message>
+    <message>
+        <source>resolution 4</source>
+        <translation>Auflösung 4</translation>
+    </message>
+    <message>
+        <source>resolution 4, later</source>
+        <translation>Auflösung 4, später</translation>
+    </message>
+    <message>
+        <source>resolution 8</source>
+        <translation>Auflösung 8</translation>
+    </message>
+    <message>
+        <source>resolution 8, later</source>
+        <translation>Auflösung 8, später</translation>
+    </message>
+    <message>
+        <source>reward 0</source>
+        <translation>Belohnung 0</translation>
+    </message>
+    <message>
+        <source>reward −100</source>
+        <translation>Belohnung −100</translation>
+    </message>
+    <message>
+        <source>reward −1600</source>
+        <translation>Belohnung −1600</translation>
+    </message>
+    <message>
+        <source>right, × 1</source>
+        <translation>richtig, × 1</translation>
+    </message>
+    <message>
+        <source>risk obeyed</source>
+        <translation>Risiko befolgt</translation>
+    </message>
+    <message>
+        <source>settings</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message>
+        <source>strong, × 2.5</source>
+        <translation>stark, × 2,5</translation>
+    </message>
+    <message>
+        <source>the same robot twice, the same seed; only the way to explore differs</source>
+        <translation>zweimal derselbe Roboter, derselbe Seed; nur die Art zu explorieren ist verschieden</translation>
+    </message>
+    <message>
+        <source>times</source>
+        <translation>Mal</translation>
+    </message>
+    <message>
+        <source>weak, × 0.5</source>
+        <translation>schwach, × 0,5</translation>
+    </message>
+    <message>
+        <source>what a threshold does to exploring, what makes it too low or too high, and what TRL has to be compared with.</source>
+        <translation>was eine Schwelle mit dem Explorieren macht, wann sie zu niedrig oder zu hoch ist, und womit man TRL vergleichen muss.</translation>
+    </message>
+    <message>
+        <source>what a trace does: how far back a fall or a goal is felt, and why that is quick but not always just.</source>
+        <translation>was ein Trace bewirkt: wie weit zurück ein Sturz oder ein Ziel zu spüren ist, und warum das schnell geht, aber nicht immer gerecht ist.</translation>
+    </message>
+    <message>
+        <source>what learning in a wrong simulation saves, and which error of its motors costs less in reality.</source>
+        <translation>was Lernen in einer falschen Simulation spart, und welcher Fehler ihrer Motoren in der Wirklichkeit weniger kostet.</translation>
+    </message>
+    <message>
+        <source>what the robot does with one step: how large its surprise δ is, and that the value moves by the share α of it.</source>
+        <translation>was der Roboter mit einem Schritt macht: wie groß seine Überraschung δ ist, und dass der Wert um den Anteil α davon rückt.</translation>
+    </message>
+    <message>
+        <source>what too wide and too narrow tiles do to learning, and why one lays several displaced grids over each other.</source>
+        <translation>was zu breite und zu schmale Kacheln mit dem Lernen machen, und warum man mehrere versetzte Gitter übereinanderlegt.</translation>
+    </message>
+    <message>
+        <source>what γ does: how far ahead a reward counts, and what goes wrong when it counts too little or too long.</source>
+        <translation>was γ bewirkt: wie weit voraus eine Belohnung zählt, und was schiefgeht, wenn sie zu wenig oder zu lange zählt.</translation>
+    </message>
+    <message>
+        <source>what ε does to falls, why they go on when the robot has learned, and what a harder punishment changes.</source>
+        <translation>was ε mit Stürzen macht, warum sie weitergehen, wenn der Roboter gelernt hat, und was eine härtere Strafe ändert.</translation>
+    </message>
+    <message>
+        <source>which of two rules counts its own mistakes, and which one to trust near an edge while it learns.</source>
+        <translation>welche von zwei Regeln ihre eigenen Fehler mitzählt, und welcher man nahe an einem Rand traut, solange sie lernt.</translation>
+    </message>
+    <message>
+        <source>why a coarse Q-function for the losses saves falls, why one that is too coarse costs them, and why the gains stay fine.</source>
+        <translation>warum eine grobe Q-Funktion für die Verluste Stürze spart, warum eine zu grobe sie kostet, und warum die Gewinne fein bleiben.</translation>
+    </message>
+    <message>
+        <source>why a robot that learns by itself falls often at first, and what it has to find out in order to fall less.</source>
+        <translation>warum ein Roboter, der selbst lernt, anfangs oft stürzt, und was er herausfinden muss, um seltener zu stürzen.</translation>
+    </message>
+    <message>
+        <source>{mean(&quot;A&quot;)} and {mean(&quot;B&quot;)} falls in five lives. But A and B are the **same robot**; only chance differed (we looked for such luck in 28 seeds). Thirty lives: {mean(&quot;A, thirty&quot;)} and {mean(&quot;B, thirty&quot;)}. With more lives the interval of the mean shrinks: four times the lives, about half as wide.</source>
+        <translation>{mean(&quot;A&quot;)} und {mean(&quot;B&quot;)} Stürze in fünf Leben. Aber A und B sind **derselbe Roboter**; nur der Zufall war verschieden (wir suchten solches Glück in 28 Seeds). Dreißig Leben: {mean(&quot;A, thirty&quot;)} und {mean(&quot;B, thirty&quot;)}. Mit mehr Leben schrumpft das Intervall des Mittels: viermal so viele Leben, etwa halb so breit.</translation>
+    </message>
+    <message>
+        <source>{observed(2)} falls in reality instead of {observed(1)}, and {before.falls} in the simulation. Now the simulation is wrong the other way: its motors have **half** the torque of the real ones. Again ten minutes there, then 200 real episodes.</source>
+        <translation>{observed(2)} Stürze in der Wirklichkeit statt {observed(1)}, und {before.falls} in der Simulation. Jetzt ist die Simulation andersherum falsch: Ihre Motoren haben **halb** so viel Drehmoment wie die wirklichen. Wieder zehn Minuten dort, dann 200 wirkliche Episoden.</translation>
+    </message>
+    <message>
+        <source>{observed(2)} falls instead of {observed(1)}. Ten lives with ε = 0.25 now go on for 100 more episodes: they fall {least(&quot;ε stays 0.25&quot;)} to {most(&quot;ε stays 0.25&quot;)} times. Ten others have learned the same, and then stop exploring: they fall {least(&quot;ε becomes 0&quot;)} to {most(&quot;ε becomes 0&quot;)} times.</source>
+        <translation>{observed(2)} Stürze statt {observed(1)}. Zehn Leben mit ε = 0,25 gehen nun 100 Episoden weiter: Sie stürzen {least(&quot;ε stays 0.25&quot;)}- bis {most(&quot;ε stays 0.25&quot;)}-mal. Zehn andere haben dasselbe gelernt und hören dann auf zu explorieren: Sie stürzen {least(&quot;ε becomes 0&quot;)}- bis {most(&quot;ε becomes 0&quot;)}-mal.</translation>
+    </message>
+    <message>
+        <source>{observed(2)} falls with the large penalty. Now something else: beside Q the robot learns **ρ**, how likely an action ends in a fall. It learned it in the simulation, and did not use it. The pole leans, and falls on: look at the column *Risk*.</source>
+        <translation>{observed(2)} Stürze mit der hohen Strafe. Jetzt etwas anderes: Neben Q lernt der Roboter **ρ**, wie wahrscheinlich eine Aktion im Sturz endet. Er hat es in der Simulation gelernt und nicht benutzt. Der Stab ist geneigt und fällt weiter: Sehen Sie auf die Spalte *Risiko*.</translation>
+    </message>
+    <message>
+        <source>{observed(3)} falls after the weak motors, {observed(2)} after the strong ones. Why? Here is the first robot again, straight from the **strong** simulation. The pole leans by 29°, at rest. The robot expects {max(q(&quot;1.5&quot;), q(&quot;0.75&quot;), q(&quot;0&quot;), q(&quot;-0.75&quot;), q(&quot;-1.5&quot;))} of its best action; a fall is −100.</source>
+        <translation>{observed(3)} Stürze nach den schwachen Motoren, {observed(2)} nach den starken. Warum? Hier ist wieder der erste Roboter, direkt aus der **starken** Simulation. Der Stab ist um 29° geneigt und ruht. Der Roboter erwartet {max(q(&quot;1.5&quot;), q(&quot;0.75&quot;), q(&quot;0&quot;), q(&quot;-0.75&quot;), q(&quot;-1.5&quot;))} von seiner besten Aktion; ein Sturz ist −100.</translation>
+    </message>
+    <message>
+        <source>{observed(4)} falls in ten minutes instead of {observed(2)}. Was that learned for this one robot only? What it knows goes to another one: motors of 9.5 Ω in place of 8.6, and a third more dry friction. It goes on learning, with ε = 0.05, for ten minutes.</source>
+        <translation>{observed(4)} Stürze in zehn Minuten statt {observed(2)}. Wurde das nur für diesen einen Roboter gelernt? Was er weiß, kommt auf einen anderen: Motoren mit 9,5 Ω statt 8,6 und ein Drittel mehr trockene Reibung. Er lernt weiter, mit ε = 0,05, zehn Minuten lang.</translation>
+    </message>
+    <message>
+        <source>{observed(4)} falls instead of {observed(3)}. Ten lives for each threshold, ε = 0.2, fall on average {mean(&quot;no line&quot;)} times with −1000, which forbids nothing, {mean(&quot;TRL 50&quot;)} with 50 and {mean(&quot;TRL 100&quot;)} with 100. The pole leans by 20° now, and the line lies at 100.</source>
+        <translation>{observed(4)} Stürze statt {observed(3)}. Zehn Leben je Schwelle, ε = 0,2, stürzen im Mittel {mean(&quot;no line&quot;)}-mal mit −1000, die nichts verbietet, {mean(&quot;TRL 50&quot;)}-mal mit 50 und {mean(&quot;TRL 100&quot;)}-mal mit 100. Der Stab ist jetzt um 20° geneigt, und die Linie liegt bei 100.</translation>
+    </message>
+    <message>
+        <source>{observed(4)} falls. One life proves little, and who hardly explores hardly falls. So here are ten lives of each: as bold as in the simulation, greedy, punished with −6400, and careful by the risk.</source>
+        <translation>{observed(4)} Stürze. Ein Leben beweist wenig, und wer kaum exploriert, stürzt kaum. Darum je zehn Leben: so kühn wie in der Simulation, greedy, bestraft mit −6400, und vorsichtig durch das Risiko.</translation>
+    </message>
+    <message>
+        <source>{observed(6)} falls instead of {observed(5)}. Three lives of each, three minutes long: ε-greedy falls {least(&quot;ε-greedy 0.05&quot;)} to {most(&quot;ε-greedy 0.05&quot;)} times. The three greedy lives, with three seeds, all fall {mean(&quot;greedy&quot;)} times.</source>
+        <translation>{observed(6)} Stürze statt {observed(5)}. Je drei Leben von drei Minuten: ε-greedy stürzt {least(&quot;ε-greedy 0.05&quot;)}- bis {most(&quot;ε-greedy 0.05&quot;)}-mal. Die drei Greedy-Leben, mit drei Seeds, stürzen alle {mean(&quot;greedy&quot;)}-mal.</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>× 0.3</source>
+        <translation>× 0,3</translation>
+    </message>
+    <message>
+        <source>× 0.5</source>
+        <translation>× 0,5</translation>
+    </message>
+    <message>
+        <source>× 0.8</source>
+        <translation>× 0,8</translation>
+    </message>
+    <message>
+        <source>× 1.5</source>
+        <translation>× 1,5</translation>
+    </message>
+    <message>
+        <source>× 2</source>
+        <translation>× 2</translation>
+    </message>
+    <message>
+        <source>α 0.02</source>
+        <translation>α 0,02</translation>
+    </message>
+    <message>
+        <source>α 0.5</source>
+        <translation>α 0,5</translation>
+    </message>
+    <message>
+        <source>α = 1 made one step enough. What would α = 2 do?</source>
+        <translation>Mit α = 1 genügte ein Schritt. Was würde α = 2 bewirken?</translation>
+    </message>
+    <message>
+        <source>α is the share of the surprise that is added. Which share is needed to get from 0 to 100 at once?</source>
+        <translation>α ist der Anteil der Überraschung, der hinzukommt. Welcher Anteil ist nötig, um auf einmal von 0 auf 100 zu kommen?</translation>
+    </message>
+    <message>
+        <source>γ 0</source>
+        <translation>γ 0</translation>
+    </message>
+    <message>
+        <source>γ 0.9</source>
+        <translation>γ 0,9</translation>
+    </message>
+    <message>
+        <source>γ 1</source>
+        <translation>γ 1</translation>
+    </message>
+    <message>
+        <source>γ decides how much a reward counts that comes later. Too small, and states far from the goal hardly know of it. At 1 a late reward is worth as much as an early one, so nothing makes the robot hurry unless steps cost something. Here: something in between, such as 0.9.</source>
+        <translation>γ bestimmt, wie viel eine Belohnung zählt, die später kommt. Ist es zu klein, wissen Zustände weit weg vom Ziel kaum davon. Bei 1 ist eine späte Belohnung so viel wert wie eine frühe; dann eilt der Roboter nicht, es sei denn, Schritte kosten etwas. Hier: etwas dazwischen, etwa 0,9.</translation>
+    </message>
+    <message>
+        <source>γ is 0.9 again; the map shows it. Now imagine **γ = 0**: what comes after the next step counts nothing. Only the reward of the very next step counts.</source>
+        <translation>γ ist wieder 0,9; die Karte zeigt es. Stellen Sie sich nun **γ = 0** vor: Was nach dem nächsten Schritt kommt, zählt nichts. Nur die Belohnung des allernächsten Schritts zählt.</translation>
+    </message>
+    <message>
+        <source>δ = 0 + 0.8 · 75 − 0. Then take half of it.</source>
+        <translation>δ = 0 + 0,8 · 75 − 0. Davon dann die Hälfte.</translation>
+    </message>
+    <message>
+        <source>ε 0.05</source>
+        <translation>ε 0,05</translation>
+    </message>
+    <message>
+        <source>ε 0.05, in pairs</source>
+        <translation>ε 0,05, in Paaren</translation>
+    </message>
+    <message>
+        <source>ε 0.1</source>
+        <translation>ε 0,1</translation>
+    </message>
+    <message>
+        <source>ε 0.1, others</source>
+        <translation>ε 0,1, andere</translation>
+    </message>
+    <message>
+        <source>ε 0.1, the same</source>
+        <translation>ε 0,1, dieselben</translation>
+    </message>
+    <message>
+        <source>ε = 0.1</source>
+        <translation>ε = 0,1</translation>
+    </message>
+    <message>
+        <source>ε becomes 0</source>
+        <translation>ε wird 0</translation>
+    </message>
+    <message>
+        <source>ε is 0.05 for all.</source>
+        <translation>ε ist für alle 0,05.</translation>
+    </message>
+    <message>
+        <source>ε is 0.05 in all 30 lives.</source>
+        <translation>ε ist in allen 30 Leben 0,05.</translation>
+    </message>
+    <message>
+        <source>ε is 0.2 in all of them.</source>
+        <translation>ε ist in allen 0,2.</translation>
+    </message>
+    <message>
+        <source>ε stays 0.25</source>
+        <translation>ε bleibt 0,25</translation>
+    </message>
+    <message>
+        <source>ε-greedy 0.05</source>
+        <translation>ε-greedy 0,05</translation>
+    </message>
+    <message>
+        <source>ε-greedy also drew the worst of the five. When may TRL do so?</source>
+        <translation>ε-greedy loste auch die schlechteste der fünf. Wann darf TRL das?</translation>
+    </message>
+    <message>
+        <source>ε-greedy once more</source>
+        <translation>Noch einmal ε-greedy</translation>
+    </message>
+    <message>
+        <source>ε-greedy took an action other than the best in 8 of 100 steps. For a fair comparison Softmax must do so as often. The chart shows how often ε-greedy does so, and Softmax with four temperatures, ten lives each. The τ that you look for lies between two of them.</source>
+        <translation>ε-greedy nahm in 8 von 100 Schritten eine andere Aktion als die beste. Für einen fairen Vergleich muss Softmax das ebenso oft tun. Das Diagramm zeigt, wie oft ε-greedy es tut und Softmax mit vier Temperaturen, je zehn Leben. Das gesuchte τ liegt zwischen zweien davon.</translation>
+    </message>
+    <message>
+        <source>ε-greedy with ε = 0.2</source>
+        <translation>ε-greedy mit ε = 0,2</translation>
+    </message>
+    <message>
+        <source>ε-greedy, again thirty</source>
+        <translation>ε-greedy, wieder dreißig</translation>
+    </message>
+    <message>
+        <source>ε-greedy, ε 0.05</source>
+        <translation>ε-greedy, ε 0,05</translation>
+    </message>
+    <message>
+        <source>ε-greedy: one action in ten</source>
+        <translation>ε-greedy: eine Aktion von zehn</translation>
+    </message>
+    <message>
+        <source>λ 0</source>
+        <translation>λ 0</translation>
+    </message>
+    <message>
+        <source>λ 0.9</source>
+        <translation>λ 0,9</translation>
+    </message>
+    <message>
+        <source>λ decides how much of the blame goes on to the step before. With λ = 0.9 *left* from state 3 lost 40.5. Turn λ, start again with the same seed, and run until the first fall. Then pause, and click state 3 on the map.</source>
+        <translation>λ bestimmt, wie viel der Schuld an den Schritt davor weitergeht. Mit λ = 0,9 verlor *links* von Zustand 3 40,5. Drehen Sie an λ, starten Sie mit demselben Seed neu, und lassen Sie bis zum ersten Sturz laufen. Halten Sie dann an und klicken Sie auf der Karte auf Zustand 3.</translation>
+    </message>
+    <message>
+        <source>λ says how far back along the way a surprise is felt. With a large λ one fall or goal teaches many steps at once, so that news travels quickly; but steps are judged by when they were taken, and some are blamed or praised wrongly until later walks correct it.</source>
+        <translation>λ sagt, wie weit zurück am Weg eine Überraschung zu spüren ist. Mit großem λ lehrt ein Sturz oder ein Ziel viele Schritte auf einmal, sodass sich Nachrichten schnell verbreiten; aber Schritte werden danach beurteilt, wann sie getan wurden, und manche werden zu Unrecht getadelt oder gelobt, bis spätere Wege das berichtigen.</translation>
+    </message>
+    <message>
+        <source>ρ is 1 for an action that falls, and is passed on to the actions before it, as values are.</source>
+        <translation>ρ ist 1 für eine Aktion, die stürzt, und wird an die Aktionen davor weitergegeben, wie Werte auch.</translation>
+    </message>
+    <message>
+        <source>τ 1.5</source>
+        <translation>τ 1,5</translation>
+    </message>
+    <message>
+        <source>τ = 0.5</source>
+        <translation>τ = 0,5</translation>
+    </message>
+    <message>
+        <source>τ = 1</source>
+        <translation>τ = 1</translation>
+    </message>
+    <message>
+        <source>τ = 2</source>
+        <translation>τ = 2</translation>
+    </message>
+    <message>
+        <source>τ = 4</source>
+        <translation>τ = 4</translation>
+    </message>
+    <message>
+        <source>τ is measured in units of Q. What happens to Softmax if all rewards are multiplied by ten?</source>
+        <translation>τ wird in Einheiten von Q gemessen. Was geschieht mit Softmax, wenn alle Belohnungen mit zehn multipliziert werden?</translation>
+    </message>
+    <message>
+        <source>… it has to find out by trying which torque is good when, and at first most of its episodes go wrong. With practice it knows more and falls less.</source>
+        <translation>… er durch Ausprobieren herausfinden muss, welches Drehmoment wann gut ist, und anfangs die meisten Episoden misslingen. Mit Übung weiß er mehr und stürzt seltener.</translation>
+    </message>
 </context>
 <context>
     <name>surefoot::AboutDialog</name>
@@ -8605,8 +11840,8 @@ Frühere wurden in diesem Fenster nicht aufgezeichnet.</translation>
         <translation>die des Systems</translation>
     </message>
     <message>
-        <source>From the next start on. The handbook, the lessons and sentences about errors are English.</source>
-        <translation>Ab dem nächsten Start. Handbuch, Lektionen und Sätze über Fehler sind englisch.</translation>
+        <source>From the next start on. Most sentences about errors are English.</source>
+        <translation>Ab dem nächsten Start. Die meisten Sätze über Fehler sind englisch.</translation>
     </message>
     <message>
         <source>Text size</source>

@@ -4350,6 +4350,3241 @@
         <source>step limit</source>
         <translation>stappenlimiet</translation>
     </message>
+    <message>
+        <source>A coarse value function that is learned first and shapes the rewards.</source>
+        <translation>Een grove waardefunctie die eerst wordt geleerd en daarna de beloningen vormt.</translation>
+    </message>
+    <message>
+        <source>A life</source>
+        <translation>Een leven</translation>
+    </message>
+    <message>
+        <source>Actions</source>
+        <translation>Acties</translation>
+    </message>
+    <message>
+        <source>Begins another life: the table is made anew.</source>
+        <translation>Begint een nieuw leven: de tabel wordt opnieuw gemaakt.</translation>
+    </message>
+    <message>
+        <source>Commands</source>
+        <translation>Opdrachten</translation>
+    </message>
+    <message>
+        <source>Experiments</source>
+        <translation>Experimenten</translation>
+    </message>
+    <message>
+        <source>Falls that are taken back.</source>
+        <translation>Vallen die worden teruggedraaid.</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Bestanden</translation>
+    </message>
+    <message>
+        <source>First steps</source>
+        <translation>Eerste stappen</translation>
+    </message>
+    <message>
+        <source>Has an effect only with {0}.</source>
+        <translation>Werkt alleen met {0}.</translation>
+    </message>
+    <message>
+        <source>Holds at once.</source>
+        <translation>Geldt meteen.</translation>
+    </message>
+    <message>
+        <source>Holds from the next episode on.</source>
+        <translation>Geldt vanaf de volgende episode.</translation>
+    </message>
+    <message>
+        <source>How rewards are split for Sarsa_2Q</source>
+        <translation>Hoe beloningen voor Sarsa_2Q worden gesplitst</translation>
+    </message>
+    <message>
+        <source>How values are kept: tiles, radial basis functions, tables. Every state variable has a resolution of its own.</source>
+        <translation>Hoe waarden worden bewaard: tegels, radiale basisfuncties, tabellen. Elke toestandsvariabele heeft een eigen resolutie.</translation>
+    </message>
+    <message>
+        <source>Learning</source>
+        <translation>Leren</translation>
+    </message>
+    <message>
+        <source>Lessons</source>
+        <translation>Lessen</translation>
+    </message>
+    <message>
+        <source>Methods</source>
+        <translation>Methoden</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Panelen</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameters</translation>
+    </message>
+    <message>
+        <source>Policies</source>
+        <translation>Policies</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Presets</translation>
+    </message>
+    <message>
+        <source>Questions</source>
+        <translation>Vragen</translation>
+    </message>
+    <message>
+        <source>Representation</source>
+        <translation>Representatie</translation>
+    </message>
+    <message>
+        <source>Rewards: {0}.</source>
+        <translation>Beloningen: {0}.</translation>
+    </message>
+    <message>
+        <source>Scenarios</source>
+        <translation>Scenario’s</translation>
+    </message>
+    <message>
+        <source>Set one with {0}, in the form, or in a plan. A default can be another one in a world that says so; {1} and the form tell.</source>
+        <translation>Stel er een in met {0}, in het formulier of in een plan. Een wereld kan een andere standaardwaarde opgeven; {1} en het formulier laten dat zien.</translation>
+    </message>
+    <message>
+        <source>Shaping of rewards</source>
+        <translation>Reward shaping</translation>
+    </message>
+    <message>
+        <source>Source: {0}.</source>
+        <translation>Bron: {0}.</translation>
+    </message>
+    <message>
+        <source>The default is from: {0}.</source>
+        <translation>De standaardwaarde komt uit: {0}.</translation>
+    </message>
+    <message>
+        <source>The learning and the representation of the expected gains.</source>
+        <translation>Het leren en de representatie van de verwachte winsten.</translation>
+    </message>
+    <message>
+        <source>The learning and the representation of the expected losses.</source>
+        <translation>Het leren en de representatie van de verwachte verliezen.</translation>
+    </message>
+    <message>
+        <source>The probability that an action ends in a fall, learned beside the values.</source>
+        <translation>De kans dat een actie in een val eindigt, geleerd naast de waarden.</translation>
+    </message>
+    <message>
+        <source>The risk of a fall</source>
+        <translation>Het valrisico</translation>
+    </message>
+    <message>
+        <source>The window</source>
+        <translation>Het venster</translation>
+    </message>
+    <message>
+        <source>What the learning rules have in common.</source>
+        <translation>Wat de leerregels gemeen hebben.</translation>
+    </message>
+    <message>
+        <source>What the policies have, with their schedules and what they do with the risk of a fall.</source>
+        <translation>Wat de policies hebben, met hun verloop en wat ze met het valrisico doen.</translation>
+    </message>
+    <message>
+        <source>Which part of a reward is a gain and which a loss.</source>
+        <translation>Welk deel van een beloning winst is en welk deel verlies.</translation>
+    </message>
+    <message>
+        <source>Without a window</source>
+        <translation>Zonder venster</translation>
+    </message>
+    <message>
+        <source>Words</source>
+        <translation>Begrippen</translation>
+    </message>
+    <message>
+        <source>Worlds</source>
+        <translation>Werelden</translation>
+    </message>
+    <message>
+        <source>Your own robot</source>
+        <translation>Je eigen robot</translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation>en</translation>
+    </message>
+    <message>
+        <source>of Sarsa_2Q</source>
+        <translation>van Sarsa_2Q</translation>
+    </message>
+    <message>
+        <source>one of {0}; default {1}.</source>
+        <translation>{0}; standaard {1}.</translation>
+    </message>
+    <message>
+        <source>or</source>
+        <translation>of</translation>
+    </message>
+    <message>
+        <source>{0} actions</source>
+        <translation>{0} acties</translation>
+    </message>
+    <message>
+        <source>{0} … {1}; default {2}.</source>
+        <translation>{0} … {1}; standaard {2}.</translation>
+    </message>
+    <message>
+        <source>Handbook</source>
+        <translation>Handboek</translation>
+    </message>
+</context>
+<context>
+    <name>lessons</name>
+    <message>
+        <source>%</source>
+        <translation>%</translation>
+    </message>
+    <message>
+        <source>**Q(S, A)** is what it expects of action A in state S; at first 0. A step corrects one value by **α δ**, with α = 0.5. The surprise, or TD error, is **δ = R + γ Q(S′, A′) − Q(S, A)**: R is the reward, S′ and A′ the next state and action. Watch until the first goal.</source>
+        <translation>**Q(S, A)** is wat hij verwacht van actie A in toestand S; in het begin 0. Een stap corrigeert één waarde met **α δ**, met α = 0,5. De verrassing, of TD-fout, is **δ = R + γ Q(S′, A′) − Q(S, A)**: R is de beloning, S′ en A′ zijn de volgende toestand en actie. Kijk tot het eerste doel.</translation>
+    </message>
+    <message>
+        <source>**Sarsa** learns from what it does: it values a step by the step that it really takes next, also a random one. It learns for 500 episodes with ε = 0.1. Then exploring and learning stop, and the steps of its way are counted. The short way has 13, the long one 17.</source>
+        <translation>**Sarsa** leert van wat hij doet: hij waardeert een stap naar de stap die hij daarna echt doet, ook een willekeurige. Hij leert 500 episodes met ε = 0,1. Dan stoppen exploreren en leren, en worden de stappen van zijn weg geteld. De korte heeft er 13, de lange 17.</translation>
+    </message>
+    <message>
+        <source>**TRL**, threshold-restricted learning, explores as often as ε-greedy with the same ε: here in one step of five. But then it draws almost only among the actions that are worth more than a threshold. Drag the line across the bars, and watch how likely each action is.</source>
+        <translation>**TRL**, threshold-restricted learning, exploreert even vaak als ε-greedy met dezelfde ε: hier in één op de vijf stappen. Maar dan loot het bijna alleen tussen de acties die meer waard zijn dan een drempel. Sleep de lijn over de balken, en kijk hoe waarschijnlijk elke actie is.</translation>
+    </message>
+    <message>
+        <source>**Tile coding** lays 16 grids over each other, each displaced a little; a value is the sum over 16 tiles. Here each of the 16 has resolution 1. Compare it with one grid of resolution 2. Ten lives of each, six minutes from nothing.</source>
+        <translation>**Tile coding** legt 16 roosters over elkaar, elk een beetje verschoven; een waarde is de som over 16 tegels. Hier heeft elk van de 16 resolutie 1. Vergelijk het met één rooster van resolutie 2. Van elk tien levens, zes minuten vanaf nul.</translation>
+    </message>
+    <message>
+        <source>**{observed(5)} falls** in ten minutes with ε = 0.05. Now the same again, from the same knowledge, but **greedy**: it always takes the action that it thinks best, and still learns.</source>
+        <translation>**{observed(5)} valpartijen** in tien minuten met ε = 0,05. Nu hetzelfde nog eens, met dezelfde kennis, maar **greedy**: hij neemt altijd de actie die hij het beste vindt, en leert nog steeds.</translation>
+    </message>
+    <message>
+        <source>0.98 to the power of 35 is about one half; 70 is twice 35.</source>
+        <translation>0,98 tot de macht 35 is ongeveer de helft; 70 is twee keer 35.</translation>
+    </message>
+    <message>
+        <source>16 grids of 1</source>
+        <translation>16 roosters van 1</translation>
+    </message>
+    <message>
+        <source>2.5 times the torque is a larger error than half the torque. The fair comparison for half is **twice**. Ten lives of each, after simulations with × 0.5 and with × 2.</source>
+        <translation>2,5 keer het koppel is een grotere fout dan half het koppel. De eerlijke vergelijking voor de helft is **het dubbele**. Van elk tien levens, na simulaties met × 0,5 en met × 2.</translation>
+    </message>
+    <message>
+        <source>5 of 100 are 1 of 20.</source>
+        <translation>5 van 100 is 1 op 20.</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>A **trace** marks each step, and a step learns in proportion to its mark. With every later step all marks are multiplied by γ λ, here 0.9 · 0.9 = 0.81. The same walk, with the trace: the last step loses 50. The step before it was *left* from state 3.</source>
+        <translation>Een **trace** geeft elke stap een merkteken, en een stap leert in verhouding tot de sterkte daarvan. Bij elke volgende stap worden alle merktekens vermenigvuldigd met γ λ, hier 0,9 · 0,9 = 0,81. Dezelfde wandeling, nu met de trace: de laatste stap verliest 50. De stap ervoor was *links* vanuit toestand 3.</translation>
+    </message>
+    <message>
+        <source>A Sarsa without random steps takes the short way, too. There is another remedy: Q-learning again, with ε = 0.1, which fell {observed(4)} times. Beside its values it now learns **ρ**, how likely an action ends in a fall, and a random step may only take actions whose risk is at most 20 %.</source>
+        <translation>Ook een Sarsa zonder willekeurige stappen neemt de korte weg. Er is nog een middel: weer Q-learning, met ε = 0,1, die {observed(4)} keer viel. Naast zijn waarden leert hij nu **ρ**, de kans dat een actie in een val eindigt, en een willekeurige stap mag alleen acties nemen met een risico van hoogstens 20 %.</translation>
+    </message>
+    <message>
+        <source>A detour costs nothing: left is worth 100 · γ = 100, as much as right.</source>
+        <translation>Een omweg kost niets: links is 100 · γ = 100 waard, net zoveel als rechts.</translation>
+    </message>
+    <message>
+        <source>A fair comparison: with greedy, and with a smaller ε.</source>
+        <translation>Een eerlijke vergelijking: met greedy, en met een kleinere ε.</translation>
+    </message>
+    <message>
+        <source>A fall teaches only the few states in its own tiles.</source>
+        <translation>Een val leert alleen de weinige toestanden in zijn eigen tegels iets.</translation>
+    </message>
+    <message>
+        <source>A full turn has 360°. Into how many tiles is it cut?</source>
+        <translation>Een hele omwenteling heeft 360°. In hoeveel tegels is ze verdeeld?</translation>
+    </message>
+    <message>
+        <source>A full turn has 360°. There are 0.4 times as many tiles.</source>
+        <translation>Een hele omwenteling heeft 360°. Er zijn 0,4 keer zoveel tegels.</translation>
+    </message>
+    <message>
+        <source>A goal is shared out like a fall. First without a trace, **λ = 0**, from the beginning. The robot lives until two things hold: it stands on state 5, five steps from the goal, and *right* is worth more than 0 there.</source>
+        <translation>Een doel wordt net zo verdeeld als een val. Eerst zonder trace, **λ = 0**, vanaf het begin. De robot leeft tot twee dingen gelden: hij staat op toestand 5, vijf stappen van het doel, en *rechts* is daar meer dan 0 waard.</translation>
+    </message>
+    <message>
+        <source>A life with more chance</source>
+        <translation>Een leven met meer toeval</translation>
+    </message>
+    <message>
+        <source>A limit on the risk of a fall</source>
+        <translation>Een grens aan het valrisico</translation>
+    </message>
+    <message>
+        <source>A line you drag</source>
+        <translation>Een lijn die je sleept</translation>
+    </message>
+    <message>
+        <source>A loss is expected sooner. Can it also be expected where there is no danger?</source>
+        <translation>Een verlies wordt eerder verwacht. Kan het ook verwacht worden waar geen gevaar is?</translation>
+    </message>
+    <message>
+        <source>A loss should be expected also near the place of a fall: wide tiles spread it. The goal is small, and what leads to it has to be told apart finely, or it is reached less often. Tiles that are too wide spread the loss even to the upright pole.</source>
+        <translation>Een verlies moet ook in de buurt van een val worden verwacht: brede tegels verspreiden het. Het doel is klein, en wat ernaartoe leidt moet fijn onderscheiden worden, anders wordt het minder vaak bereikt. Te brede tegels verspreiden het verlies zelfs tot de stok die rechtop staat.</translation>
+    </message>
+    <message>
+        <source>A mark on the curve is a fall; a click plays it back.</source>
+        <translation>Een streepje op de curve is een val; een klik speelt hem terug.</translation>
+    </message>
+    <message>
+        <source>A narrower interval, of 99 %.</source>
+        <translation>Een smaller interval, van 99 %.</translation>
+    </message>
+    <message>
+        <source>A paper reports the best of five runs. What is wrong with that?</source>
+        <translation>Een artikel meldt de beste van vijf runs. Wat is daar mis mee?</translation>
+    </message>
+    <message>
+        <source>A place it knows nothing about</source>
+        <translation>Een plek waar hij niets van weet</translation>
+    </message>
+    <message>
+        <source>A pole is hinged to a cart. 200 times a second the robot chooses one of five torques (turning forces) for the cart&apos;s wheel; the arrow shows it. An **episode** ends when the pole stands upright and still, or when it has fallen. This robot has learned nothing yet. Slow it down with the pace.</source>
+        <translation>Op een karretje zit een stok met een scharnier. 200 keer per seconde kiest de robot een van vijf koppels (draaikrachten) voor het wiel van het karretje; de pijl laat het zien. Een **episode** eindigt als de stok rechtop stilstaat, of als hij gevallen is. Deze robot heeft nog niets geleerd. Vertraag hem met het tempo.</translation>
+    </message>
+    <message>
+        <source>A pole on a cart, and a program that has never seen one. You watch it, take the pole in your hand, say how often it will fall, and look at its falls again.</source>
+        <translation>Een stok op een karretje, en een programma dat er nog nooit een gezien heeft. Je kijkt toe, pakt de stok zelf vast, zegt hoe vaak hij zal vallen en bekijkt zijn valpartijen nog eens.</translation>
+    </message>
+    <message>
+        <source>A pole that is upright but moves fast leans a moment later. Where it is and how fast it moves both count.</source>
+        <translation>Een stok die rechtop staat maar snel beweegt, staat even later scheef. Waar hij is en hoe snel hij beweegt, tellen allebei.</translation>
+    </message>
+    <message>
+        <source>A pole that leans by 1° shares its tile with one that leans by 50° to the same side: wide tiles tell little apart. It fell {observed(1)} times. Now the resolution is **8**, a tile 3.75° wide. Again two minutes from nothing.</source>
+        <translation>Een stok die 1° helt deelt zijn tegel met een die 50° naar dezelfde kant helt: brede tegels onderscheiden weinig. Hij viel {observed(1)} keer. Nu is de resolutie **8**, een tegel 3,75° breed. Weer twee minuten vanaf nul.</translation>
+    </message>
+    <message>
+        <source>A reward that lies further away counts less: with each step that it is further away it is multiplied by **γ** (gamma), here 0.9. From state 9 one step gives 100, so state 9 is worth 100. State 8 lies one step further away: 0.9 · 100 = 90. The robot stands on state 6.</source>
+        <translation>Een beloning die verder weg ligt telt minder: met elke stap verder wordt ze vermenigvuldigd met **γ** (gamma), hier 0,9. Vanuit toestand 9 geeft één stap 100, dus toestand 9 is 100 waard. Toestand 8 ligt een stap verder: 0,9 · 100 = 90. De robot staat op toestand 6.</translation>
+    </message>
+    <message>
+        <source>A robot can try any action now and then, or take the better ones more often. The second way has one knob, the temperature. You turn it, let both ways explore equally often, and count their falls.</source>
+        <translation>Een robot kan af en toe wat dan ook proberen, of de betere acties vaker nemen. De tweede manier heeft één knop, de temperatuur. Je draait eraan, laat beide manieren even vaak exploreren en telt hun valpartijen.</translation>
+    </message>
+    <message>
+        <source>A robot cannot try every state. It cuts them into tiles and learns values for each. How wide should a tile be? You try both ends, look for the middle, and then see a way out.</source>
+        <translation>Een robot kan niet elke toestand proberen. Hij verdeelt ze in tegels en leert waarden voor elke tegel. Hoe breed moet een tegel zijn? Je probeert beide uitersten, zoekt het midden en ziet dan een uitweg.</translation>
+    </message>
+    <message>
+        <source>A robot falls. Which of its steps was to blame: the last one, or those that led there? λ shares the blame out. You work out one share, find a step that is blamed wrongly, and see what the sharing is good for.</source>
+        <translation>Een robot valt. Welke stap was schuldig: de laatste, of die ernaartoe leidden? λ verdeelt de schuld. Je rekent één deel uit, vindt een stap die ten onrechte de schuld krijgt, en ziet waar het verdelen goed voor is.</translation>
+    </message>
+    <message>
+        <source>A robot has fallen many times and still expects no loss just before the next fall. Give its losses a Q-function of their own, and choose how far from a fall it is felt.</source>
+        <translation>Een robot is al vaak gevallen en verwacht vlak voor de volgende val nog steeds geen verlies. Geef zijn verlies een eigen Q-functie, en kies hoe ver van een val die te voelen is.</translation>
+    </message>
+    <message>
+        <source>A robot that cannot walk</source>
+        <translation>Een robot die niet kan lopen</translation>
+    </message>
+    <message>
+        <source>A robot that has learned in a simulation meets reality. It still tries something else now and then. How often is that good for it?</source>
+        <translation>Een robot die in een simulatie geleerd heeft, komt in de werkelijkheid. Af en toe probeert hij nog iets anders. Hoe vaak is dat goed voor hem?</translation>
+    </message>
+    <message>
+        <source>A robot that knows nothing learns in reality for 200 episodes. Look how often it falls; each fall may break something. In a simulation nothing breaks. So let it fall there first.</source>
+        <translation>Een robot die niets weet, leert 200 episodes in de werkelijkheid. Kijk hoe vaak hij valt; bij elke val kan iets stukgaan. In een simulatie gaat niets stuk. Laat hem dus eerst daar vallen.</translation>
+    </message>
+    <message>
+        <source>A rule of thumb</source>
+        <translation>Een vuistregel</translation>
+    </message>
+    <message>
+        <source>A second thing to learn</source>
+        <translation>Nog iets om te leren</translation>
+    </message>
+    <message>
+        <source>A share of the blame</source>
+        <translation>Een deel van de schuld</translation>
+    </message>
+    <message>
+        <source>A simulation with strong motors</source>
+        <translation>Een simulatie met sterke motoren</translation>
+    </message>
+    <message>
+        <source>A simulation with weak motors</source>
+        <translation>Een simulatie met zwakke motoren</translation>
+    </message>
+    <message>
+        <source>A step costs 1 for both of them.</source>
+        <translation>Een stap kost voor beide 1.</translation>
+    </message>
+    <message>
+        <source>A step that is blamed</source>
+        <translation>Een stap die de schuld krijgt</translation>
+    </message>
+    <message>
+        <source>A threshold of 50</source>
+        <translation>Een drempel van 50</translation>
+    </message>
+    <message>
+        <source>A tile of Q⁻ is 124° wide now. What else is in the tile in which it fell?</source>
+        <translation>Een tegel van Q⁻ is nu 124° breed. Wat ligt er nog meer in de tegel waarin hij viel?</translation>
+    </message>
+    <message>
+        <source>A torque to the right pushes the cart to the right, under a pole that leans to the right.</source>
+        <translation>Een koppel naar rechts duwt het karretje naar rechts, onder een stok die naar rechts helt.</translation>
+    </message>
+    <message>
+        <source>A trace knows how long ago a step was taken, not whether it was to blame.</source>
+        <translation>Een trace weet hoe lang geleden een stap was, niet of hij schuld had.</translation>
+    </message>
+    <message>
+        <source>A value with a small α is a mean over many steps; with a large one the last few steps decide.</source>
+        <translation>Een waarde met een kleine α is een gemiddelde over veel stappen; met een grote beslissen de laatste paar.</translation>
+    </message>
+    <message>
+        <source>A, thirty</source>
+        <translation>A, dertig</translation>
+    </message>
+    <message>
+        <source>About the same.</source>
+        <translation>Ongeveer hetzelfde.</translation>
+    </message>
+    <message>
+        <source>Above the line</source>
+        <translation>Boven de lijn</translation>
+    </message>
+    <message>
+        <source>After 100 episodes it is {observed(5)}: what comes is what it expects, and the value stays. α decides how quickly it gets there. Turn α, and start again after each try. With the same **seed** chance is the same, so the robot walks to its first goal in the same way.</source>
+        <translation>Na 100 episodes is het {observed(5)}: er komt wat hij verwacht, en de waarde blijft. α bepaalt hoe snel het zover is. Draai aan α, en begin na elke poging opnieuw. Met dezelfde **seed** is het toeval hetzelfde, dus loopt de robot op dezelfde manier naar zijn eerste doel.</translation>
+    </message>
+    <message>
+        <source>After 200 episodes</source>
+        <translation>Na 200 episodes</translation>
+    </message>
+    <message>
+        <source>After half the torque it fell less often than after twice the torque. Is weaker always better? Three more simulations: 0.3, 0.8 and 1.5 times the real torque.</source>
+        <translation>Na half het koppel viel hij minder dan na het dubbele. Is zwakker altijd beter? Nog drie simulaties: 0,3, 0,8 en 1,5 keer het echte koppel.</translation>
+    </message>
+    <message>
+        <source>All actions of a state share what happens there.</source>
+        <translation>Alle acties van een toestand delen wat daar gebeurt.</translation>
+    </message>
+    <message>
+        <source>All learning here is one small correction, made after every step. You work it out by hand twice, with easy numbers, and then let the robot do it. Then you turn α, the size of the correction.</source>
+        <translation>Al het leren is hier één kleine correctie, na elke stap. Die reken je twee keer met de hand uit, met makkelijke getallen, en daarna laat je het aan de robot over. Dan draai je aan α, de grootte van de correctie.</translation>
+    </message>
+    <message>
+        <source>All ten lives of Q-learning walk along the edge, all ten of Sarsa keep off it. For a robot that makes no mistakes the short way is better. But while they learn, both take one step in ten at random. This Sarsa fell {falls} times in its 500 episodes.</source>
+        <translation>Alle tien levens van Q-learning lopen langs de rand, alle tien van Sarsa blijven eraf. Voor een robot die geen fouten maakt is de korte weg beter. Maar terwijl ze leren, doen beide één op de tien stappen willekeurig. Deze Sarsa viel {falls} keer in zijn 500 episodes.</translation>
+    </message>
+    <message>
+        <source>All values were 0. What is Q(3, left) after the fall?</source>
+        <translation>Alle waarden waren 0. Hoe groot is Q(3, links) na de val?</translation>
+    </message>
+    <message>
+        <source>Among how many actions does it choose each time?</source>
+        <translation>Uit hoeveel acties kiest hij elke keer?</translation>
+    </message>
+    <message>
+        <source>An action that is worth τ less than the best is taken 2.7 times less often; one worth 2τ less, 7.4 times. Before, the second best was worth {observed(1)} less. Now the pole leans by 14° and is at rest: the best is worth {q(&quot;1.5&quot;)}, the second best {max(q(&quot;0.75&quot;), q(&quot;0&quot;))}.</source>
+        <translation>Een actie die τ minder waard is dan de beste, wordt 2,7 keer minder vaak gekozen; een die 2τ minder waard is, 7,4 keer minder vaak. Daarnet was de op een na beste {observed(1)} minder waard. Nu helt de stok 14° en is in rust: de beste is {q(&quot;1.5&quot;)} waard, de op een na beste {max(q(&quot;0.75&quot;), q(&quot;0&quot;))}.</translation>
+    </message>
+    <message>
+        <source>An action with a risk of 1 in 100 now counts 30 less.</source>
+        <translation>Een actie met een risico van 1 op 100 telt nu 30 minder.</translation>
+    </message>
+    <message>
+        <source>An interval of 99 % is wider, and the difference is not what is in doubt.</source>
+        <translation>Een interval van 99 % is breder, en aan het verschil wordt niet getwijfeld.</translation>
+    </message>
+    <message>
+        <source>Another robot</source>
+        <translation>Een andere robot</translation>
+    </message>
+    <message>
+        <source>As far-sighted as can be</source>
+        <translation>Zo verziend als het kan</translation>
+    </message>
+    <message>
+        <source>As long as it explores near something that can break it: Sarsa, because it counts its own random steps and keeps away. If it can learn where falls cost nothing, and afterwards stops exploring: Q-learning, whose way is shorter.</source>
+        <translation>Zolang hij exploreert bij iets dat hem kapot kan maken: Sarsa, omdat die zijn eigen willekeurige stappen meetelt en wegblijft. Als hij kan leren waar vallen niets kost, en daarna stopt met exploreren: Q-learning, want die weg is korter.</translation>
+    </message>
+    <message>
+        <source>As short-sighted as can be</source>
+        <translation>Zo kortzichtig als het kan</translation>
+    </message>
+    <message>
+        <source>Ask for a show of hands before every answer. In step 1 expect votes for A. Say openly how the numbers were come by: the seed of B was looked for among 28 (3 of them differ from A by more than 3.5 falls in five lives; no interval left out 0). Seed 1 was taken for all else because it shows how five lives go wrong both ways. In the seeds 1 to 60 five lives gave an interval without 0 for Softmax against greedy twice, thirty lives four times (always for greedy); ε 0.05 against Softmax left out 0 with thirty lives in all 60, with five in 23. Step 7: in 8 seeds ten pairs told ε 0.05 from 0.1 in 6, ten against ten others in 2; with twenty it was 8 and 3. The interval is that of the mean difference of life k and life k, by Student&apos;s t.</source>
+        <translation>Laat vóór elk antwoord handen opsteken. Verwacht in stap 1 stemmen voor A. Zeg eerlijk hoe de getallen tot stand kwamen: de seed van B is uit 28 gezocht (3 daarvan verschillen in vijf levens meer dan 3,5 valpartijen van A; geen interval sloot de 0 uit). Seed 1 is voor al het andere genomen omdat hij laat zien hoe vijf levens naar beide kanten misgaan. In de seeds 1 tot en met 60 gaven vijf levens voor Softmax tegen greedy twee keer een interval zonder 0, dertig levens vier keer (altijd voor greedy); ε 0,05 tegen Softmax sloot met dertig levens in alle 60 de 0 uit, met vijf in 23. Stap 7: in 8 seeds onderscheidden tien paren ε 0,05 van 0,1 in 6, tien tegen tien andere in 2; met twintig waren het er 8 en 3. Het interval is dat van het gemiddelde verschil van leven k en leven k, volgens Students t.</translation>
+    </message>
+    <message>
+        <source>At least four steps in five take the best action, wherever the line lies.</source>
+        <translation>Minstens vier op de vijf stappen nemen de beste actie, waar de lijn ook ligt.</translation>
+    </message>
+    <message>
+        <source>At which value of Q(9, right) is δ = 100 − Q(9, right) zero?</source>
+        <translation>Bij welke waarde van Q(9, rechts) is δ = 100 − Q(9, rechts) nul?</translation>
+    </message>
+    <message>
+        <source>At which τ would the second best be taken 2.7 times less often than the best, here?</source>
+        <translation>Bij welke τ zou de op een na beste hier 2,7 keer minder vaak worden gekozen dan de beste?</translation>
+    </message>
+    <message>
+        <source>Average falls in six minutes: all fine {mean(&quot;Q⁻ 1&quot;)}; only Q⁻ coarse {mean(&quot;only Q⁻ coarse&quot;)}; both coarse {mean(&quot;both coarse&quot;)}; Q⁻ far too coarse {mean(&quot;Q⁻ 0.1&quot;)}. Goals reached in three minutes: only Q⁻ coarse {mean(&quot;goals, only Q⁻ coarse&quot;)}, both coarse {mean(&quot;goals, both coarse&quot;)}.</source>
+        <translation>Gemiddeld aantal valpartijen in zes minuten: alles fijn {mean(&quot;Q⁻ 1&quot;)}; alleen Q⁻ grof {mean(&quot;only Q⁻ coarse&quot;)}; beide grof {mean(&quot;both coarse&quot;)}; Q⁻ veel te grof {mean(&quot;Q⁻ 0.1&quot;)}. Bereikte doelen in drie minuten: alleen Q⁻ grof {mean(&quot;goals, only Q⁻ coarse&quot;)}, beide grof {mean(&quot;goals, both coarse&quot;)}.</translation>
+    </message>
+    <message>
+        <source>Average falls in six minutes: one grid of resolution 2, {mean(&quot;one grid of 2&quot;)}; 16 displaced grids of resolution 1, {mean(&quot;16 grids of 1&quot;)}.</source>
+        <translation>Gemiddeld aantal valpartijen in zes minuten: één rooster van resolutie 2, {mean(&quot;one grid of 2&quot;)}; 16 verschoven roosters van resolutie 1, {mean(&quot;16 grids of 1&quot;)}.</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>B, thirty</source>
+        <translation>B, dertig</translation>
+    </message>
+    <message>
+        <source>Because only falls teach where falls are. A robot that is careful in the simulation sees few of them, and its risk is wrong in the places where it never was. In simulation falls are information that costs nothing; in reality they cost.</source>
+        <translation>Omdat een robot alleen door te vallen leert waar hij valt. Is hij in de simulatie voorzichtig, dan ziet hij weinig valpartijen, en zijn risico klopt niet op de plekken waar hij nooit was. In de simulatie zijn valpartijen informatie die niets kost; in de werkelijkheid kosten ze.</translation>
+    </message>
+    <message>
+        <source>Before the next fall</source>
+        <translation>Voor de volgende val</translation>
+    </message>
+    <message>
+        <source>Below all values it forbids nothing; above all values it has nothing to allow.</source>
+        <translation>Onder alle waarden verbiedt hij niets; boven alle waarden heeft hij niets toe te staan.</translation>
+    </message>
+    <message>
+        <source>Between which two temperatures does the share pass 8?</source>
+        <translation>Tussen welke twee temperaturen gaat het aandeel door 8?</translation>
+    </message>
+    <message>
+        <source>Bold in both worlds</source>
+        <translation>Dapper in beide werelden</translation>
+    </message>
+    <message>
+        <source>Bold in simulation, careful in reality</source>
+        <translation>Dapper in de simulatie, voorzichtig in de werkelijkheid</translation>
+    </message>
+    <message>
+        <source>Both are worth 0: with γ = 0 nothing of the goal reaches these states, and so it tosses a coin.</source>
+        <translation>Beide zijn 0 waard: met γ = 0 bereikt niets van het doel deze toestanden, en dus gooit hij kop of munt.</translation>
+    </message>
+    <message>
+        <source>Both are wrong about this state, but only one of the two errors is a warning.</source>
+        <translation>Beide hebben het over deze toestand mis, maar slechts één van de twee fouten is een waarschuwing.</translation>
+    </message>
+    <message>
+        <source>Both begin with what the same simulation has taught them.</source>
+        <translation>Beide beginnen met wat dezelfde simulatie ze geleerd heeft.</translation>
+    </message>
+    <message>
+        <source>Both explore equally often. Which falls less?</source>
+        <translation>Beide exploreren even vaak. Welke valt minder?</translation>
+    </message>
+    <message>
+        <source>Both learned for ten minutes.</source>
+        <translation>Beide leerden tien minuten.</translation>
+    </message>
+    <message>
+        <source>Both leave the best action about equally often; τ was chosen so.</source>
+        <translation>Beide wijken ongeveer even vaak van de beste actie af; τ is zo gekozen.</translation>
+    </message>
+    <message>
+        <source>Both leave the best action equally often. The left robot then does just anything, even what makes it fall. The right one seldom does what it knows to be bad.</source>
+        <translation>Beide wijken even vaak van de beste actie af. De linker robot doet dan wat dan ook, zelfs wat hem laat vallen. De rechter doet zelden iets waarvan hij weet dat het slecht is.</translation>
+    </message>
+    <message>
+        <source>Both take an action other than the best in about 8 of 100 steps. Why does Softmax fall less?</source>
+        <translation>Beide nemen in ongeveer 8 van 100 stappen een andere actie dan de beste. Waarom valt Softmax minder?</translation>
+    </message>
+    <message>
+        <source>By how much is the second best worth less than the best?</source>
+        <translation>Hoeveel minder waard is de op een na beste dan de beste?</translation>
+    </message>
+    <message>
+        <source>Can the widest tiles tell a pole at 1° from one at 50°?</source>
+        <translation>Kunnen de breedste tegels een stok op 1° onderscheiden van een op 50°?</translation>
+    </message>
+    <message>
+        <source>Careful by the risk.</source>
+        <translation>Voorzichtig door het risico.</translation>
+    </message>
+    <message>
+        <source>Choose α so that Q(9, right) is 100 after a single goal, and let the robot come to state 9 again.</source>
+        <translation>Kies α zo dat Q(9, rechts) na één doel 100 is, en laat de robot nog eens op toestand 9 komen.</translation>
+    </message>
+    <message>
+        <source>Click a fall among the last twenty episodes, and watch the arrow.</source>
+        <translation>Klik op een val in de laatste twintig episodes, en let op de pijl.</translation>
+    </message>
+    <message>
+        <source>Click a state about which it has learned nothing.</source>
+        <translation>Klik op een toestand waarover hij niets geleerd heeft.</translation>
+    </message>
+    <message>
+        <source>Click a state that is still worth more than 0 with γ = 0.</source>
+        <translation>Klik op een toestand die ook met γ = 0 nog meer dan 0 waard is.</translation>
+    </message>
+    <message>
+        <source>Coarser is not always better. Try values between 0.2 and 0.35.</source>
+        <translation>Grover is niet altijd beter. Probeer waarden tussen 0,2 en 0,35.</translation>
+    </message>
+    <message>
+        <source>Coarser still</source>
+        <translation>Nog grover</translation>
+    </message>
+    <message>
+        <source>Compare each life with the one of the same seed: how many go the other way?</source>
+        <translation>Vergelijk elk leven met dat van dezelfde seed: hoeveel gaan de andere kant op?</translation>
+    </message>
+    <message>
+        <source>Compare the line at −100, at 80 and at 200.</source>
+        <translation>Vergelijk de lijn op −100, op 80 en op 200.</translation>
+    </message>
+    <message>
+        <source>Could the robot use a large α at first and a small one later?</source>
+        <translation>Kan de robot eerst een grote en later een kleine α gebruiken?</translation>
+    </message>
+    <message>
+        <source>Could weak motors bring the pole up from 29° as well as strong ones?</source>
+        <translation>Zouden zwakke motoren de stok vanaf 29° even goed rechtop krijgen als sterke?</translation>
+    </message>
+    <message>
+        <source>Do step 2 and 3 on the board, with everybody&apos;s numbers. Errors to expect: to add the whole surprise (100 instead of 75), and in step 3 to forget γ (37.5) or to forget α (60).
+
+The first walk is the same for all: from state 2 to the goal in eight steps. Only its last step teaches anything; the next lesson asks whether that must be so.
+
+Step 4 shows who thinks that values hang together. They are separate numbers, and each is corrected only when its own step is taken.
+
+Step 7: the 20 lives have the same seeds for both α. The rule is Sarsa: A′ is the action that is really taken next, so half of the time it is drawn at random. The measure is Q(8, right) when learning has stopped: for this each life is put on state 7 and goes one step.</source>
+        <translation>Doe stap 2 en 3 op het bord, met ieders getallen. Te verwachten fouten: de hele verrassing optellen (100 in plaats van 75), en in stap 3 γ vergeten (37,5) of α vergeten (60).
+
+De eerste wandeling is voor iedereen dezelfde: van toestand 2 in acht stappen naar het doel. Alleen van de laatste stap leert hij iets; de volgende les vraagt of dat zo moet zijn.
+
+Stap 4 laat zien wie denkt dat waarden aan elkaar vastzitten. Het zijn losse getallen, en elk wordt alleen gecorrigeerd als zijn eigen stap wordt gedaan.
+
+Stap 7: de 20 levens hebben voor beide α dezelfde seeds. De regel is Sarsa: A′ is de actie die hierna echt wordt gedaan, dus de helft van de keren is ze geloot. De maat is Q(8, rechts) wanneer het leren gestopt is: daarvoor wordt elk leven op toestand 7 gezet en doet het één stap.</translation>
+    </message>
+    <message>
+        <source>Does that help? First six minutes of learning from nothing, with the same resolution 1 for both. Two such Q-functions act like a single one.</source>
+        <translation>Helpt dat? Eerst zes minuten leren vanaf nul, met voor beide dezelfde resolutie 1. Twee zulke Q-functies doen hetzelfde als één.</translation>
+    </message>
+    <message>
+        <source>Each episode ends in one of two ways. Which of the two is easier to reach by chance?</source>
+        <translation>Elke episode eindigt op een van twee manieren. Welke van de twee is door toeval makkelijker te bereiken?</translation>
+    </message>
+    <message>
+        <source>Each motor has seven voltages, whatever the others do.</source>
+        <translation>Elke motor heeft zeven spanningen, wat de andere ook doen.</translation>
+    </message>
+    <message>
+        <source>Each step corrects one value, that of the step just taken. Look at the last step.</source>
+        <translation>Elke stap corrigeert één waarde, die van de stap die net is gedaan. Kijk naar de laatste stap.</translation>
+    </message>
+    <message>
+        <source>Each step now costs 1. Is γ = 1 still a bad choice?</source>
+        <translation>Elke stap kost nu 1. Is γ = 1 dan nog een slechte keuze?</translation>
+    </message>
+    <message>
+        <source>Each tile has to be learned by itself, and a fall is what teaches a bad one.</source>
+        <translation>Elke tegel moet apart worden geleerd, en een slechte leert men door een val.</translation>
+    </message>
+    <message>
+        <source>Every step costs 1. A step into the cliff costs 100 and leads back to the start. The short way, along the edge, has 13 steps; the long way, along the top, has 17. The robot has lived 20 episodes. A click on the map puts it on a square.</source>
+        <translation>Elke stap kost 1. Een stap de afgrond in kost 100 en leidt terug naar het begin. De korte weg, langs de rand, heeft 13 stappen; de lange, bovenlangs, 17. De robot heeft 20 episodes geleefd. Met een klik op de kaart zet je hem op een vakje.</translation>
+    </message>
+    <message>
+        <source>Every student has a seed of his own, so the numbers differ a little. Expect to hear that narrow tiles are better because they are more exact; let them vote before step 2. In step 4 1, 2 and 4 all do: in 90 lives they fell 202 to 386 times in six minutes, 0.25 463 to 659 times. Ask for the winner by falls in two minutes (1) and after three more (4): there is no best width without saying when. Measured with the seeds 1 to 10, ten lives each: first two minutes 0.25 186 to 200 falls, 1 118 to 137, 4 173 to 196, 8 329 to 345; after three minutes of learning (seeds 1 to 7) 178 to 193, 75 to 90, 44 to 58, 140 to 154. Six minutes: one grid of 2 248 to 287, 16 grids of 1 190 to 218; the interval said so in 10 of 10. In six minutes one grid of 1 or 4 falls about as often as one of 2.</source>
+        <translation>Elke student heeft een eigen seed, dus de getallen verschillen een beetje. Verwacht te horen dat smalle tegels beter zijn omdat ze nauwkeuriger zijn; laat ze vóór stap 2 stemmen. In stap 4 voldoen 1, 2 en 4: in 90 levens vielen ze in zes minuten 202 tot 386 keer, 0,25 463 tot 659 keer. Vraag naar de winnaar naar valpartijen in twee minuten (1) en na nog drie (4): er is geen beste breedte zonder te zeggen wanneer. Gemeten met de seeds 1 tot en met 10, elk tien levens: eerste twee minuten 0,25 186 tot 200 valpartijen, 1 118 tot 137, 4 173 tot 196, 8 329 tot 345; na drie minuten leren (seeds 1 tot en met 7) 178 tot 193, 75 tot 90, 44 tot 58, 140 tot 154. Zes minuten: één rooster van 2 248 tot 287, 16 roosters van 1 190 tot 218; het interval zei dat in 10 van de 10. In zes minuten valt één rooster van 1 of 4 ongeveer even vaak als een van 2.</translation>
+    </message>
+    <message>
+        <source>Every way to the goal is worth 100, a long one as well.</source>
+        <translation>Elke weg naar het doel is 100 waard, ook een lange.</translation>
+    </message>
+    <message>
+        <source>Everything coarse</source>
+        <translation>Alles grof</translation>
+    </message>
+    <message>
+        <source>Expect to hear &quot;Softmax falls less because it explores less&quot;. Let them vote before step 5 and write the votes down. Step 4 takes that answer away: both leave the best action in 8 of 100 steps. Measured with the seeds 1 to 16, ten lives each: ε 0.1 falls 13 to 24 times, Softmax τ 1.5 2 to 5, greedy 2 to 5. The interval of the difference between ε-greedy and Softmax never held 0, that between greedy and Softmax did in 15 of 16. With τ 10 Softmax falls 76 times, with τ 100 193 times (seeds 1, 2). Do not let them say that Softmax explores where the pole is upright: it leaves the best action wherever another is nearly as good, and that is so at all angles.</source>
+        <translation>Verwacht te horen: “Softmax valt minder omdat het minder exploreert”. Laat ze vóór stap 5 stemmen en schrijf de stemmen op. Stap 4 neemt dat antwoord weg: beide wijken in 8 van 100 stappen van de beste actie af. Gemeten met de seeds 1 tot en met 16, elk tien levens: ε 0,1 valt 13 tot 24 keer, Softmax τ 1,5 2 tot 5, greedy 2 tot 5. Het interval van het verschil tussen ε-greedy en Softmax bevatte nooit de 0, dat tussen greedy en Softmax in 15 van de 16 wel. Met τ 10 valt Softmax 76 keer, met τ 100 193 keer (seeds 1, 2). Laat ze niet zeggen dat Softmax exploreert waar de stok rechtop staat: het wijkt van de beste actie af waar een andere bijna even goed is, en dat is bij alle hoeken zo.</translation>
+    </message>
+    <message>
+        <source>Expect to hear &quot;more exploring is better, it learns faster&quot;. Let them vote before step 2.
+
+One life is a matter of chance. This one (seed 12) falls 17 times at ε = 0.05 and 64 times at 0.25. In eleven others (seeds 1 to 11) it was 0 to 25 against 61 to 90, always more at 0.25. In step 4 a smaller ε is not always better in one life: 8 falls at 0.02, 14 at 0.025, 7 at 0.01. That is a good moment to ask how many lives one needs; lesson 13 answers it.
+
+Step 3 is the experiment that decides: the same knowledge, with and without random actions. In eleven other seeds the two groups did not overlap either.
+
+Do not say that exploring is needed here: a robot with ε = 0 learns this task, too. At first all actions are worth about 0, so that an action that has led to a fall looks worse than one that has not been tried, and it tries the other by itself. New robots with ε = 0 fell 84 to 185 times in their first 500 episodes, against 160 to 212 at 0.05. Where the goal is hard to find by chance it is otherwise.
+
+Step 5: in eleven other seeds the means were in the same order, and −1600 never overlapped with −100; single lives at 0 and at −100 sometimes did. For a robot that has learned before, as in steps 1 to 4, the reward of a fall makes hardly a difference in 200 episodes. With a punishment that is very hard, about −25,000, learning no longer came to an end in our tests.</source>
+        <translation>Verwacht te horen: “meer exploreren is beter, hij leert dan sneller”. Laat ze vóór stap 2 stemmen.
+
+Eén leven is toeval. Dit (seed 12) valt 17 keer met ε = 0,05 en 64 keer met 0,25. In elf andere (seeds 1 tot en met 11) was het 0 tot 25 tegen 61 tot 90, altijd meer met 0,25. In stap 4 is een kleinere ε in één leven niet altijd beter: 8 valpartijen met 0,02, 14 met 0,025, 7 met 0,01. Een goed moment om te vragen hoeveel levens men nodig heeft; les 13 geeft het antwoord.
+
+Stap 3 is het experiment dat beslist: dezelfde kennis, met en zonder willekeurige acties. Ook met elf andere seeds overlapten de twee groepen niet.
+
+Zeg niet dat exploreren hier nodig is: een robot met ε = 0 leert deze taak ook. In het begin zijn alle acties ongeveer 0 waard, zodat een actie die tot een val leidde er slechter uitziet dan een die nog niet geprobeerd is, en hij de andere vanzelf probeert. Nieuwe robots met ε = 0 vielen 84 tot 185 keer in hun eerste 500 episodes, tegen 160 tot 212 met 0,05. Waar het doel door toeval moeilijk te vinden is, ligt het anders.
+
+Stap 5: met elf andere seeds stonden de gemiddelden in dezelfde volgorde, en −1600 overlapte nooit met −100; losse levens met 0 en met −100 soms wel. Voor een robot die al geleerd heeft, zoals in de stappen 1 tot en met 4, maakt de beloning van een val in 200 episodes nauwelijks verschil. Met een zeer zware straf, ongeveer −25 000, kwam het leren in onze proeven niet meer tot een eind.</translation>
+    </message>
+    <message>
+        <source>Expect to hear &quot;strong motors teach it more&quot;, because there it falls less. Let them vote before step 3. Measured with the seeds 1 to 10, ten lives each, ten minutes of simulation, falls in 200 real episodes: from nothing 127 to 137; × 2.5 45 to 64; × 2 24 to 37; × 1.5 9 to 16; right 1 to 4; × 0.8 2 to 4; × 0.5 8 to 16; × 0.3 73 to 103. Every interval between neighbours in steps 5, 6 and 8 leaves out 0. The right one is best; × 0.8 cannot be told from it. In the simulation itself weak motors cost more falls (seed 1, four lives in ten minutes: × 0.5 934, × 1 236, × 2.5 105; with × 0.3 it still falls in four of five episodes): that is the price, and there it is paid. × 1.5 and × 0.5 fall about equally often, so the comparison has to be made by factors, as in step 6. Step 9: 20 falls on average with the risk obeyed, 48 without.</source>
+        <translation>Verwacht te horen: “sterke motoren leren hem meer”, omdat hij daar minder valt. Laat ze vóór stap 3 stemmen. Gemeten met de seeds 1 tot en met 10, elk tien levens, tien minuten simulatie, valpartijen in 200 echte episodes: vanaf nul 127 tot 137; × 2,5 45 tot 64; × 2 24 tot 37; × 1,5 9 tot 16; juist 1 tot 4; × 0,8 2 tot 4; × 0,5 8 tot 16; × 0,3 73 tot 103. Elk interval tussen buren in de stappen 5, 6 en 8 sluit de 0 uit. Het juiste koppel is het beste; × 0,8 is er niet van te onderscheiden. In de simulatie zelf kosten zwakke motoren meer valpartijen (seed 1, vier levens in tien minuten: × 0,5 934, × 1 236, × 2,5 105; met × 0,3 valt hij nog in vier van de vijf episodes): dat is de prijs, en daar wordt hij betaald. × 1,5 en × 0,5 vallen ongeveer even vaak, dus moet men naar factoren vergelijken, zoals in stap 6. Stap 9: gemiddeld 20 valpartijen als het risico wordt gehoorzaamd, 48 zonder.</translation>
+    </message>
+    <message>
+        <source>Expect to hear in step 2 that the highest line is the safest. Let them drag it to the end before they answer. After step 5 TRL looks like the better policy; step 7 asks what it was compared with. Let them vote there. Measured with the seeds 1 to 10, ten lives each, ε = 0.2: no restriction 48 to 55 falls, threshold 50 23 to 29, threshold 100 35 to 45; ε-greedy with ε 0.05 6 to 12. The intervals say so every time for 50 against none and for 50 against ε 0.05, and in 8 of 10 for 50 against 100. Half the ε, 0.1, falls 22 to 25 times: about as often as TRL 50, so do not use it to decide anything with ten lives.</source>
+        <translation>Verwacht in stap 2 te horen dat de hoogste lijn de veiligste is. Laat ze haar eerst naar het eind slepen en dan antwoorden. Na stap 5 lijkt TRL de betere policy; stap 7 vraagt waarmee het vergeleken is. Laat daar stemmen. Gemeten met de seeds 1 tot en met 10, elk tien levens, ε = 0,2: zonder beperking 48 tot 55 valpartijen, drempel 50 23 tot 29, drempel 100 35 tot 45; ε-greedy met ε 0,05 6 tot 12. De intervallen zeggen dat elke keer voor 50 tegen geen en voor 50 tegen ε 0,05, en in 8 van de 10 voor 50 tegen 100. De helft van ε, 0,1, valt 22 tot 25 keer: ongeveer even vaak als TRL 50, dus gebruik dat niet om met tien levens iets te beslissen.</translation>
+    </message>
+    <message>
+        <source>Expected Sarsa takes the mean over its next steps. Which way would you expect of it?</source>
+        <translation>Expected Sarsa neemt het gemiddelde over zijn volgende stappen. Welke weg verwacht je van hem?</translation>
+    </message>
+    <message>
+        <source>Explore equally often</source>
+        <translation>Even vaak exploreren</translation>
+    </message>
+    <message>
+        <source>Explore no more than learning needs: every random action may lead to a fall, also when the robot knows better. And let a fall cost enough that each one teaches something.</source>
+        <translation>Exploreer niet meer dan het leren nodig heeft: elke willekeurige actie kan tot een val leiden, ook als de robot beter weet. En laat een val zoveel kosten dat elke iets leert.</translation>
+    </message>
+    <message>
+        <source>Explore only among actions worth more than a threshold (TRL).</source>
+        <translation>Exploreer alleen tussen acties die meer waard zijn dan een drempel (TRL).</translation>
+    </message>
+    <message>
+        <source>Exploring costs falls</source>
+        <translation>Exploreren kost valpartijen</translation>
+    </message>
+    <message>
+        <source>Exploring is cheap where another action is worth nearly as much as the best. Softmax tries those, and so falls less than ε-greedy that explores as often. It should also be compared with greedy, which does not explore: these lives cannot tell the two apart.</source>
+        <translation>Exploreren is goedkoop waar een andere actie bijna evenveel waard is als de beste. Softmax probeert die, en valt daardoor minder dan ε-greedy die even vaak exploreert. Vergelijk het ook met greedy, die niet exploreert: deze levens kunnen die twee niet uit elkaar houden.</translation>
+    </message>
+    <message>
+        <source>Exploring need not try everything. A line across the actions&apos; values says what may be tried. Where should it lie, and is it better than simply exploring less?</source>
+        <translation>Exploreren hoeft niet alles te proberen. Een lijn door de waarden van de acties zegt wat geprobeerd mag worden. Waar moet ze liggen, en is dat beter dan gewoon minder exploreren?</translation>
+    </message>
+    <message>
+        <source>Fall in simulation, not in reality</source>
+        <translation>Val in de simulatie, niet in de werkelijkheid</translation>
+    </message>
+    <message>
+        <source>Falling less</source>
+        <translation>Minder vallen</translation>
+    </message>
+    <message>
+        <source>Falls in 100 episodes: **{observed(3)}** as a beginner, **{observed(5)}** after 20 minutes of practice. Both began each episode at rest, at most 15° from upright. Watch how it balances now.</source>
+        <translation>Valpartijen in 100 episodes: **{observed(3)}** als beginner, **{observed(5)}** na 20 minuten oefenen. Allebei begonnen ze elke episode in rust, hoogstens 15° uit het lood. Kijk hoe hij nu balanceert.</translation>
+    </message>
+    <message>
+        <source>Falls in 200 episodes</source>
+        <translation>Valpartijen in 200 episodes</translation>
+    </message>
+    <message>
+        <source>Falls in 200 episodes, at equal shares of exploring</source>
+        <translation>Valpartijen in 200 episodes, bij een gelijk aandeel exploreren</translation>
+    </message>
+    <message>
+        <source>Falls in 200 episodes, different simulations</source>
+        <translation>Valpartijen in 200 episodes, verschillende simulaties</translation>
+    </message>
+    <message>
+        <source>Falls in 200 episodes, on average. With ε = 0.2: ε-greedy {mean(&quot;no line&quot;)}; TRL with the line at 50, {mean(&quot;TRL 50&quot;)}. With ε = 0.05: ε-greedy {mean(&quot;ε-greedy, ε 0.05&quot;)}.</source>
+        <translation>Valpartijen in 200 episodes, gemiddeld. Met ε = 0,2: ε-greedy {mean(&quot;no line&quot;)}; TRL met de lijn op 50, {mean(&quot;TRL 50&quot;)}. Met ε = 0,05: ε-greedy {mean(&quot;ε-greedy, ε 0.05&quot;)}.</translation>
+    </message>
+    <message>
+        <source>Falls in 200 episodes, the same simulations</source>
+        <translation>Valpartijen in 200 episodes, dezelfde simulaties</translation>
+    </message>
+    <message>
+        <source>Falls in 200 episodes, ε = 0.2</source>
+        <translation>Valpartijen in 200 episodes, ε = 0,2</translation>
+    </message>
+    <message>
+        <source>Falls in 200 real episodes, ten lives each, on average: {mean(&quot;× 0.3&quot;)} after × 0.3; {mean(&quot;× 0.8&quot;)} after × 0.8; {mean(&quot;× 1.5&quot;)} after × 1.5. After the right motors it was {mean(&quot;right, × 1&quot;)}.</source>
+        <translation>Valpartijen in 200 echte episodes, elk tien levens, gemiddeld: {mean(&quot;× 0.3&quot;)} na × 0,3; {mean(&quot;× 0.8&quot;)} na × 0,8; {mean(&quot;× 1.5&quot;)} na × 1,5. Na de juiste motoren waren het er {mean(&quot;right, × 1&quot;)}.</translation>
+    </message>
+    <message>
+        <source>Falls in 500 episodes</source>
+        <translation>Valpartijen in 500 episodes</translation>
+    </message>
+    <message>
+        <source>Falls in the first 200 real episodes</source>
+        <translation>Valpartijen in de eerste 200 echte episodes</translation>
+    </message>
+    <message>
+        <source>Falls in the first 500 episodes</source>
+        <translation>Valpartijen in de eerste 500 episodes</translation>
+    </message>
+    <message>
+        <source>Falls in the first six minutes</source>
+        <translation>Valpartijen in de eerste zes minuten</translation>
+    </message>
+    <message>
+        <source>Falls in the first two minutes</source>
+        <translation>Valpartijen in de eerste twee minuten</translation>
+    </message>
+    <message>
+        <source>Falls in the next 100 episodes</source>
+        <translation>Valpartijen in de volgende 100 episodes</translation>
+    </message>
+    <message>
+        <source>Falls in three minutes on the other robot</source>
+        <translation>Valpartijen in drie minuten op de andere robot</translation>
+    </message>
+    <message>
+        <source>Falls in two minutes, after three minutes of learning</source>
+        <translation>Valpartijen in twee minuten, na drie minuten leren</translation>
+    </message>
+    <message>
+        <source>Far from upright, where the map is still hatched.</source>
+        <translation>Ver van rechtop, waar de kaart nog gearceerd is.</translation>
+    </message>
+    <message>
+        <source>Far up nothing is left of the differences between the five.</source>
+        <translation>Helemaal boven is er niets over van de verschillen tussen de vijf.</translation>
+    </message>
+    <message>
+        <source>Few lives can also hide a difference. In five lives ε-greedy with ε = 0.05 fell {mean(&quot;A&quot;)} times on average, Softmax {mean(&quot;Softmax, five&quot;)} times: one cannot tell. Now thirty lives of each.</source>
+        <translation>Weinig levens kunnen een verschil ook verbergen. In vijf levens viel ε-greedy met ε = 0,05 gemiddeld {mean(&quot;A&quot;)} keer, Softmax {mean(&quot;Softmax, five&quot;)} keer: niets te zeggen. Nu van elk dertig levens.</translation>
+    </message>
+    <message>
+        <source>Find a resolution with which it falls fewer than 420 times in six minutes.</source>
+        <translation>Vind een resolutie waarmee hij in zes minuten minder dan 420 keer valt.</translation>
+    </message>
+    <message>
+        <source>Find the width that learns soonest and still balances.</source>
+        <translation>Vind de breedte die het snelst leert en toch balanceert.</translation>
+    </message>
+    <message>
+        <source>Fine or coarse, and for what?</source>
+        <translation>Fijn of grof, en waarvoor?</translation>
+    </message>
+    <message>
+        <source>Finish the sentence: a robot that learns by itself falls because …</source>
+        <translation>Maak de zin af: een robot die zelf leert valt, omdat …</translation>
+    </message>
+    <message>
+        <source>First **ε-greedy** with ε = 0.1, for 200 episodes in reality. In one step of ten it draws among all five actions. But one in five of those draws happens to be the best action. To take another one than the best is called *leaving the best action* here.</source>
+        <translation>Eerst **ε-greedy** met ε = 0,1, 200 episodes in de werkelijkheid. In één op de tien stappen loot hij tussen alle vijf acties. Maar één op de vijf lotingen levert toevallig de beste actie op. Een andere dan de beste nemen heet hier *van de beste actie afwijken*.</translation>
+    </message>
+    <message>
+        <source>First plain ε-greedy in reality, for 200 episodes. In one step of five it draws among all five actions, whatever they are worth.</source>
+        <translation>Eerst gewone ε-greedy in de werkelijkheid, 200 episodes. In één op de vijf stappen loot die tussen alle vijf acties, wat ze ook waard zijn.</translation>
+    </message>
+    <message>
+        <source>First δ: what comes is 100, what it expects is 50. Half of that is added.</source>
+        <translation>Eerst δ: er komt 100, hij verwacht 50. De helft daarvan komt erbij.</translation>
+    </message>
+    <message>
+        <source>Five lives gave {mean(&quot;Softmax, five&quot;)} and {mean(&quot;greedy, five&quot;)} falls. Thirty give {mean(&quot;Softmax&quot;)} and {mean(&quot;greedy&quot;)}, and now the interval of the difference holds 0. A 95 % interval may miss: without any difference it leaves out 0 in 5 of 100 comparisons.</source>
+        <translation>Vijf levens gaven {mean(&quot;Softmax, five&quot;)} en {mean(&quot;greedy, five&quot;)} valpartijen. Dertig geven {mean(&quot;Softmax&quot;)} en {mean(&quot;greedy&quot;)}, en nu bevat het interval van het verschil de 0. Een 95%-interval kan ernaast zitten: zonder enig verschil sluit het in 5 van 100 vergelijkingen de 0 uit.</translation>
+    </message>
+    <message>
+        <source>Five lives of A, five of B</source>
+        <translation>Vijf levens van A, vijf van B</translation>
+    </message>
+    <message>
+        <source>Five times as many actions are drawn at random. Not each of them is a bad one.</source>
+        <translation>Vijf keer zoveel acties worden geloot. Niet elke daarvan is een slechte.</translation>
+    </message>
+    <message>
+        <source>Follow the lines of the seeds: do they all lean to one side?</source>
+        <translation>Volg de lijnen van de seeds: hellen ze allemaal naar één kant?</translation>
+    </message>
+    <message>
+        <source>For how many states does one fall change the values?</source>
+        <translation>Voor hoeveel toestanden verandert één val de waarden?</translation>
+    </message>
+    <message>
+        <source>For the end: two simulated hours in turbo, with something to read meanwhile.</source>
+        <translation>Tot slot: twee gesimuleerde uren in turbo, met iets te lezen tussendoor.</translation>
+    </message>
+    <message>
+        <source>From coin toss to certainty: how Softmax chooses (τ).</source>
+        <translation>Van kop of munt tot zekerheid: hoe Softmax kiest (τ).</translation>
+    </message>
+    <message>
+        <source>From nothing, in reality</source>
+        <translation>Vanaf nul, in de werkelijkheid</translation>
+    </message>
+    <message>
+        <source>From simulation to robot</source>
+        <translation>Van simulatie naar robot</translation>
+    </message>
+    <message>
+        <source>From state 4 it went left, right, left, left, right, left, left.</source>
+        <translation>Vanuit toestand 4 ging hij links, rechts, links, links, rechts, links, links.</translation>
+    </message>
+    <message>
+        <source>From the falls in reality.</source>
+        <translation>Van de valpartijen in de werkelijkheid.</translation>
+    </message>
+    <message>
+        <source>From the falls in the simulation.</source>
+        <translation>Van de valpartijen in de simulatie.</translation>
+    </message>
+    <message>
+        <source>From the reward of a fall, −100.</source>
+        <translation>Van de beloning van een val, −100.</translation>
+    </message>
+    <message>
+        <source>From what did the robot learn the risk of its actions?</source>
+        <translation>Waarvan leerde de robot het risico van zijn acties?</translation>
+    </message>
+    <message>
+        <source>From which angle could each of them still bring the pole up in its own simulation?</source>
+        <translation>Vanaf welke hoek kan elk van beide de stok in zijn eigen simulatie nog rechtop krijgen?</translation>
+    </message>
+    <message>
+        <source>From which state does the very next step give a reward above 0?</source>
+        <translation>Vanuit welke toestand geeft de eerstvolgende stap een beloning boven 0?</translation>
+    </message>
+    <message>
+        <source>Gains and losses apart</source>
+        <translation>Winst en verlies apart</translation>
+    </message>
+    <message>
+        <source>Go on: state 7 is worth 0.9 times what state 8 is worth.</source>
+        <translation>Ga zo door: toestand 7 is 0,9 keer zoveel waard als toestand 8.</translation>
+    </message>
+    <message>
+        <source>Goals reached in the first three minutes</source>
+        <translation>Bereikte doelen in de eerste drie minuten</translation>
+    </message>
+    <message>
+        <source>Grab the pole and pull it.</source>
+        <translation>Pak de stok vast en trek eraan.</translation>
+    </message>
+    <message>
+        <source>Gravity pulls a leaning pole further over. The more it leans, the harder the pull. The robot goes on trying its torques. Grab the pole with the mouse and try to hold it up. What must you watch? Only where the pole is?</source>
+        <translation>De zwaartekracht trekt een stok die scheef staat verder omver. Hoe schever, hoe harder. De robot blijft zijn koppels proberen. Pak de stok met de muis en probeer hem rechtop te houden. Waar moet je op letten? Alleen op waar de stok is?</translation>
+    </message>
+    <message>
+        <source>Greedy falls as seldom. When is exploring worth its falls all the same?</source>
+        <translation>Greedy valt even zelden. Wanneer is exploreren zijn valpartijen toch waard?</translation>
+    </message>
+    <message>
+        <source>Greedy, which never explores.</source>
+        <translation>Greedy, die nooit exploreert.</translation>
+    </message>
+    <message>
+        <source>Half as many falls</source>
+        <translation>Half zo vaak vallen</translation>
+    </message>
+    <message>
+        <source>Half as wide, and then half as wide again.</source>
+        <translation>Half zo breed, en dan nog eens half zo breed.</translation>
+    </message>
+    <message>
+        <source>Half of the steps are random in all of them. Look at what α is multiplied by.</source>
+        <translation>In alle levens is de helft van de stappen willekeurig. Kijk waarmee α vermenigvuldigd wordt.</translation>
+    </message>
+    <message>
+        <source>Hands off now. A new **life** begins: the robot knows nothing again, and nobody shows it how to balance. It gets a **reward** of 200 when the pole stands upright and still, and −100 when it falls. Everything else it must find out. You will see its first 100 episodes.</source>
+        <translation>Nu handen af. Een nieuw **leven** begint: de robot weet weer niets, en niemand doet hem het balanceren voor. Hij krijgt een **beloning** van 200 als de stok rechtop stilstaat, en −100 als hij valt. De rest moet hij zelf ontdekken. Je ziet zijn eerste 100 episodes.</translation>
+    </message>
+    <message>
+        <source>Here is the step. There was no reward, and still the robot learned: δ = 0 + 0.8 · 75 − 0 = 60, and Q(8, right) rose by half of that, to 30. A value learns from the next value.</source>
+        <translation>Hier is de stap. Er was geen beloning, en toch leerde de robot: δ = 0 + 0,8 · 75 − 0 = 60, en Q(8, rechts) steeg met de helft daarvan, naar 30. Een waarde leert van de volgende waarde.</translation>
+    </message>
+    <message>
+        <source>How careful?</source>
+        <translation>Hoe voorzichtig?</translation>
+    </message>
+    <message>
+        <source>How coarse may it be?</source>
+        <translation>Hoe grof mag het?</translation>
+    </message>
+    <message>
+        <source>How does it find out that a step over the edge falls?</source>
+        <translation>Hoe komt hij erachter dat een stap over de rand een val is?</translation>
+    </message>
+    <message>
+        <source>How does the wrongly blamed step get its value back?</source>
+        <translation>Hoe krijgt de stap die ten onrechte schuld kreeg zijn waarde terug?</translation>
+    </message>
+    <message>
+        <source>How far do the dots of one ε lie apart?</source>
+        <translation>Hoe ver liggen de punten van één ε uit elkaar?</translation>
+    </message>
+    <message>
+        <source>How far does one lucky or unlucky step move the value with each α?</source>
+        <translation>Hoe ver verschuift één gelukkige of ongelukkige stap de waarde met elke α?</translation>
+    </message>
+    <message>
+        <source>How many actions lie above the line, and among how many does TRL draw then?</source>
+        <translation>Hoeveel acties liggen boven de lijn, en tussen hoeveel loot TRL dan?</translation>
+    </message>
+    <message>
+        <source>How many lives it takes to say so, and with which interval.</source>
+        <translation>Hoeveel levens je nodig hebt om dat te zeggen, en met welk interval.</translation>
+    </message>
+    <message>
+        <source>How many more tiles are there, in three variables?</source>
+        <translation>Hoeveel meer tegels zijn er, in drie variabelen?</translation>
+    </message>
+    <message>
+        <source>How many of its first 100 episodes will end in a fall?</source>
+        <translation>Hoeveel van zijn eerste 100 episodes eindigen in een val?</translation>
+    </message>
+    <message>
+        <source>How many of the falls may have come from random actions?</source>
+        <translation>Hoeveel van de valpartijen kunnen van willekeurige acties gekomen zijn?</translation>
+    </message>
+    <message>
+        <source>How many steps next to the edge does each way have?</source>
+        <translation>Hoeveel stappen naast de rand heeft elke weg?</translation>
+    </message>
+    <message>
+        <source>How many steps per episode will it take?</source>
+        <translation>Hoeveel stappen per episode zal hij nodig hebben?</translation>
+    </message>
+    <message>
+        <source>How many steps will its way have?</source>
+        <translation>Hoeveel stappen zal zijn weg hebben?</translation>
+    </message>
+    <message>
+        <source>How many times will it have reached the goal by then?</source>
+        <translation>Hoe vaak zal hij het doel dan bereikt hebben?</translation>
+    </message>
+    <message>
+        <source>How often will Q-learning fall in 500 episodes?</source>
+        <translation>Hoe vaak zal Q-learning in 500 episodes vallen?</translation>
+    </message>
+    <message>
+        <source>How often will it fall in 200 episodes?</source>
+        <translation>Hoe vaak zal hij in 200 episodes vallen?</translation>
+    </message>
+    <message>
+        <source>How often will it fall in its first ten minutes?</source>
+        <translation>Hoe vaak zal hij in zijn eerste tien minuten vallen?</translation>
+    </message>
+    <message>
+        <source>How often will it fall in its first two minutes?</source>
+        <translation>Hoe vaak zal hij in zijn eerste twee minuten vallen?</translation>
+    </message>
+    <message>
+        <source>How often will it fall in six minutes?</source>
+        <translation>Hoe vaak zal hij in zes minuten vallen?</translation>
+    </message>
+    <message>
+        <source>How often will it fall in the next ten minutes?</source>
+        <translation>Hoe vaak zal hij in de volgende tien minuten vallen?</translation>
+    </message>
+    <message>
+        <source>How often will it fall in these 200 real episodes?</source>
+        <translation>Hoe vaak zal hij in deze 200 echte episodes vallen?</translation>
+    </message>
+    <message>
+        <source>How often will it fall in these ten minutes?</source>
+        <translation>Hoe vaak zal hij in deze tien minuten vallen?</translation>
+    </message>
+    <message>
+        <source>How often will it fall with ε = 0.25?</source>
+        <translation>Hoe vaak zal hij vallen met ε = 0,25?</translation>
+    </message>
+    <message>
+        <source>How often will it fall?</source>
+        <translation>Hoe vaak zal hij vallen?</translation>
+    </message>
+    <message>
+        <source>How should a simulation be wrong?</source>
+        <translation>Hoe moet een simulatie verkeerd zijn?</translation>
+    </message>
+    <message>
+        <source>How steep is the curve of falls in its last ten minutes?</source>
+        <translation>Hoe steil is de curve van valpartijen in de laatste tien minuten?</translation>
+    </message>
+    <message>
+        <source>How weak may it be?</source>
+        <translation>Hoe zwak mag het?</translation>
+    </message>
+    <message>
+        <source>How wide are the bars of the means now?</source>
+        <translation>Hoe breed zijn de balken van de gemiddelden nu?</translation>
+    </message>
+    <message>
+        <source>How wide is a tile along the pole&apos;s angle?</source>
+        <translation>Hoe breed is een tegel langs de hoek van de stok?</translation>
+    </message>
+    <message>
+        <source>How would you let a robot learn?</source>
+        <translation>Hoe zou jij een robot laten leren?</translation>
+    </message>
+    <message>
+        <source>If the robot has to explore that often, a threshold lets it do so with fewer falls. If it need not, a smaller ε saves more. So TRL has to be compared with ε-greedy of a smaller ε, too, not only of the same ε.</source>
+        <translation>Als de robot zo vaak moet exploreren, laat een drempel hem dat met minder valpartijen doen. Hoeft het niet, dan bespaart een kleinere ε meer. Vergelijk TRL dus ook met ε-greedy van een kleinere ε, niet alleen van dezelfde ε.</translation>
+    </message>
+    <message>
+        <source>If wide tiles help, why two Q-functions at all? For a fair comparison give **both** the resolution 0.4, which is one coarse Q-function. Ten lives of each.</source>
+        <translation>Als brede tegels helpen, waarom dan twee Q-functies? Geef voor een eerlijke vergelijking **beide** de resolutie 0,4, en dat is één grove Q-functie. Van elk tien levens.</translation>
+    </message>
+    <message>
+        <source>In 100 steps it draws 10 times. How many of these draws are not the best action?</source>
+        <translation>In 100 stappen loot hij 10 keer. Hoeveel van die lotingen zijn niet de beste actie?</translation>
+    </message>
+    <message>
+        <source>In a simulation falls cost nothing, but no simulation is right. Its motors may be too strong or too weak. Say beforehand which of the two helps more, and then ask whether the comparison was fair.</source>
+        <translation>In een simulatie kost vallen niets, maar geen simulatie klopt. Haar motoren kunnen te sterk of te zwak zijn. Zeg van tevoren wat van beide meer helpt, en vraag dan of de vergelijking eerlijk was.</translation>
+    </message>
+    <message>
+        <source>In how many of 100 steps does it take an action other than the best?</source>
+        <translation>In hoeveel van 100 stappen neemt hij een andere actie dan de beste?</translation>
+    </message>
+    <message>
+        <source>In its own simulation the motors are weak: to bring the pole up from 29° is harder there.</source>
+        <translation>In zijn eigen simulatie zijn de motoren zwak: de stok vanaf 29° rechtop krijgen is daar moeilijker.</translation>
+    </message>
+    <message>
+        <source>In reality it obeys the risk: it chooses by **Q − 3000·ρ**. Nothing was learned anew; only the choice is another. 200 real episodes: without this it fell {observed(1)} times, with a penalty of −6400 {observed(2)} times.</source>
+        <translation>In de werkelijkheid gehoorzaamt hij het risico: hij kiest naar **Q − 3000·ρ**. Er is niets opnieuw geleerd; alleen de keuze is anders. 200 echte episodes: zonder dit viel hij {observed(1)} keer, met een straf van −6400 {observed(2)} keer.</translation>
+    </message>
+    <message>
+        <source>In simulation LEO fell {observed(3)} times and broke nothing. On the other robot it fell {observed(5)} times with ε = 0.05 and {observed(6)} times greedy, in ten minutes each.</source>
+        <translation>In de simulatie viel LEO {observed(3)} keer en ging er niets stuk. Op de andere robot viel hij {observed(5)} keer met ε = 0,05 en {observed(6)} keer greedy, elk in tien minuten.</translation>
+    </message>
+    <message>
+        <source>In simulation a robot may fall as often as it likes, and should: only falls teach where falls are. In reality it should not. One number that it learns beside its values lets it be bold in one world and careful in the other.</source>
+        <translation>In de simulatie mag een robot vallen zo vaak hij wil, en dat moet ook: alleen door te vallen leert hij waar hij valt. In de werkelijkheid niet. Eén getal dat hij naast zijn waarden leert, laat hem in de ene wereld dapper en in de andere voorzichtig zijn.</translation>
+    </message>
+    <message>
+        <source>In these 500 episodes it has been on every square at the edge. Think of its falls.</source>
+        <translation>In deze 500 episodes is hij op elk vakje aan de rand geweest. Denk aan zijn valpartijen.</translation>
+    </message>
+    <message>
+        <source>In this life a coarser Q⁻ came to {observed(4)} falls instead of {observed(3)}. How coarse may it be? Turn the resolution of Q⁻; each time a new life begins. Run six minutes in turbo.</source>
+        <translation>In dit leven kwam een grovere Q⁻ op {observed(4)} valpartijen in plaats van {observed(3)}. Hoe grof mag hij zijn? Draai aan de resolutie van Q⁻; elke keer begint een nieuw leven. Laat zes minuten in turbo lopen.</translation>
+    </message>
+    <message>
+        <source>In which of the two states does Softmax with τ = 1.5 sometimes take the second best?</source>
+        <translation>In welke van de twee toestanden neemt Softmax met τ = 1,5 soms de op een na beste?</translation>
+    </message>
+    <message>
+        <source>In your own words</source>
+        <translation>In je eigen woorden</translation>
+    </message>
+    <message>
+        <source>Is anything else as good, that the claim does not mention?</source>
+        <translation>Is er iets anders even goed, dat de bewering niet noemt?</translation>
+    </message>
+    <message>
+        <source>Is it really better?</source>
+        <translation>Is het echt beter?</translation>
+    </message>
+    <message>
+        <source>Is that fair?</source>
+        <translation>Is dat eerlijk?</translation>
+    </message>
+    <message>
+        <source>Is the robot that falls least also the one that learns soonest? How would you measure it?</source>
+        <translation>Is de robot die het minst valt ook degene die het snelst leert? Hoe zou je dat meten?</translation>
+    </message>
+    <message>
+        <source>It counts the falls that its own random steps will bring at the edge.</source>
+        <translation>Hij telt de valpartijen mee die zijn eigen willekeurige stappen aan de rand zullen brengen.</translation>
+    </message>
+    <message>
+        <source>It did not know yet which torque helps where.</source>
+        <translation>Hij wist nog niet welk koppel waar helpt.</translation>
+    </message>
+    <message>
+        <source>It does not mind the cost of a step.</source>
+        <translation>Wat een stap kost, kan hem niet schelen.</translation>
+    </message>
+    <message>
+        <source>It expects heavy losses even upright: Q⁻ can hardly tell good from bad.</source>
+        <translation>Hij verwacht ook rechtop zwaar verlies: Q⁻ kan goed en slecht nauwelijks onderscheiden.</translation>
+    </message>
+    <message>
+        <source>It expects that it can still save itself.</source>
+        <translation>Hij verwacht dat hij zich nog kan redden.</translation>
+    </message>
+    <message>
+        <source>It expects too little loss.</source>
+        <translation>Hij verwacht te weinig verlies.</translation>
+    </message>
+    <message>
+        <source>It expects {max(q(&quot;1.5&quot;), q(&quot;0.75&quot;), q(&quot;0&quot;), q(&quot;-0.75&quot;), q(&quot;-1.5&quot;))}, not {observed(4)}. Ten lives each fall, on average, {mean(&quot;nothing&quot;)} times from nothing, {mean(&quot;strong, × 2.5&quot;)} after the strong motors, {mean(&quot;weak, × 0.5&quot;)} after the weak ones and {mean(&quot;right, × 1&quot;)} after the right ones.</source>
+        <translation>Hij verwacht {max(q(&quot;1.5&quot;), q(&quot;0.75&quot;), q(&quot;0&quot;), q(&quot;-0.75&quot;), q(&quot;-1.5&quot;))}, niet {observed(4)}. Van elk tien levens: gemiddeld vallen ze {mean(&quot;nothing&quot;)} keer vanaf nul, {mean(&quot;strong, × 2.5&quot;)} na de sterke motoren, {mean(&quot;weak, × 0.5&quot;)} na de zwakke en {mean(&quot;right, × 1&quot;)} na de juiste.</translation>
+    </message>
+    <message>
+        <source>It explores less.</source>
+        <translation>Het exploreert minder.</translation>
+    </message>
+    <message>
+        <source>It explores more often.</source>
+        <translation>Het exploreert vaker.</translation>
+    </message>
+    <message>
+        <source>It explores more.</source>
+        <translation>Hij exploreert meer.</translation>
+    </message>
+    <message>
+        <source>It fell **{observed(1)} times** in 200 episodes. Now it first learns for ten minutes in a simulation. But the simulation is wrong: its motors are **2.5 times too strong**. After that come 200 episodes in reality.</source>
+        <translation>Hij viel **{observed(1)} keer** in 200 episodes. Nu leert hij eerst tien minuten in een simulatie. Maar die klopt niet: haar motoren zijn **2,5 keer te sterk**. Daarna komen 200 episodes in de werkelijkheid.</translation>
+    </message>
+    <message>
+        <source>It fell **{observed(1)} times**. The first idea: a fall costs −6400 instead of −100, in the simulation **and** in reality. Everything else stays.</source>
+        <translation>Hij viel **{observed(1)} keer**. Het eerste idee: een val kost −6400 in plaats van −100, in de simulatie **en** in de werkelijkheid. Al het andere blijft.</translation>
+    </message>
+    <message>
+        <source>It fell **{observed(3)} times** in 200 episodes. Now TRL with a threshold of **50**. The same robot, and it explores in one step of five, as before.</source>
+        <translation>Hij viel **{observed(3)} keer** in 200 episodes. Nu TRL met een drempel van **50**. Dezelfde robot, en hij exploreert in één op de vijf stappen, zoals eerst.</translation>
+    </message>
+    <message>
+        <source>It fell {observed(2)} times; with the wide tiles {observed(1)} times. What it learns in a narrow tile helps in no other, and there are 32,768 times as many of them. The map shows where it has learned anything.</source>
+        <translation>Hij viel {observed(2)} keer; met de brede tegels {observed(1)} keer. Wat hij in een smalle tegel leert helpt in geen andere, en daarvan zijn er 32 768 keer zoveel. De kaart laat zien waar hij iets geleerd heeft.</translation>
+    </message>
+    <message>
+        <source>It fell {observed(3)} times. Each fall has a mark below the curve, and a click plays it back slowly. To save a leaning pole, the wheel must drive the cart **under** it, to the side where it leans. Does the arrow point to that side all the time?</source>
+        <translation>Hij viel {observed(3)} keer. Elke val heeft een streepje onder de curve, en een klik speelt hem langzaam terug. Om een scheve stok te redden moet het wiel het karretje **onder** de stok rijden, naar de kant waarheen hij helt. Wijst de pijl de hele tijd naar die kant?</translation>
+    </message>
+    <message>
+        <source>It fell {observed(4)} times. In ten lives of each, Sarsa falls {least(&quot;Sarsa falls&quot;)} to {most(&quot;Sarsa falls&quot;)} times and Q-learning {least(&quot;Q-learning falls&quot;)} to {most(&quot;Q-learning falls&quot;)} times. To Q-learning the short way is worth more, to Sarsa the longer one.</source>
+        <translation>Hij viel {observed(4)} keer. In tien levens van elk valt Sarsa {least(&quot;Sarsa falls&quot;)} tot {most(&quot;Sarsa falls&quot;)} keer en Q-learning {least(&quot;Q-learning falls&quot;)} tot {most(&quot;Q-learning falls&quot;)} keer. Voor Q-learning is de korte weg meer waard, voor Sarsa de langere.</translation>
+    </message>
+    <message>
+        <source>It fell {observed(7)} times instead of {observed(4)}, and walks along the edge: it fell about once for every square beside the cliff, and then knew. Without that, with ε = 0.1, Sarsa kept off the edge and Q-learning did not.</source>
+        <translation>Hij viel {observed(7)} keer in plaats van {observed(4)}, en loopt langs de rand: hij viel ongeveer één keer voor elk vakje naast de afgrond, en wist het toen. Zonder dat bleef, met ε = 0,1, Sarsa van de rand af en Q-learning niet.</translation>
+    </message>
+    <message>
+        <source>It follows what it learned in the simulation, also where that is wrong.</source>
+        <translation>Die volgt wat hij in de simulatie leerde, ook waar dat verkeerd is.</translation>
+    </message>
+    <message>
+        <source>It forbids the best action.</source>
+        <translation>Ze verbiedt de beste actie.</translation>
+    </message>
+    <message>
+        <source>It forgets what it has learned.</source>
+        <translation>Hij vergeet wat hij geleerd heeft.</translation>
+    </message>
+    <message>
+        <source>It has been at the goal many times. Look at state 9.</source>
+        <translation>Hij is vaak bij het doel geweest. Kijk naar toestand 9.</translation>
+    </message>
+    <message>
+        <source>It has fallen so often. Why does it expect no loss here?</source>
+        <translation>Hij is zo vaak gevallen. Waarom verwacht hij hier geen verlies?</translation>
+    </message>
+    <message>
+        <source>It has learned for longer.</source>
+        <translation>Het heeft langer geleerd.</translation>
+    </message>
+    <message>
+        <source>It has never been in these tiles.</source>
+        <translation>Hij is nog nooit in deze tegels geweest.</translation>
+    </message>
+    <message>
+        <source>It has never been on the short way.</source>
+        <translation>Hij is nooit op de korte weg geweest.</translation>
+    </message>
+    <message>
+        <source>It has not found the goal yet.</source>
+        <translation>Hij heeft het doel nog niet gevonden.</translation>
+    </message>
+    <message>
+        <source>It has not learned for long enough.</source>
+        <translation>Hij heeft niet lang genoeg geleerd.</translation>
+    </message>
+    <message>
+        <source>It has not lived in reality yet.</source>
+        <translation>Hij heeft nog niet in de werkelijkheid geleefd.</translation>
+    </message>
+    <message>
+        <source>It is 75: δ was 50, half as much as before. Next the robot is put on state 8 and goes right. Q(8, right) is 0, and the reward is R = 0. But on state 9 it will go right, and Q(9, right) = 75. Here γ = 0.8.</source>
+        <translation>Het is 75: δ was 50, half zo groot als daarnet. Nu wordt de robot op toestand 8 gezet en gaat naar rechts. Q(8, rechts) is 0, en de beloning is R = 0. Maar op toestand 9 gaat hij naar rechts, en Q(9, rechts) = 75. Hier is γ = 0,8.</translation>
+    </message>
+    <message>
+        <source>It is afraid of the fall.</source>
+        <translation>Hij is bang voor de val.</translation>
+    </message>
+    <message>
+        <source>It is the same motor now. Look at the pole: does it come upright?</source>
+        <translation>Het is nu dezelfde motor. Kijk naar de stok: komt hij rechtop?</translation>
+    </message>
+    <message>
+        <source>It keeps away from the fall.</source>
+        <translation>Hij blijft uit de buurt van de val.</translation>
+    </message>
+    <message>
+        <source>It knows enough to fall seldom. But it still takes one action in four at random, also where that is dangerous.</source>
+        <translation>Hij weet genoeg om zelden te vallen. Maar hij kiest nog steeds één op de vier acties willekeurig, ook waar dat gevaarlijk is.</translation>
+    </message>
+    <message>
+        <source>It leads to state 3, away from the fall. Look at the world.</source>
+        <translation>Die leidt naar toestand 3, weg van de val. Kijk naar de wereld.</translation>
+    </message>
+    <message>
+        <source>It leads to the fall, too.</source>
+        <translation>Die leidt ook naar de val.</translation>
+    </message>
+    <message>
+        <source>It learned caution in the simulation, and with it less of where falls are.</source>
+        <translation>Die leerde voorzichtigheid in de simulatie, en daardoor minder over waar gevallen wordt.</translation>
+    </message>
+    <message>
+        <source>It learned for longer.</source>
+        <translation>Hij leerde langer.</translation>
+    </message>
+    <message>
+        <source>It learns more slowly, so it knows too little.</source>
+        <translation>Hij leert langzamer, dus weet hij te weinig.</translation>
+    </message>
+    <message>
+        <source>It no longer gets the reward of the goal.</source>
+        <translation>Hij krijgt de beloning van het doel niet meer.</translation>
+    </message>
+    <message>
+        <source>It takes such a lean for lost, and so errs on the safe side.</source>
+        <translation>Hij geeft zo&apos;n helling verloren, en zit dus aan de veilige kant.</translation>
+    </message>
+    <message>
+        <source>It wants to fall then, because that ends the episode.</source>
+        <translation>Hij wil dan vallen, want dat beëindigt de episode.</translation>
+    </message>
+    <message>
+        <source>It was taken shortly before the fall.</source>
+        <translation>Die is kort voor de val gedaan.</translation>
+    </message>
+    <message>
+        <source>It will keep away from falls in both worlds. But what does it know of the real one?</source>
+        <translation>Hij zal in beide werelden van valpartijen wegblijven. Maar wat weet hij van de echte?</translation>
+    </message>
+    <message>
+        <source>Its episodes began with the pole too far over.</source>
+        <translation>Bij het begin van zijn episodes stond de stok te scheef.</translation>
+    </message>
+    <message>
+        <source>Its mark has faded once, to 0.81. It loses 0.81 times what the last step loses.</source>
+        <translation>Zijn merkteken is één keer vervaagd, tot 0,81. Hij verliest 0,81 keer wat de laatste stap verliest.</translation>
+    </message>
+    <message>
+        <source>Its motor is too weak for the pole.</source>
+        <translation>Zijn motor is te zwak voor de stok.</translation>
+    </message>
+    <message>
+        <source>Its random actions make it fall, whatever it knows.</source>
+        <translation>Zijn willekeurige acties laten hem vallen, wat hij ook weet.</translation>
+    </message>
+    <message>
+        <source>Its random steps are what makes the edge costly. And what it learned with them it must learn anew.</source>
+        <translation>Zijn willekeurige stappen maken de rand duur. En wat hij daarmee leerde, moet hij opnieuw leren.</translation>
+    </message>
+    <message>
+        <source>Its tiles are only 12° wide, and all its falls went through other ones.</source>
+        <translation>Zijn tegels zijn maar 12° breed, en al zijn valpartijen gingen door andere.</translation>
+    </message>
+    <message>
+        <source>LEO has two legs and seven parts, and knows nothing when it begins. Give it two simulated hours. Then put what it has learned on a robot with other motors, and compare two ways to go on.</source>
+        <translation>LEO heeft twee benen en zeven delen, en weet niets als hij begint. Geef hem twee gesimuleerde uren. Zet dan wat hij geleerd heeft op een robot met andere motoren, en vergelijk twee manieren om verder te gaan.</translation>
+    </message>
+    <message>
+        <source>LEO is held by a boom, so that it cannot fall sideways. Thirty times a second it sets three motors, each to one of seven voltages. It gets a reward for every metre, and pays for energy, for time and for falls. It knows nothing yet. Watch it for a while.</source>
+        <translation>LEO hangt aan een giek, zodat hij niet opzij kan vallen. Dertig keer per seconde zet hij drie motoren elk op een van zeven spanningen. Hij krijgt een beloning voor elke meter, en betaalt voor energie, tijd en valpartijen. Hij weet nog niets. Kijk er even naar.</translation>
+    </message>
+    <message>
+        <source>LEO walks</source>
+        <translation>LEO loopt</translation>
+    </message>
+    <message>
+        <source>Learn first on a wrong model, and choose how it should be wrong.</source>
+        <translation>Leer eerst op een verkeerd model, en kies hoe het verkeerd is.</translation>
+    </message>
+    <message>
+        <source>Learn how likely a fall is, and obey it only where falls cost something.</source>
+        <translation>Leer hoe waarschijnlijk een val is, en gehoorzaam dat alleen waar vallen iets kost.</translation>
+    </message>
+    <message>
+        <source>Left and right are worth the same there.</source>
+        <translation>Links en rechts zijn daar evenveel waard.</translation>
+    </message>
+    <message>
+        <source>Less.</source>
+        <translation>Minder.</translation>
+    </message>
+    <message>
+        <source>Let it fall in simulation first, as often as it needs. Then explore as little as possible on the robot: in this run greedy fell less. And check it with more than one learned robot before you say so of all.</source>
+        <translation>Laat hem eerst in simulatie vallen, zo vaak als nodig is. Exploreer daarna op de robot zo weinig mogelijk: in deze run viel greedy minder. En controleer het met meer dan één robot die geleerd heeft voordat je het van allemaal zegt.</translation>
+    </message>
+    <message>
+        <source>Let it run, and look at the arrows on the map: which way do they lead from the start?</source>
+        <translation>Laat hem lopen, en kijk naar de pijlen op de kaart: waar leiden ze vanaf het begin heen?</translation>
+    </message>
+    <message>
+        <source>Let them vote before step 5: expect to hear &quot;the coarser, the better&quot;. The fair comparison of step 7 is easily forgotten: one coarse Q-function. Measured with the seeds 1 to 10, ten lives of six minutes each: fine 65 to 77 falls, Q⁻ 0.4 44 to 50, Q⁻ 0.1 198 to 282, both 0.4 69 to 76; every interval between them says so, but that between fine and both coarse, which differ little in falls. With both coarse the goal is reached about 770 times in six minutes in place of about 1,300. One life showed the opposite in 2 of 10 seeds, hence ten. On the walking robot LEO a coarse Q⁻ for all that is negative falls 15 times as often; if it holds the falls alone, as here, it falls as often as one Q-function.</source>
+        <translation>Laat ze vóór stap 5 stemmen: verwacht “hoe grover, hoe beter”. De eerlijke vergelijking van stap 7 wordt makkelijk vergeten: één grove Q-functie. Gemeten met de seeds 1 tot en met 10, elk tien levens van zes minuten: fijn 65 tot 77 valpartijen, Q⁻ 0,4 44 tot 50, Q⁻ 0,1 198 tot 282, beide 0,4 69 tot 76; elk interval ertussen zegt dat, behalve dat tussen fijn en beide grof, die in valpartijen weinig verschillen. Met beide grof wordt het doel in zes minuten ongeveer 770 keer bereikt in plaats van ongeveer 1 300. Eén leven liet in 2 van de 10 seeds het tegendeel zien, vandaar tien. Op de looprobot LEO valt een grove Q⁻ voor alles wat negatief is 15 keer zo vaak; bevat hij alleen de valpartijen, zoals hier, dan valt hij even vaak als één Q-functie.</translation>
+    </message>
+    <message>
+        <source>Look at how far the dots of both overlap, not only at the means.</source>
+        <translation>Kijk hoe ver de punten van beide overlappen, niet alleen naar de gemiddelden.</translation>
+    </message>
+    <message>
+        <source>Look at the dots of both, and at the bars of their means.</source>
+        <translation>Kijk naar de punten van beide, en naar de balken van hun gemiddelden.</translation>
+    </message>
+    <message>
+        <source>Look at the dots, not at the means alone.</source>
+        <translation>Kijk naar de punten, niet alleen naar de gemiddelden.</translation>
+    </message>
+    <message>
+        <source>Look at the dots: none of them is near 0.</source>
+        <translation>Kijk naar de punten: geen ervan ligt bij 0.</translation>
+    </message>
+    <message>
+        <source>Look at the first seven steps: no reward came, none was expected, δ = 0.</source>
+        <translation>Kijk naar de eerste zeven stappen: er kwam geen beloning, er werd geen verwacht, δ = 0.</translation>
+    </message>
+    <message>
+        <source>Look at the map: has it ever learned a value here?</source>
+        <translation>Kijk naar de kaart: heeft hij hier ooit een waarde geleerd?</translation>
+    </message>
+    <message>
+        <source>Look at the rewards: 0 for a fall, 200 for the goal.</source>
+        <translation>Kijk naar de beloningen: 0 voor een val, 200 voor het doel.</translation>
+    </message>
+    <message>
+        <source>Look at what it expects at 3°.</source>
+        <translation>Kijk wat hij verwacht bij 3°.</translation>
+    </message>
+    <message>
+        <source>Make Sarsa take the short way: bring its average reward to −13.5 or better.</source>
+        <translation>Laat Sarsa de korte weg nemen: breng zijn gemiddelde beloning op −13,5 of beter.</translation>
+    </message>
+    <message>
+        <source>Make it fall less often in six minutes than with the fine Q⁻, with a resolution of at most 0.35.</source>
+        <translation>Laat hem in zes minuten minder vallen dan met de fijne Q⁻, met een resolutie van hoogstens 0,35.</translation>
+    </message>
+    <message>
+        <source>Make it fall less than half as often as with ε = 0.05.</source>
+        <translation>Laat hem minder dan half zo vaak vallen als met ε = 0,05.</translation>
+    </message>
+    <message>
+        <source>Marks fade to γ λ with every step, and γ is 0.9. For which λ is that one half?</source>
+        <translation>Bij elke stap vervagen merktekens tot γ λ keer hun sterkte, en γ is 0,9. Voor welke λ is dat de helft?</translation>
+    </message>
+    <message>
+        <source>More lives.</source>
+        <translation>Meer levens.</translation>
+    </message>
+    <message>
+        <source>More.</source>
+        <translation>Meer.</translation>
+    </message>
+    <message>
+        <source>Neither simulation is exact. Look at what each of them made the robot expect.</source>
+        <translation>Geen van beide simulaties is nauwkeurig. Kijk wat elk de robot liet verwachten.</translation>
+    </message>
+    <message>
+        <source>No amount of learning gives two states in one tile different values.</source>
+        <translation>Hoeveel je ook leert, twee toestanden in één tegel krijgen nooit verschillende waarden.</translation>
+    </message>
+    <message>
+        <source>No formula is needed. Let everybody write a number down before step 3; expect low guesses from whoever thinks of balancing a broom on the hand. Forty lives (seeds 1 to 40) fell 68 to 93 times in their first 100 episodes, and 0 to 7 times in 100 after 20 minutes.
+
+Step 2: the pole falls in a fraction of a second, so set the pace to its slowest before anybody grabs it. What one should notice is that the angle alone is not enough: the rate counts as well. Together with the wheel&apos;s rate they are the state.
+
+Step 6: the wrong answers are reasonable guesses about machines. The point is that body and task are the same in both curves. A pole that leans too far cannot be saved with this motor; but no episode begins there.
+
+Each student has numbers of his own, from his name.</source>
+        <translation>Er is geen formule nodig. Laat iedereen vóór stap 3 een getal opschrijven; wie denkt aan het balanceren van een bezem op de hand, zal laag gokken. Veertig levens (seeds 1 tot en met 40) vielen 68 tot 93 keer in hun eerste 100 episodes, en 0 tot 7 keer in 100 na 20 minuten.
+
+Stap 2: de stok valt in een fractie van een seconde, dus zet het tempo op het langzaamst voordat iemand hem vastpakt. Wat men hoort te merken: de hoek alleen is niet genoeg, de snelheid telt ook. Samen met de snelheid van het wiel vormen ze de toestand.
+
+Stap 6: de foute antwoorden zijn redelijke vermoedens over machines. Het gaat erom dat lichaam en taak in beide curves dezelfde zijn. Een stok die te scheef staat is met deze motor niet te redden, maar geen enkele episode begint daar.
+
+Elke student heeft eigen getallen, die uit zijn naam volgen.</translation>
+    </message>
+    <message>
+        <source>Nobody shows LEO how to walk. Thirty times a second it does [one step of learning](lesson:one-step-of-learning), and [traces](lesson:whom-to-blame) carry each fall back to the steps before it. Metres are rewarded; the rest it must find. The thesis behind this program asked how LEO could learn without breaking. Watch where the curve of falls becomes flatter.</source>
+        <translation>Niemand doet LEO het lopen voor. Dertig keer per seconde doet hij [één stap leren](lesson:one-step-of-learning), en [traces](lesson:whom-to-blame) dragen elke val terug naar de stappen ervoor. Meters worden beloond; de rest moet hij ontdekken. De scriptie achter dit programma vroeg hoe LEO kan leren zonder stuk te gaan. Kijk waar de curve van valpartijen vlakker wordt.</translation>
+    </message>
+    <message>
+        <source>Nobody told this robot which torque is right. It found out by trying, and most of its first 100 episodes ended in a fall. In a simulation a fall costs nothing. A real robot can break.</source>
+        <translation>Niemand heeft deze robot verteld welk koppel goed is. Hij ontdekte het door te proberen, en de meeste van zijn eerste 100 episodes eindigden in een val. In een simulatie kost een val niets. Een echte robot kan stukgaan.</translation>
+    </message>
+    <message>
+        <source>Nothing in them is drawn: every episode begins alike, and greedy does not explore.</source>
+        <translation>Er wordt niets geloot: elke episode begint gelijk, en greedy exploreert niet.</translation>
+    </message>
+    <message>
+        <source>Nothing: it changes together with Q(8, right).</source>
+        <translation>Niets: het verandert samen met Q(8, rechts).</translation>
+    </message>
+    <message>
+        <source>Now drag the line to both ends: first below all five bars, then above all of them. Each time look how likely the worst action is.</source>
+        <translation>Sleep de lijn nu naar beide uiteinden: eerst onder alle vijf balken, dan boven allemaal. Kijk elke keer hoe waarschijnlijk de slechtste actie is.</translation>
+    </message>
+    <message>
+        <source>Now half of its steps are random. After a step to state 9 it sometimes goes *right*, sometimes *left*: what a step teaches depends on chance. In 20 lives of 500 episodes Q(8, right) ends between {least(&quot;α 0.02&quot;)} and {most(&quot;α 0.02&quot;)} with α = 0.02, and between {least(&quot;α 0.5&quot;)} and {most(&quot;α 0.5&quot;)} with α = 0.5.</source>
+        <translation>Nu is de helft van zijn stappen willekeurig. Na een stap naar toestand 9 gaat hij soms naar *rechts*, soms naar *links*: wat een stap leert, hangt af van het toeval. In 20 levens van 500 episodes eindigt Q(8, rechts) tussen {least(&quot;α 0.02&quot;)} en {most(&quot;α 0.02&quot;)} met α = 0,02, en tussen {least(&quot;α 0.5&quot;)} en {most(&quot;α 0.5&quot;)} met α = 0,5.</translation>
+    </message>
+    <message>
+        <source>Now it has practised for 20 minutes, by its own clock. The pole, the cart and the motor are the same as before. Here are 100 more episodes. As a beginner it fell {observed(3)} times.</source>
+        <translation>Nu heeft hij 20 minuten geoefend, op zijn eigen klok. De stok, het karretje en de motor zijn dezelfde. Hier zijn nog eens 100 episodes. Als beginner viel hij {observed(3)} keer.</translation>
+    </message>
+    <message>
+        <source>Now it leans and is at rest</source>
+        <translation>Nu helt hij en is in rust</translation>
+    </message>
+    <message>
+        <source>Now the two minutes after three minutes of learning. Falls on average: {mean(&quot;resolution 0.25, later&quot;)} with 0.25; {mean(&quot;resolution 1, later&quot;)} with 1; {mean(&quot;resolution 4, later&quot;)} with 4; {mean(&quot;resolution 8, later&quot;)} with 8. The order has changed: look who falls least now.</source>
+        <translation>Nu de twee minuten na drie minuten leren. Gemiddeld aantal valpartijen: {mean(&quot;resolution 0.25, later&quot;)} met 0,25; {mean(&quot;resolution 1, later&quot;)} met 1; {mean(&quot;resolution 4, later&quot;)} met 4; {mean(&quot;resolution 8, later&quot;)} met 8. De volgorde is veranderd: kijk wie nu het minst valt.</translation>
+    </message>
+    <message>
+        <source>Now two robots that do differ. One chooses by **Softmax** with τ = 1; the other is **greedy**: it always takes the best action it knows. Five lives of each. Does the interval of the difference hold 0?</source>
+        <translation>Nu twee robots die wel verschillen. De ene kiest met **Softmax**, τ = 1; de andere is **greedy**: hij neemt altijd de beste actie die hij kent. Van elk vijf levens. Bevat het interval van het verschil de 0?</translation>
+    </message>
+    <message>
+        <source>Now you choose. Turn the resolution; each time a new life begins from nothing. Run six minutes in turbo and count the falls. Try wide tiles, narrow tiles, and what lies between.</source>
+        <translation>Nu kies jij. Draai aan de resolutie; elke keer begint een nieuw leven vanaf nul. Laat zes minuten in turbo lopen en tel de valpartijen. Probeer brede tegels, smalle tegels, en wat ertussenin ligt.</translation>
+    </message>
+    <message>
+        <source>Obey it now</source>
+        <translation>Gehoorzaam het nu</translation>
+    </message>
+    <message>
+        <source>On a walking robot standing still is to fall. What would a large weight do there?</source>
+        <translation>Voor een looprobot is stilstaan vallen. Wat zou een groot gewicht daar doen?</translation>
+    </message>
+    <message>
+        <source>On average the ten lives needed {mean(&quot;λ 0&quot;)} steps with λ = 0 and {mean(&quot;λ 0.9&quot;)} with λ = 0.9. After the first fall *right* from state 2 was worth −32.8, wrongly. After 100 episodes, still with λ = 0.9, it is worth {q(&quot;right&quot;)}.</source>
+        <translation>De tien levens hadden gemiddeld {mean(&quot;λ 0&quot;)} stappen nodig met λ = 0 en {mean(&quot;λ 0.9&quot;)} met λ = 0,9. Na de eerste val was *rechts* vanuit toestand 2 ten onrechte −32,8 waard. Na 100 episodes, nog steeds met λ = 0,9, is het {q(&quot;right&quot;)} waard.</translation>
+    </message>
+    <message>
+        <source>On state 5: what is a step to the right worth, and what a step to the left?</source>
+        <translation>Op toestand 5: wat is een stap naar rechts waard, en wat een stap naar links?</translation>
+    </message>
+    <message>
+        <source>One fall</source>
+        <translation>Eén val</translation>
+    </message>
+    <message>
+        <source>One fall, many guilty steps: traces share out the blame (λ).</source>
+        <translation>Eén val, veel schuldige stappen: traces verdelen de schuld (λ).</translation>
+    </message>
+    <message>
+        <source>One forgets a fall in a few episodes.</source>
+        <translation>Een val is na een paar episodes vergeten.</translation>
+    </message>
+    <message>
+        <source>One goal must be enough</source>
+        <translation>Eén doel moet genoeg zijn</translation>
+    </message>
+    <message>
+        <source>One knob</source>
+        <translation>Eén knop</translation>
+    </message>
+    <message>
+        <source>One knob, another way</source>
+        <translation>Eén knop, een andere weg</translation>
+    </message>
+    <message>
+        <source>One life may be luck. So here are ten lives of each, each with a simulation of its own before. On average they fall {mean(&quot;ε 0.1&quot;)} and {mean(&quot;τ 1.5&quot;)} times. Think of the two states: in one the second best came close, {observed(1)} below the best; in the other it lay far below.</source>
+        <translation>Eén leven kan geluk zijn. Daarom hier tien levens van elk, ieder met een eigen simulatie vooraf. Gemiddeld vallen ze {mean(&quot;ε 0.1&quot;)} en {mean(&quot;τ 1.5&quot;)} keer. Denk aan de twee toestanden: in de ene kwam de op een na beste in de buurt, {observed(1)} onder de beste; in de andere lag ze er ver onder.</translation>
+    </message>
+    <message>
+        <source>One robot falls less often than another. Is it the better one, or had it luck? You judge from five lives, from thirty, and in pairs, and then read a claim as a referee would.</source>
+        <translation>De ene robot valt minder vaak dan de andere. Is hij beter, of had hij geluk? Je oordeelt naar vijf levens, naar dertig, en in paren, en leest dan een bewering zoals een beoordelaar dat zou doen.</translation>
+    </message>
+    <message>
+        <source>One step before</source>
+        <translation>Eén stap eerder</translation>
+    </message>
+    <message>
+        <source>One step in five explores. Among how many actions does it then draw?</source>
+        <translation>Eén op de vijf stappen exploreert. Tussen hoeveel acties loot het dan?</translation>
+    </message>
+    <message>
+        <source>One step in ten is random, and one random step in four goes down.</source>
+        <translation>Eén op de tien stappen is willekeurig, en één op de vier willekeurige gaat naar beneden.</translation>
+    </message>
+    <message>
+        <source>One step of learning</source>
+        <translation>Eén stap leren</translation>
+    </message>
+    <message>
+        <source>Only exploring brings chance into these lives. Ten greedy lives would need ten learned robots, not ten seeds.</source>
+        <translation>Alleen exploreren brengt toeval in deze levens. Voor tien greedy levens zijn tien robots nodig die elk zelf geleerd hebben, niet tien seeds.</translation>
+    </message>
+    <message>
+        <source>Only one step is worth less than 0: left from state 2. Look at the map of states 3 to 8.</source>
+        <translation>Maar één stap is minder dan 0 waard: links vanuit toestand 2. Kijk op de kaart naar de toestanden 3 tot en met 8.</translation>
+    </message>
+    <message>
+        <source>Only the step from 7 compares Q(7, right) with what comes after it, Q(8, A′).</source>
+        <translation>Alleen de stap vanuit 7 vergelijkt Q(7, rechts) met wat erna komt, Q(8, A′).</translation>
+    </message>
+    <message>
+        <source>Only the step left from state 2 leads to the fall. Look at the values of all the others.</source>
+        <translation>Alleen de stap naar links vanuit toestand 2 leidt naar de val. Kijk naar de waarden van alle andere.</translation>
+    </message>
+    <message>
+        <source>Only the step to the right from state 9 gives +100. Which state can learn from state 9?</source>
+        <translation>Alleen de stap naar rechts vanuit toestand 9 geeft +100. Welke toestand kan van toestand 9 leren?</translation>
+    </message>
+    <message>
+        <source>Only what it has learned is different: which torque helps at which angle and rate.</source>
+        <translation>Alleen wat hij geleerd heeft is anders: welk koppel helpt bij welke hoek en snelheid.</translation>
+    </message>
+    <message>
+        <source>Order them by falls in reality, the fewest first.</source>
+        <translation>Zet ze op volgorde van valpartijen in de werkelijkheid, de minste eerst.</translation>
+    </message>
+    <message>
+        <source>Pause first. The map has the same squares as the field; the cliff is its lowest row.</source>
+        <translation>Pauzeer eerst. De kaart heeft dezelfde vakjes als het veld; de onderste rij is de afgrond.</translation>
+    </message>
+    <message>
+        <source>Play a fall back</source>
+        <translation>Speel een val terug</translation>
+    </message>
+    <message>
+        <source>Punish falls harder?</source>
+        <translation>Vallen zwaarder straffen?</translation>
+    </message>
+    <message>
+        <source>Punished with −6400.</source>
+        <translation>Gestraft met −6400.</translation>
+    </message>
+    <message>
+        <source>Put it next to the edge</source>
+        <translation>Zet hem naast de rand</translation>
+    </message>
+    <message>
+        <source>Put the robot on a square at the edge, and let it go on.</source>
+        <translation>Zet de robot op een vakje aan de rand, en laat hem doorgaan.</translation>
+    </message>
+    <message>
+        <source>Q(3, left) is {observed(2)}. Now look at state 2. The robot had been here two steps earlier, too, and went *right*, away from the fall. That step is blamed as well: *right* is worth {q(&quot;right&quot;)} now, *left* {round(q(&quot;left&quot;))}.</source>
+        <translation>Q(3, links) is {observed(2)}. Kijk nu naar toestand 2. De robot was hier twee stappen eerder ook al, en ging toen naar *rechts*, weg van de val. Ook die stap krijgt schuld: *rechts* is nu {q(&quot;right&quot;)} waard, *links* {round(q(&quot;left&quot;))}.</translation>
+    </message>
+    <message>
+        <source>Q(7, right) is still 0. What must happen for it to change?</source>
+        <translation>Q(7, rechts) is nog 0. Wat moet er gebeuren voordat het verandert?</translation>
+    </message>
+    <message>
+        <source>Q(8, right) after 500 episodes</source>
+        <translation>Q(8, rechts) na 500 episodes</translation>
+    </message>
+    <message>
+        <source>Q-learning</source>
+        <translation>Q-learning</translation>
+    </message>
+    <message>
+        <source>Q-learning falls</source>
+        <translation>Q-learning valt</translation>
+    </message>
+    <message>
+        <source>Q-learning knows the better way and earns less. How can both be true?</source>
+        <translation>Q-learning kent de betere weg en verdient minder. Hoe kan dat allebei waar zijn?</translation>
+    </message>
+    <message>
+        <source>Q⁺ is as fine as before, and the goal as near.</source>
+        <translation>Q⁺ is zo fijn als eerst, en het doel zo dichtbij.</translation>
+    </message>
+    <message>
+        <source>Q⁻ 0.1</source>
+        <translation>Q⁻ 0,1</translation>
+    </message>
+    <message>
+        <source>Q⁻ 0.4</source>
+        <translation>Q⁻ 0,4</translation>
+    </message>
+    <message>
+        <source>Q⁻ 1</source>
+        <translation>Q⁻ 1</translation>
+    </message>
+    <message>
+        <source>Q⁻ had 29 tiles in a full turn of the pole. How wide is one now?</source>
+        <translation>Q⁻ had 29 tegels in een hele omwenteling van de stok. Hoe breed is er nu een?</translation>
+    </message>
+    <message>
+        <source>Rather a little too weak than too strong: the robot then takes more states for lost, and has something in reserve in reality. But not so weak that it cannot learn the task in the simulation.</source>
+        <translation>Liever iets te zwak dan te sterk: de robot geeft dan meer toestanden verloren, en heeft in de werkelijkheid iets over. Maar niet zo zwak dat hij de taak in de simulatie niet kan leren.</translation>
+    </message>
+    <message>
+        <source>Resolution 4 has learned just as long.</source>
+        <translation>Resolutie 4 heeft even lang geleerd.</translation>
+    </message>
+    <message>
+        <source>Row after five steps of its way</source>
+        <translation>Rij na vijf stappen van zijn weg</translation>
+    </message>
+    <message>
+        <source>Sarsa</source>
+        <translation>Sarsa</translation>
+    </message>
+    <message>
+        <source>Sarsa falls</source>
+        <translation>Sarsa valt</translation>
+    </message>
+    <message>
+        <source>Sarsa values what it really does, random steps included; Q-learning values what it would do without them.</source>
+        <translation>Sarsa waardeert wat hij echt doet, willekeurige stappen inbegrepen; Q-learning waardeert wat hij zonder die stappen zou doen.</translation>
+    </message>
+    <message>
+        <source>Set the weight so that it falls at most 15 times in 200 real episodes.</source>
+        <translation>Stel het gewicht zo in dat hij in 200 echte episodes hoogstens 15 keer valt.</translation>
+    </message>
+    <message>
+        <source>Set γ so that state 2 comes to be worth between 1 and 5, and put the robot on state 2.</source>
+        <translation>Stel γ zo in dat toestand 2 tussen 1 en 5 waard wordt, en zet de robot op toestand 2.</translation>
+    </message>
+    <message>
+        <source>Set λ so that after the first fall Q(3, left) is between −23 and −27.</source>
+        <translation>Stel λ zo in dat Q(3, links) na de eerste val tussen −23 en −27 ligt.</translation>
+    </message>
+    <message>
+        <source>Share it out by hand</source>
+        <translation>Verdeel het met de hand</translation>
+    </message>
+    <message>
+        <source>Six minutes with a coarse Q⁻</source>
+        <translation>Zes minuten met een grove Q⁻</translation>
+    </message>
+    <message>
+        <source>Six minutes, both fine</source>
+        <translation>Zes minuten, beide fijn</translation>
+    </message>
+    <message>
+        <source>Sixteen grids</source>
+        <translation>Zestien roosters</translation>
+    </message>
+    <message>
+        <source>Sixteen grids of resolution 1: how many different values can a full turn have?</source>
+        <translation>Zestien roosters van resolutie 1: hoeveel verschillende waarden kan een hele omwenteling hebben?</translation>
+    </message>
+    <message>
+        <source>So far a fall cost 100 points: its **reward** was −100. What if it cost nothing, or 1600? Robots that know nothing live 500 episodes, ten lives for each reward. On average they fall {mean(&quot;reward 0&quot;)} times with 0, {mean(&quot;reward −100&quot;)} times with −100 and {mean(&quot;reward −1600&quot;)} times with −1600. ε is 0.05 for all.</source>
+        <translation>Tot nu toe kostte een val 100 punten: zijn **beloning** was −100. En als hij niets kostte, of 1600? Robots die niets weten leven 500 episodes, tien levens per beloning. Gemiddeld vallen ze {mean(&quot;reward 0&quot;)} keer met 0, {mean(&quot;reward −100&quot;)} keer met −100 en {mean(&quot;reward −1600&quot;)} keer met −1600. ε is bij allemaal 0,05.</translation>
+    </message>
+    <message>
+        <source>So far all lives began with what one robot had learned. Now each life has a simulation of its own, with strong motors: ten simulations for ε = 0.05, and ten **others** for ε = 0.1. Some simulations teach more than others.</source>
+        <translation>Tot nu toe begonnen alle levens met wat één robot had geleerd. Nu heeft elk leven een eigen simulatie, met sterke motoren: tien simulaties voor ε = 0,05, en tien **andere** voor ε = 0,1. Van sommige simulaties leert een robot meer dan van andere.</translation>
+    </message>
+    <message>
+        <source>Softmax</source>
+        <translation>Softmax</translation>
+    </message>
+    <message>
+        <source>Softmax and greedy, five lives</source>
+        <translation>Softmax en greedy, vijf levens</translation>
+    </message>
+    <message>
+        <source>Softmax and greedy, thirty lives</source>
+        <translation>Softmax en greedy, dertig levens</translation>
+    </message>
+    <message>
+        <source>Softmax and ε-greedy</source>
+        <translation>Softmax en ε-greedy</translation>
+    </message>
+    <message>
+        <source>Softmax, again thirty</source>
+        <translation>Softmax, weer dertig</translation>
+    </message>
+    <message>
+        <source>Softmax, five</source>
+        <translation>Softmax, vijf</translation>
+    </message>
+    <message>
+        <source>Somebody claims: &quot;In thirty lives Softmax fell {mean(&quot;Softmax, again thirty&quot;)} times and ε-greedy {mean(&quot;ε-greedy, again thirty&quot;)} times; the interval leaves out 0. So Softmax is the way not to fall.&quot; You remember: greedy fell {mean(&quot;greedy&quot;)} times.</source>
+        <translation>Iemand beweert: “In dertig levens viel Softmax {mean(&quot;Softmax, again thirty&quot;)} keer en ε-greedy {mean(&quot;ε-greedy, again thirty&quot;)} keer; het interval sluit de 0 uit. Dus is Softmax de manier om niet te vallen.” Je weet nog: greedy viel {mean(&quot;greedy&quot;)} keer.</translation>
+    </message>
+    <message>
+        <source>Something between</source>
+        <translation>Iets ertussenin</translation>
+    </message>
+    <message>
+        <source>State 6 is worth {observed(2)}, which is 0.9³ · 100. State 2 lies seven steps from state 9: 0.9⁷ · 100 is about 48. Turn γ and let the robot go on: the map follows. Click state 2 to put the robot there; it reads the value.</source>
+        <translation>Toestand 6 is {observed(2)} waard, en dat is 0,9³ · 100. Toestand 2 ligt zeven stappen van toestand 9: 0,9⁷ · 100 is ongeveer 48. Draai aan γ en laat de robot doorgaan: de kaart volgt. Klik op toestand 2 om de robot daar te zetten; de kaart geeft de waarde.</translation>
+    </message>
+    <message>
+        <source>States that need different actions share a tile.</source>
+        <translation>Toestanden die verschillende acties vragen delen een tegel.</translation>
+    </message>
+    <message>
+        <source>Step 1: the values grow from the goal backwards, one state at a time. Let somebody say it aloud: &quot;the worth of a state is γ times the worth of the next one&quot;.
+
+Step 6 is the one for a vote. Expect to hear that far-sighted is best, and 4 to 6 steps. With γ = 1 all values tie at 100, so the robot tosses a coin except at the edge of the fall. It takes about as long as with γ = 0, for the opposite reason: there all are worth 0. In step 8 any γ between, even 0.5, makes it go straight; only the size of the values changes.
+
+For those who know the field: Q-learning with α = 1 and ε = 0.2, so that in this world without chance the values are exact and really tie. It takes one step in five at random; that is why 4.5 steps, the shortest possible, are not quite reached. γ = 1 is not wrong as such: at the cliff each step costs 1, and γ = 1 is the usual choice there.</source>
+        <translation>Stap 1: de waarden groeien vanaf het doel terug, één toestand tegelijk. Laat iemand het hardop zeggen: “een toestand is γ keer zoveel waard als de volgende”.
+
+Stap 6 leent zich voor een stemming. Verwacht te horen dat verziend het beste is, en 4 tot 6 stappen. Met γ = 1 zijn alle waarden gelijk aan 100, zodat de robot kop of munt gooit, behalve aan de rand van de val. Hij doet er ongeveer zo lang over als met γ = 0, om de omgekeerde reden: daar zijn ze allemaal 0 waard. In stap 8 laat elke γ ertussenin, zelfs 0,5, hem rechtdoor gaan; alleen de grootte van de waarden verandert.
+
+Voor wie het vak kent: Q-learning met α = 1 en ε = 0,2, zodat de waarden in deze wereld zonder toeval exact zijn en echt gelijk worden. Eén op de vijf stappen is willekeurig; daarom worden 4,5 stappen, het kortst mogelijke, niet helemaal gehaald. γ = 1 is op zich niet fout: bij de cliff kost elke stap 1, en daar is γ = 1 de gebruikelijke keuze.</translation>
+    </message>
+    <message>
+        <source>Step 3 computes for about ten seconds, on a slow machine for half a minute: talk meanwhile. Seeds 1 to 4, one life each: first ten minutes 300 to 383 falls, two hours 768 to 1,897, the ten minutes after 13 to 46; on the other robot in ten minutes ε 0.05 6 to 45, greedy 0 to 11, and greedy less every time. The recipe walker-mismatch has 25 learned robots and a whole hour: ε 0.05 163 ± 36 falls, ε 0.01 65 ± 19, greedy 34 ± 14. With which of them a life begins matters more than the policy: greedy falls 1 to 137 times in that hour. What they should not take home: that greedy is best for learning from nothing. There it falls less, too, but only 13 of 30 lives walk at the end, with ε 0.05 25 of 30 (recipe walker-scratch).</source>
+        <translation>Stap 3 rekent ongeveer tien seconden, op een trage machine een halve minuut: praat ondertussen. Seeds 1 tot en met 4, elk één leven: eerste tien minuten 300 tot 383 valpartijen, twee uur 768 tot 1 897, de tien minuten daarna 13 tot 46; op de andere robot in tien minuten ε 0,05 6 tot 45, greedy 0 tot 11, en greedy elke keer minder. Het recept walker-mismatch heeft 25 robots die geleerd hebben en een heel uur: ε 0,05 163 ± 36 valpartijen, ε 0,01 65 ± 19, greedy 34 ± 14. Met welke daarvan een leven begint doet er meer toe dan de policy: greedy valt in dat uur 1 tot 137 keer. Wat ze niet mee naar huis moeten nemen: dat greedy het beste is om vanaf nul te leren. Ook daar valt het minder, maar aan het eind lopen er maar 13 van de 30 levens, met ε 0,05 25 van de 30 (recept walker-scratch).</translation>
+    </message>
+    <message>
+        <source>Steps in the first ten episodes</source>
+        <translation>Stappen in de eerste tien episodes</translation>
+    </message>
+    <message>
+        <source>Steps per episode, over 300 episodes</source>
+        <translation>Stappen per episode, over 300 episodes</translation>
+    </message>
+    <message>
+        <source>Steps per episode: {observed(4)} with γ = 0.9, {observed(5)} with γ = 0. Now **γ = 1**: a reward counts in full, however far away it is. The robot begins again and lives 300 episodes.</source>
+        <translation>Stappen per episode: {observed(4)} met γ = 0,9, {observed(5)} met γ = 0. Nu **γ = 1**: een beloning telt volledig, hoe ver weg ook. De robot begint opnieuw en leeft 300 episodes.</translation>
+    </message>
+    <message>
+        <source>Steps with an action other than the best, of 100</source>
+        <translation>Stappen met een andere actie dan de beste, van 100</translation>
+    </message>
+    <message>
+        <source>TRL 100</source>
+        <translation>TRL 100</translation>
+    </message>
+    <message>
+        <source>TRL 50</source>
+        <translation>TRL 50</translation>
+    </message>
+    <message>
+        <source>TRL 50, ε 0.2</source>
+        <translation>TRL 50, ε 0,2</translation>
+    </message>
+    <message>
+        <source>TRL with a threshold of 50 fell less than ε-greedy with the same ε. But who says that ε must be 0.2? Ten lives of each: TRL 50 with ε = 0.2, and plain ε-greedy with ε = 0.05.</source>
+        <translation>TRL met een drempel van 50 viel minder dan ε-greedy met dezelfde ε. Maar wie zegt dat ε 0,2 moet zijn? Van elk tien levens: TRL 50 met ε = 0,2, en gewone ε-greedy met ε = 0,05.</translation>
+    </message>
+    <message>
+        <source>Take the pole in your hand</source>
+        <translation>Neem de stok in de hand</translation>
+    </message>
+    <message>
+        <source>Temperature</source>
+        <translation>Temperatuur</translation>
+    </message>
+    <message>
+        <source>Ten lives each: on average {mean(&quot;Q⁻ 1&quot;)} falls with resolution 1 of Q⁻, {mean(&quot;Q⁻ 0.4&quot;)} with 0.4 and {mean(&quot;Q⁻ 0.1&quot;)} with **0.1**. Here is one with 0.1 after 20 episodes, held nearly upright, at 3°. Two of its five actions promise a heavy loss there: {q(&quot;0&quot;)} and {q(&quot;1.5&quot;)}.</source>
+        <translation>Elk tien levens: gemiddeld {mean(&quot;Q⁻ 1&quot;)} valpartijen met resolutie 1 van Q⁻, {mean(&quot;Q⁻ 0.4&quot;)} met 0,4 en {mean(&quot;Q⁻ 0.1&quot;)} met **0,1**. Hier is er een met 0,1 na 20 episodes, bijna rechtop vastgehouden, op 3°. Twee van zijn vijf acties beloven daar een zwaar verlies: {q(&quot;0&quot;)} en {q(&quot;1.5&quot;)}.</translation>
+    </message>
+    <message>
+        <source>Ten lives give an interval of ± 4 falls. About how many give ± 1?</source>
+        <translation>Tien levens geven een interval van ± 4 valpartijen. Hoeveel geven er ongeveer ± 1?</translation>
+    </message>
+    <message>
+        <source>Ten lives of each</source>
+        <translation>Tien levens van elk</translation>
+    </message>
+    <message>
+        <source>Ten lives with each resolution, the first two minutes. Falls on average: {mean(&quot;resolution 0.25&quot;)} with 0.25; {mean(&quot;resolution 1&quot;)} with 1; {mean(&quot;resolution 4&quot;)} with 4; {mean(&quot;resolution 8&quot;)} with 8.</source>
+        <translation>Tien levens met elke resolutie, de eerste twee minuten. Gemiddeld aantal valpartijen: {mean(&quot;resolution 0.25&quot;)} met 0,25; {mean(&quot;resolution 1&quot;)} met 1; {mean(&quot;resolution 4&quot;)} met 4; {mean(&quot;resolution 8&quot;)} met 8.</translation>
+    </message>
+    <message>
+        <source>Ten lives with each γ: at most {most(&quot;γ 0.9&quot;)} steps per episode with γ = 0.9, at least {least(&quot;γ 0&quot;)} with γ = 0, at least {least(&quot;γ 1&quot;)} with γ = 1. On the map states 2 to 9 are all worth 100 now. The goal is known, and still it takes its time.</source>
+        <translation>Tien levens met elke γ: hoogstens {most(&quot;γ 0.9&quot;)} stappen per episode met γ = 0,9, minstens {least(&quot;γ 0&quot;)} met γ = 0, minstens {least(&quot;γ 1&quot;)} met γ = 1. Op de kaart zijn de toestanden 2 tot en met 9 nu allemaal 100 waard. Het doel is bekend, en toch neemt hij de tijd.</translation>
+    </message>
+    <message>
+        <source>Ten minutes are 600 seconds. For how long does it stay up?</source>
+        <translation>Tien minuten zijn 600 seconden. Hoe lang blijft hij overeind?</translation>
+    </message>
+    <message>
+        <source>Ten pairs</source>
+        <translation>Tien paren</translation>
+    </message>
+    <message>
+        <source>Ten states in a row</source>
+        <translation>Tien toestanden op een rij</translation>
+    </message>
+    <message>
+        <source>Ten states in a row, a fall at one end and the goal at the other. You work out what a state is worth, turn the knob that decides how far a reward reaches, and watch what the robot makes of it.</source>
+        <translation>Tien toestanden op een rij, aan het ene eind een val en aan het andere het doel. Je rekent uit wat een toestand waard is, draait aan de knop die bepaalt hoe ver een beloning reikt, en kijkt wat de robot ervan maakt.</translation>
+    </message>
+    <message>
+        <source>Ten states in a row. State 1 is a fall: reward −100. State 10 is the goal: +100. All other steps give 0. The robot starts in between and steps left or right. The map shows what each state is worth so far: what the better step promises. Which state learns first?</source>
+        <translation>Tien toestanden op een rij. Toestand 1 is een val: beloning −100. Toestand 10 is het doel: +100. Alle andere stappen geven 0. De robot begint ertussenin en stapt naar links of rechts. De kaart laat zien wat elke toestand tot nu toe waard is: wat de beste stap belooft. Welke toestand leert het eerst?</translation>
+    </message>
+    <message>
+        <source>Ten states in a row: how far a reward reaches, from γ = 0 to γ = 1.</source>
+        <translation>Tien toestanden op een rij: hoe ver een beloning reikt, van γ = 0 tot γ = 1.</translation>
+    </message>
+    <message>
+        <source>The cliff: Sarsa or Q-learning?</source>
+        <translation>De cliff: Sarsa of Q-learning?</translation>
+    </message>
+    <message>
+        <source>The difference is there, but Softmax cannot be told from greedy. A method has to beat the best simple one.</source>
+        <translation>Het verschil is er, maar Softmax is niet van greedy te onderscheiden. Een methode moet de beste eenvoudige verslaan.</translation>
+    </message>
+    <message>
+        <source>The episodes are numbered along the bottom of the chart. The last twenty are at its right end.</source>
+        <translation>De episodes zijn onderaan de grafiek genummerd. De laatste twintig staan rechts.</translation>
+    </message>
+    <message>
+        <source>The falls of the other one</source>
+        <translation>De valpartijen van de ander</translation>
+    </message>
+    <message>
+        <source>The first surprise</source>
+        <translation>De eerste verrassing</translation>
+    </message>
+    <message>
+        <source>The first ten minutes</source>
+        <translation>De eerste tien minuten</translation>
+    </message>
+    <message>
+        <source>The first two minutes</source>
+        <translation>De eerste twee minuten</translation>
+    </message>
+    <message>
+        <source>The goal gives the same 100 as with γ = 0.9, where the robot hurried.</source>
+        <translation>Het doel geeft dezelfde 100 als met γ = 0,9, waar de robot zich haastte.</translation>
+    </message>
+    <message>
+        <source>The goal gives too little.</source>
+        <translation>Het doel levert te weinig op.</translation>
+    </message>
+    <message>
+        <source>The greedy robot still learns. From what?</source>
+        <translation>De greedy robot leert nog steeds. Waarvan?</translation>
+    </message>
+    <message>
+        <source>The idea in one sentence: what is learned (values and risk) and what is done with it (the policy) are two things, and only the second has to be careful in reality. The risk is a probability of its own (Geibel and Wysotzki 2005), learned as a value is, with a reward of 1 for a fall.
+
+Why is a penalty not the same? While it learns in one world only, it is, exactly: choosing by Q − wρ with ρ on the tiles of Q is a fall reward lower by w, life for life. The difference is the change from one world to the other: a penalty must be there from the beginning, and makes the lesson timid.
+
+Greedy is the fair opponent, because who does not explore does not fall from exploring. Ask for it before you show it: here it falls even more often, because it does what was right in the simulation and corrects it late. Ten lives each fell 75 times on average as bold as before, 93 greedy, 22 punished with −6400, 11 careful.</source>
+        <translation>Het idee in één zin: wat geleerd wordt (waarden en risico) en wat ermee gedaan wordt (de policy) zijn twee dingen, en alleen het tweede moet in de werkelijkheid voorzichtig zijn. Het risico is een kans op zichzelf (Geibel en Wysotzki 2005), geleerd zoals een waarde, met een beloning van 1 voor een val.
+
+Waarom is een straf niet hetzelfde? Zolang hij maar in één wereld leert, is ze dat precies: kiezen naar Q − wρ met ρ op de tegels van Q is een valbeloning die w lager is, leven voor leven. Het verschil zit in de overgang van de ene wereld naar de andere: een straf moet er vanaf het begin zijn, en maakt de robot in de les schuchter.
+
+Greedy is de eerlijke tegenstander, want wie niet exploreert valt niet door exploreren. Vraag ernaar voordat je hem laat zien: hier valt hij zelfs vaker, omdat hij doet wat in de simulatie goed was en dat laat corrigeert. Tien levens vielen gemiddeld 75 keer als ze even dapper waren, 93 keer greedy, 22 keer gestraft met −6400, 11 keer voorzichtig.</translation>
+    </message>
+    <message>
+        <source>The last step brought the first surprise: δ = 100, and Q(9, right) rose by 0.5 · 100 to 50. Now the robot is put on state 9 again and goes right again. The reward is R = 100. After the goal there is no next step, so γ Q(S′, A′) is 0.</source>
+        <translation>De laatste stap bracht de eerste verrassing: δ = 100, en Q(9, rechts) steeg met 0,5 · 100 naar 50. Nu wordt de robot weer op toestand 9 gezet en gaat weer naar rechts. De beloning is R = 100. Na het doel is er geen volgende stap, dus γ Q(S′, A′) is 0.</translation>
+    </message>
+    <message>
+        <source>The left robot explores with any action, also one that is worth far less than the best. The right one seldom takes such an action: how seldom, its temperature decides.</source>
+        <translation>De linker robot exploreert met elke actie, ook een die veel minder waard is dan de beste. De rechter neemt zo&apos;n actie zelden: hoe zelden bepaalt zijn temperatuur.</translation>
+    </message>
+    <message>
+        <source>The lesson was as bold as before, so it met many falls; what it learned of them is obeyed where it counts.</source>
+        <translation>De les was even dapper als eerst, dus kwam hij veel valpartijen tegen; wat hij ervan leerde, gehoorzaamt hij waar het telt.</translation>
+    </message>
+    <message>
+        <source>The map shows Q⁻ below. How much of it has a value at all?</source>
+        <translation>De kaart toont onderaan Q⁻. Hoeveel ervan heeft eigenlijk een waarde?</translation>
+    </message>
+    <message>
+        <source>The other robot, greedy</source>
+        <translation>De andere robot, greedy</translation>
+    </message>
+    <message>
+        <source>The pole falls to both sides alike. What would a tile of 360° say?</source>
+        <translation>De stok valt naar beide kanten even gemakkelijk. Wat zou een tegel van 360° zeggen?</translation>
+    </message>
+    <message>
+        <source>The practised robot begins as far over. Look at where its episodes begin.</source>
+        <translation>De geoefende robot begint net zo scheef. Kijk waar zijn episodes beginnen.</translation>
+    </message>
+    <message>
+        <source>The risk is a probability: it counts falls, whatever they cost.</source>
+        <translation>Het risico is een kans: het telt valpartijen, wat ze ook kosten.</translation>
+    </message>
+    <message>
+        <source>The robot begins again and lives 100 episodes. Each time it steps right from state 9 the reward is 100, and the surprise is half as large as the time before: 100, 50, 25 …</source>
+        <translation>De robot begint opnieuw en leeft 100 episodes. Elke keer dat hij vanuit toestand 9 naar rechts stapt is de beloning 100, en de verrassing half zo groot als de keer ervoor: 100, 50, 25 …</translation>
+    </message>
+    <message>
+        <source>The robot is told 200 and −100. What would it learn if a fall cost nothing?</source>
+        <translation>De robot krijgt 200 en −100 te horen. Wat zou hij leren als een val niets kostte?</translation>
+    </message>
+    <message>
+        <source>The robot knows nothing yet and walks at random until it falls: −100. α is 0.5. Only the last step learns from the fall: *left* from state 2 loses 50. Follow the walk. Did the steps before it have no part in the fall?</source>
+        <translation>De robot weet nog niets en loopt willekeurig tot hij valt: −100. α is 0,5. Alleen de laatste stap leert van de val: *links* vanuit toestand 2 verliest 50. Volg de wandeling. Hadden de stappen ervoor er niets mee te maken?</translation>
+    </message>
+    <message>
+        <source>The robot must reach the goal once more.</source>
+        <translation>De robot moet het doel nog eens bereiken.</translation>
+    </message>
+    <message>
+        <source>The robot must step from 7 to 8.</source>
+        <translation>De robot moet van 7 naar 8 stappen.</translation>
+    </message>
+    <message>
+        <source>The same beginning, but now the **resolution** of Q⁻, the knob *scale*, is 0.4 in place of 1: its tiles are wider. Q⁺ stays as it was. Again 20 episodes, {falls} falls. In the same state it now expects {q(&quot;0&quot;)}. With wider tiles a fall is felt further away.</source>
+        <translation>Hetzelfde begin, maar nu is de **resolutie** van Q⁻, de knop *schaal*, 0,4 in plaats van 1: de tegels zijn breder. Q⁺ bleef gelijk. Weer 20 episodes, {falls} valpartijen. In dezelfde toestand verwacht hij nu {q(&quot;0&quot;)}. Met bredere tegels is een val verder weg te voelen.</translation>
+    </message>
+    <message>
+        <source>The same once more, but in **pairs**: both ε begin with what was learned in the same ten simulations, and the difference within each pair is judged. What makes both lives of a pair good or bad drops out.</source>
+        <translation>Hetzelfde nog eens, maar in **paren**: beide ε beginnen met wat in dezelfde tien simulaties is geleerd, en het verschil binnen elk paar wordt beoordeeld. Wat beide levens van een paar goed of slecht maakt, valt weg.</translation>
+    </message>
+    <message>
+        <source>The same robot after 20 minutes</source>
+        <translation>Dezelfde robot na 20 minuten</translation>
+    </message>
+    <message>
+        <source>The same robot could obey its risk in the simulation already. Then it would fall less there, too.</source>
+        <translation>Dezelfde robot zou zijn risico al in de simulatie kunnen gehoorzamen. Dan zou hij ook daar minder vallen.</translation>
+    </message>
+    <message>
+        <source>The same step again</source>
+        <translation>Dezelfde stap nog eens</translation>
+    </message>
+    <message>
+        <source>The states are cut into **tiles**, and states in one tile share their values. A full turn of the pole is cut into 12 tiles times the **resolution** (the knob *Scale*), here 0.25. The robot has learned from nothing for two minutes. The map has two of them, one for each side, and ends before they do.</source>
+        <translation>De toestanden worden verdeeld in **tegels**, en toestanden in één tegel delen hun waarden. Een hele omwenteling van de stok wordt verdeeld in 12 tegels maal de **resolutie** (de knop *Schaal*), hier 0,25. De robot heeft twee minuten vanaf nul geleerd. De kaart laat er twee zien, een voor elke kant, en houdt eerder op dan zij.</translation>
+    </message>
+    <message>
+        <source>The step into the goal changes Q(9, right) only. Look at what the last step changed.</source>
+        <translation>De stap naar het doel verandert alleen Q(9, rechts). Kijk wat de laatste stap veranderde.</translation>
+    </message>
+    <message>
+        <source>The steps it takes</source>
+        <translation>De stappen die hij doet</translation>
+    </message>
+    <message>
+        <source>The ten minutes after</source>
+        <translation>De tien minuten daarna</translation>
+    </message>
+    <message>
+        <source>The walk to the first fall is 4, 3, 4, 3, 2, 3, 2, fall, for everybody: nothing is learned before it, so λ does not change it. Draw it on the board and let the class say who is guilty before step 2.
+
+Step 2: whoever says 45 has forgotten γ or λ. The marks fade by the product.
+
+Strictly, every step but the last could still be undone here. On a robot it is otherwise: when a pole falls, the last steps cannot save it any more, and those that could were taken earlier.
+
+Step 3 is the heart: *right* from state 2 was the step that saved the robot, and it loses 32.8. Those who say that all actions of a state are blamed have a point in other programs, not here: *left* lost 50.
+
+Step 5 and 6: with λ = 0 this life needs 7 goals until it stands on state 5 and knows, with λ = 0.9 it needs 2. Over 24 other seeds it was 5 to 14 with λ = 0, 1 to 6 with λ = 0.9, and never more with λ = 0.9 than with λ = 0. That it is not always 1 has two reasons: the first way to the goal need not lead past state 5, and the robot has to be on state 5 to show that it knows.</source>
+        <translation>De wandeling tot de eerste val is voor iedereen 4, 3, 4, 3, 2, 3, 2, val: ervóór wordt niets geleerd, dus λ verandert haar niet. Teken haar op het bord en laat de klas vóór stap 2 zeggen wie schuldig is.
+
+Stap 2: wie 45 zegt is γ of λ vergeten. De merktekens vervagen met het product.
+
+Strikt genomen had elke stap behalve de laatste hier nog goedgemaakt kunnen worden. Bij een robot is dat anders: als een stok valt, kunnen de laatste stappen hem niet meer redden, en die het konden zijn eerder gedaan.
+
+Stap 3 is de kern: *rechts* vanuit toestand 2 was de stap die de robot redde, en hij verliest 32,8. Wie zegt dat alle acties van een toestand schuld krijgen, heeft in andere programma&apos;s een punt, maar hier niet: *links* verloor 50.
+
+Stap 5 en 6: met λ = 0 heeft dit leven 7 doelen nodig tot het op toestand 5 staat en het weet, met λ = 0,9 zijn het er 2. Over 24 andere seeds waren het er 5 tot 14 met λ = 0, 1 tot 6 met λ = 0,9, en nooit meer met λ = 0,9 dan met λ = 0. Dat het niet altijd 1 is, heeft twee redenen: de eerste weg naar het doel hoeft niet langs toestand 5 te leiden, en de robot moet op toestand 5 staan om te tonen dat hij het weet.</translation>
+    </message>
+    <message>
+        <source>The way of good news, λ = 0</source>
+        <translation>De weg van goed nieuws, λ = 0</translation>
+    </message>
+    <message>
+        <source>The way of good news, λ = 0.9</source>
+        <translation>De weg van goed nieuws, λ = 0,9</translation>
+    </message>
+    <message>
+        <source>The weight is a knob for reality alone: turn it while the robot lives, and nothing must be learned anew. It begins at 0. A penalty is not such a knob: it is part of what was learned.</source>
+        <translation>Het gewicht is een knop voor de werkelijkheid alleen: draai eraan terwijl de robot leeft, er hoeft niets opnieuw geleerd te worden. Het begint op 0. Een straf is niet zo&apos;n knop: die hoort bij wat geleerd is.</translation>
+    </message>
+    <message>
+        <source>The wheel&apos;s rate is cut into tiles, too. Would you give it the same width as the pole&apos;s angle?</source>
+        <translation>Ook de snelheid van het wiel wordt in tegels verdeeld. Zou je die dezelfde breedte geven als de hoek van de stok?</translation>
+    </message>
+    <message>
+        <source>The ε-greedy lives differ within the same three minutes.</source>
+        <translation>De ε-greedy levens verschillen in dezelfde drie minuten.</translation>
+    </message>
+    <message>
+        <source>Then both would be worth the same. Look at the two bars.</source>
+        <translation>Dan waren beide evenveel waard. Kijk naar de twee balken.</translation>
+    </message>
+    <message>
+        <source>Then it would expect a gain. It expects nearly nothing.</source>
+        <translation>Dan zou hij winst verwachten. Hij verwacht bijna niets.</translation>
+    </message>
+    <message>
+        <source>Then those that stop exploring would fall as often. Look at the dots.</source>
+        <translation>Dan zouden robots die stoppen met exploreren even vaak vallen. Kijk naar de punten.</translation>
+    </message>
+    <message>
+        <source>There are 343 actions, and a state is ten numbers. No table can hold each state by itself; 16 displaced grids of tiles share them out. It begins again, with ε = 0.05. Ten simulated minutes take the computer a second or two.</source>
+        <translation>Er zijn 343 acties, en een toestand bestaat uit tien getallen. Geen tabel kan elke toestand apart bevatten; 16 verschoven roosters van tegels verdelen ze. Hij begint opnieuw, met ε = 0,05. Tien gesimuleerde minuten kosten de computer een of twee seconden.</translation>
+    </message>
+    <message>
+        <source>There is another opponent. The **greedy** policy always takes the best action it knows: it takes another in 0 of 100 steps. Ten lives each, greedy and Softmax with τ = 1.5. The program judges the difference life by life: if its 95 % interval holds 0, one cannot tell.</source>
+        <translation>Er is nog een tegenstander. De **greedy** policy neemt altijd de beste actie die ze kent: in 0 van 100 stappen een andere. Elk tien levens, greedy en Softmax met τ = 1,5. Het programma beoordeelt het verschil leven voor leven: bevat het 95%-interval de 0, dan is er niets te zeggen.</translation>
+    </message>
+    <message>
+        <source>They forget sooner.</source>
+        <translation>Ze vergeten eerder.</translation>
+    </message>
+    <message>
+        <source>They have nothing left to learn.</source>
+        <translation>Ze hebben niets meer te leren.</translation>
+    </message>
+    <message>
+        <source>They keep what they learned, as wide ones do.</source>
+        <translation>Ze bewaren wat ze leerden, net als brede.</translation>
+    </message>
+    <message>
+        <source>They learn from every step, as the others do.</source>
+        <translation>Ze leren van elke stap, net als de andere.</translation>
+    </message>
+    <message>
+        <source>They tell more apart than wider ones.</source>
+        <translation>Ze onderscheiden er meer dan bredere.</translation>
+    </message>
+    <message>
+        <source>They tell too few states apart.</source>
+        <translation>Ze onderscheiden te weinig toestanden.</translation>
+    </message>
+    <message>
+        <source>Think of the two states: which actions did Softmax hardly ever take?</source>
+        <translation>Denk aan de twee toestanden: welke acties nam Softmax bijna nooit?</translation>
+    </message>
+    <message>
+        <source>Thirty lives of each</source>
+        <translation>Dertig levens van elk</translation>
+    </message>
+    <message>
+        <source>Thirty were enough: the interval leaves out 0.</source>
+        <translation>Dertig waren genoeg: het interval sluit de 0 uit.</translation>
+    </message>
+    <message>
+        <source>This Sarsa walks {observed(2)} steps. **Q-learning** values a step by the best step that it could take next. Ten lives of each learned for 500 episodes; then they walk without exploring. The dots show their row after five steps: row 1 is the edge, row 3 the top.</source>
+        <translation>Deze Sarsa loopt {observed(2)} stappen. **Q-learning** waardeert een stap naar de beste stap die hij daarna zou kunnen doen. Van elk leerden tien levens 500 episodes; dan lopen ze zonder te exploreren. De punten tonen hun rij na vijf stappen: rij 1 is de rand, rij 3 ligt bovenaan.</translation>
+    </message>
+    <message>
+        <source>This is Example 6.6 of Sutton and Barto, with their ε = 0.1 and γ = 1, and α = 0.3. Say &quot;the short way&quot; and &quot;the long way&quot; until step 3, not the names: that is the prediction.
+
+Step 2: whoever knows shortest-path problems may say 13. Of 200 Sarsa lives that we tried 184 had a way of 17 steps, 5 of 15, 3 of 19, and 8 went in a circle, because their values were still noisy when learning stopped. After five steps 198 of them were on row 2 or 3. Q-learning&apos;s way had 13 steps in all lives that we tried.
+
+Step 6 has a trap: to set ε to 0 without starting again does not change the way. What the squares at the edge are worth was learned with falls, and without exploring the robot never goes there to correct it. That is worth a discussion of its own. A very small ε is not enough either: at 0.005 most lives still keep off the edge.
+
+Which is better? While they explore Sarsa earns more (about −23 against −48 in the last 80 episodes), afterwards Q-learning does (−13 against −17). &quot;Better&quot; needs a &quot;when&quot;.
+
+Step 7: of ten lives each falls about twelve times, once for each way over the edge, and its way has 13 steps. With ε = 0 it falls as rarely; but this one goes on exploring, in one step of fifteen. To forbid the greedy action as well (the rule *filter*) does not work here: standing still in a corner is the safest of all.</source>
+        <translation>Dit is voorbeeld 6.6 van Sutton en Barto, met hun ε = 0,1 en γ = 1, en α = 0,3. Zeg tot stap 3 “de korte weg” en “de lange weg”, niet de namen: dat is de voorspelling.
+
+Stap 2: wie kortste-padproblemen kent, zegt misschien 13. Van 200 levens van Sarsa die we probeerden, hadden er 184 een weg van 17 stappen, 5 van 15, 3 van 19, en 8 liepen in een kring, omdat hun waarden nog ruis bevatten toen het leren stopte. Na vijf stappen waren er 198 op rij 2 of 3. De weg van Q-learning had in alle levens die we probeerden 13 stappen.
+
+Stap 6 heeft een valstrik: ε op 0 zetten zonder opnieuw te beginnen verandert de weg niet. Wat de vakjes aan de rand waard zijn, is met valpartijen geleerd, en zonder exploreren komt de robot daar nooit om het te corrigeren. Dat is een eigen gesprek waard. Een heel kleine ε is ook niet genoeg: met 0,005 blijven de meeste levens nog van de rand af.
+
+Welke is beter? Zolang ze exploreren verdient Sarsa meer (ongeveer −23 tegen −48 in de laatste 80 episodes), daarna Q-learning (−13 tegen −17). Bij “beter” hoort een “wanneer”.
+
+Stap 7: van tien levens valt elk ongeveer twaalf keer, één keer voor elke manier om over de rand te gaan, en zijn weg heeft 13 stappen. Met ε = 0 valt hij even zelden; maar deze blijft exploreren, in één op de vijftien stappen. Ook de greedy actie verbieden (de regel *filter*) werkt hier niet: stilstaan in een hoek is het veiligst van alles.</translation>
+    </message>
+    <message>
+        <source>This is Sarsa again, after 500 episodes with ε = 0.1. Turn one knob, then press Restart, the round arrow: it must learn anew. A way of 13 steps without a fall gives a reward of −13 an episode. Look at the average reward of the last 80 episodes.</source>
+        <translation>Dit is weer Sarsa, na 500 episodes met ε = 0,1. Draai aan één knop en druk dan op Opnieuw, de ronde pijl: hij moet opnieuw leren. Een weg van 13 stappen zonder val geeft een beloning van −13 per episode. Kijk naar de gemiddelde beloning van de laatste 80 episodes.</translation>
+    </message>
+    <message>
+        <source>This robot has learned in a simulation. Its pole leans a little and swings back up. The bars show what each action is worth, **Q**, and how likely **Softmax** takes it: the better, the likelier. One knob sets how much likelier, the temperature **τ**. Drag it down and up; type 1000 into its number.</source>
+        <translation>Deze robot heeft in een simulatie geleerd. Zijn stok helt een beetje en zwaait terug omhoog. De balken tonen wat elke actie waard is, **Q**, en hoe vaak **Softmax** haar kiest: hoe beter, hoe vaker. Eén knop bepaalt hoeveel vaker, de temperatuur **τ**. Sleep hem omlaag en omhoog; typ 1000 in het getalvak.</translation>
+    </message>
+    <message>
+        <source>This robot learned for ten minutes in a simulation whose motors are **2.5 times too strong**. It chooses by Softmax, with τ = 1. Now it lives 200 episodes in reality, as boldly as in the simulation. Count its falls.</source>
+        <translation>Deze robot leerde tien minuten in een simulatie met motoren die **2,5 keer te sterk** zijn. Hij kiest met Softmax, τ = 1. Nu leeft hij 200 episodes in de werkelijkheid, net zo dapper als in de simulatie. Tel zijn valpartijen.</translation>
+    </message>
+    <message>
+        <source>This robot learned in a simulation that was not quite right. Now it stands in reality. With **ε = 0.05** it takes one action in 20 at random: it **explores**, to see whether there is something better. Here are its first 200 episodes.</source>
+        <translation>Deze robot heeft geleerd in een simulatie die niet helemaal klopte. Nu staat hij in de werkelijkheid. Met **ε = 0,05** kiest hij één op de 20 acties willekeurig: hij **exploreert**, om te zien of er iets beters is. Hier zijn zijn eerste 200 episodes.</translation>
+    </message>
+    <message>
+        <source>Those that stopped exploring still know it. Look at the dots.</source>
+        <translation>Robots die stopten met exploreren weten het nog. Kijk naar de punten.</translation>
+    </message>
+    <message>
+        <source>Three lives of each</source>
+        <translation>Drie levens van elk</translation>
+    </message>
+    <message>
+        <source>Three minutes are too short to differ.</source>
+        <translation>Drie minuten is te kort om te verschillen.</translation>
+    </message>
+    <message>
+        <source>Three thresholds, ten lives each</source>
+        <translation>Drie drempels, elk tien levens</translation>
+    </message>
+    <message>
+        <source>Tiles: too coarse, too fine</source>
+        <translation>Tegels: te grof, te fijn</translation>
+    </message>
+    <message>
+        <source>True, but look at the other end, too.</source>
+        <translation>Klopt, maar kijk ook naar het andere uiteinde.</translation>
+    </message>
+    <message>
+        <source>Try resolutions between 1 and 4.</source>
+        <translation>Probeer resoluties tussen 1 en 4.</translation>
+    </message>
+    <message>
+        <source>Turn it far to the right, then let it run.</source>
+        <translation>Draai het ver naar rechts, en laat het dan lopen.</translation>
+    </message>
+    <message>
+        <source>Turn γ</source>
+        <translation>Draai aan γ</translation>
+    </message>
+    <message>
+        <source>Twenty different simulations</source>
+        <translation>Twintig verschillende simulaties</translation>
+    </message>
+    <message>
+        <source>Two Q-functions, one for gains and one for losses (Sarsa_2Q).</source>
+        <translation>Twee Q-functies, een voor winst en een voor verlies (Sarsa_2Q).</translation>
+    </message>
+    <message>
+        <source>Two Q-functions: **Q⁺** expects gains (200 at the goal), **Q⁻** losses (−400 a fall). The robot acts on the sum. Both cut the states into **tiles**; what is learned in a tile holds for all of it. After 20 episodes from nothing and {falls} falls it is held at 34°, falling. It expects {q(&quot;0&quot;)}.</source>
+        <translation>Twee Q-functies: **Q⁺** verwacht winst (200 bij het doel), **Q⁻** verlies (−400 per val). De robot handelt naar de som. Beide verdelen de toestanden in **tegels**; wat in een tegel geleerd is, geldt er overal. Na 20 episodes vanaf nul en {falls} valpartijen wordt hij vastgehouden op 34°, vallend. Hij verwacht {q(&quot;0&quot;)}.</translation>
+    </message>
+    <message>
+        <source>Two ends of the line</source>
+        <translation>Twee uiteinden van de lijn</translation>
+    </message>
+    <message>
+        <source>Two hours, and something to read</source>
+        <translation>Twee uur, en iets te lezen</translation>
+    </message>
+    <message>
+        <source>Two minutes later on</source>
+        <translation>Twee minuten, later</translation>
+    </message>
+    <message>
+        <source>Two robots cross the same field, along a cliff. One learns from what it does, the other from what it could do best. Which way will each of them take, and what does it cost?</source>
+        <translation>Twee robots steken hetzelfde veld over, langs een afgrond. De een leert van wat hij doet, de ander van wat hij het best zou kunnen doen. Welke weg kiest elk, en wat kost dat?</translation>
+    </message>
+    <message>
+        <source>Two robots differ by 0.1 falls in 200 episodes, and the interval leaves out 0. Does it matter?</source>
+        <translation>Twee robots verschillen 0,1 val in 200 episodes, en het interval sluit de 0 uit. Doet dat ertoe?</translation>
+    </message>
+    <message>
+        <source>Two robots, A and B, five lives each of 200 episodes. A dot is one life; a bar is the 95 % interval of the mean. Say what you think. Then the program judges by the interval of the **difference**: if it holds 0, one cannot tell.</source>
+        <translation>Twee robots, A en B, elk vijf levens van 200 episodes. Een punt is één leven; een balk is het 95%-interval van het gemiddelde. Zeg wat je denkt. Daarna oordeelt het programma naar het interval van het **verschil**: bevat het de 0, dan is er niets te zeggen.</translation>
+    </message>
+    <message>
+        <source>Two rules and one edge: the short way or the safe way.</source>
+        <translation>Twee regels en één rand: de korte of de veilige weg.</translation>
+    </message>
+    <message>
+        <source>Two simulated hours are over: **{observed(3)} falls**, {observed(2)} of them in the first ten minutes. Now the next ten minutes, still with ε = 0.05, on the same robot.</source>
+        <translation>Twee gesimuleerde uren zijn voorbij: **{observed(3)} valpartijen**, waarvan {observed(2)} in de eerste tien minuten. Nu de volgende tien minuten, nog steeds met ε = 0,05, op dezelfde robot.</translation>
+    </message>
+    <message>
+        <source>Two ways</source>
+        <translation>Twee wegen</translation>
+    </message>
+    <message>
+        <source>Until it has its first successes, a fall teaches it nothing.</source>
+        <translation>Tot zijn eerste successen leert een val hem niets.</translation>
+    </message>
+    <message>
+        <source>Very high ones.</source>
+        <translation>Heel hoge.</translation>
+    </message>
+    <message>
+        <source>Very low and very high ones.</source>
+        <translation>Heel lage en heel hoge.</translation>
+    </message>
+    <message>
+        <source>Very low ones.</source>
+        <translation>Heel lage.</translation>
+    </message>
+    <message>
+        <source>Very narrow tiles</source>
+        <translation>Heel smalle tegels</translation>
+    </message>
+    <message>
+        <source>Very wide tiles</source>
+        <translation>Heel brede tegels</translation>
+    </message>
+    <message>
+        <source>Was that fair?</source>
+        <translation>Was dat eerlijk?</translation>
+    </message>
+    <message>
+        <source>Watch a beginner</source>
+        <translation>Kijk naar een beginner</translation>
+    </message>
+    <message>
+        <source>Watch it with ε = 0.05</source>
+        <translation>Kijk naar ε = 0,05</translation>
+    </message>
+    <message>
+        <source>Watch it, push it, play a fall back. No formula yet.</source>
+        <translation>Kijk toe, geef een duw, speel een val terug. Nog geen formules.</translation>
+    </message>
+    <message>
+        <source>Weak motors are more exact.</source>
+        <translation>Zwakke motoren zijn nauwkeuriger.</translation>
+    </message>
+    <message>
+        <source>What a robot learns</source>
+        <translation>Wat een robot leert</translation>
+    </message>
+    <message>
+        <source>What can a robot learn from that has not balanced the pole yet?</source>
+        <translation>Waarvan kan een robot leren die de stok nog niet in balans heeft gekregen?</translation>
+    </message>
+    <message>
+        <source>What do wide tiles do well, what do narrow ones, and why 16 grids?</source>
+        <translation>Wat doen brede tegels goed, wat smalle, en waarom 16 roosters?</translation>
+    </message>
+    <message>
+        <source>What do you ask for first?</source>
+        <translation>Waar vraag je het eerst om?</translation>
+    </message>
+    <message>
+        <source>What does a fall cost?</source>
+        <translation>Wat kost een val?</translation>
+    </message>
+    <message>
+        <source>What does a mark know about a step: where it led, or how long ago it was?</source>
+        <translation>Wat weet een merkteken van een stap: waar hij heen leidde, of hoe lang geleden hij was?</translation>
+    </message>
+    <message>
+        <source>What does a seed decide? What is left of that in a greedy life?</source>
+        <translation>Wat bepaalt een seed? Wat blijft daarvan over in een greedy leven?</translation>
+    </message>
+    <message>
+        <source>What does a threshold of 50 mean if all rewards are doubled?</source>
+        <translation>Wat betekent een drempel van 50 als alle beloningen worden verdubbeld?</translation>
+    </message>
+    <message>
+        <source>What does each of the two count as the next step, after a step along the edge?</source>
+        <translation>Wat telt voor elk van beide als de volgende stap, na een stap langs de rand?</translation>
+    </message>
+    <message>
+        <source>What does the map say about states 3 to 8?</source>
+        <translation>Wat zegt de kaart over de toestanden 3 tot en met 8?</translation>
+    </message>
+    <message>
+        <source>What does the rule of thumb assume about the rewards? Where would it not hold?</source>
+        <translation>Wat neemt de vuistregel over de beloningen aan? Waar zou hij niet gelden?</translation>
+    </message>
+    <message>
+        <source>What does γ decide, and which γ would you give this robot?</source>
+        <translation>Wat bepaalt γ, en welke γ zou jij deze robot geven?</translation>
+    </message>
+    <message>
+        <source>What does λ = 1 do, and would you want it?</source>
+        <translation>Wat doet λ = 1, en zou je dat willen?</translation>
+    </message>
+    <message>
+        <source>What does λ do, and what is the price of a large one?</source>
+        <translation>Wat doet λ, en wat kost een grote?</translation>
+    </message>
+    <message>
+        <source>What else can it bring along?</source>
+        <translation>Wat kan hij nog meer meenemen?</translation>
+    </message>
+    <message>
+        <source>What else of a simulation can be wrong to the safe side: friction, weight, delay?</source>
+        <translation>Wat kan er in een simulatie nog meer naar de veilige kant verkeerd zijn: wrijving, gewicht, vertraging?</translation>
+    </message>
+    <message>
+        <source>What happens to Sarsa&apos;s way if ε shrinks slowly while it learns?</source>
+        <translation>Wat gebeurt er met de weg van Sarsa als ε tijdens het leren langzaam krimpt?</translation>
+    </message>
+    <message>
+        <source>What have the two groups in common, and in what do they differ?</source>
+        <translation>Wat hebben de twee groepen gemeen, en waarin verschillen ze?</translation>
+    </message>
+    <message>
+        <source>What is Q(8, right) afterwards?</source>
+        <translation>Hoe groot is Q(8, rechts) daarna?</translation>
+    </message>
+    <message>
+        <source>What is Q(9, right) afterwards?</source>
+        <translation>Hoe groot is Q(9, rechts) daarna?</translation>
+    </message>
+    <message>
+        <source>What is a state worth?</source>
+        <translation>Wat is een toestand waard?</translation>
+    </message>
+    <message>
+        <source>What is a way worth?</source>
+        <translation>Wat is een weg waard?</translation>
+    </message>
+    <message>
+        <source>What is different between the two, and what is the same?</source>
+        <translation>Wat is er anders aan de twee, en wat is hetzelfde?</translation>
+    </message>
+    <message>
+        <source>What is exploring for, if less of it always falls less?</source>
+        <translation>Waar is exploreren goed voor, als minder ervan altijd minder valt?</translation>
+    </message>
+    <message>
+        <source>What is good about a large α, and what about a small one?</source>
+        <translation>Wat is er goed aan een grote α, en wat aan een kleine?</translation>
+    </message>
+    <message>
+        <source>What is state 6 worth?</source>
+        <translation>Wat is toestand 6 waard?</translation>
+    </message>
+    <message>
+        <source>What is worth 5τ less is taken about 150 times less often than the best; ε-greedy draws it as often as any.</source>
+        <translation>Wat 5τ minder waard is, wordt ongeveer 150 keer minder vaak gekozen dan de beste; ε-greedy loot het even vaak als elke andere.</translation>
+    </message>
+    <message>
+        <source>What it does with γ = 0</source>
+        <translation>Wat hij doet met γ = 0</translation>
+    </message>
+    <message>
+        <source>What it tries instead is worth nearly as much.</source>
+        <translation>Wat het in plaats daarvan probeert, is bijna evenveel waard.</translation>
+    </message>
+    <message>
+        <source>What must be true of a simulation for its risk to hold in reality?</source>
+        <translation>Wat moet er van een simulatie waar zijn, zodat haar risico in de werkelijkheid geldt?</translation>
+    </message>
+    <message>
+        <source>What the first robot expects</source>
+        <translation>Wat de eerste robot verwacht</translation>
+    </message>
+    <message>
+        <source>What the second robot expects</source>
+        <translation>Wat de tweede robot verwacht</translation>
+    </message>
+    <message>
+        <source>What the step changed</source>
+        <translation>Wat de stap veranderde</translation>
+    </message>
+    <message>
+        <source>What threshold does the rule give if a successful episode takes n* = 70 steps?</source>
+        <translation>Welke drempel geeft de regel als een geslaagde episode n* = 70 stappen duurt?</translation>
+    </message>
+    <message>
+        <source>What will it have learned that is still true in reality?</source>
+        <translation>Wat heeft hij dan geleerd dat in de werkelijkheid nog klopt?</translation>
+    </message>
+    <message>
+        <source>What will state 2 be worth? And what will a step to the left be worth?</source>
+        <translation>Wat zal toestand 2 waard zijn? En wat een stap naar links?</translation>
+    </message>
+    <message>
+        <source>What will the robot from the weak simulation expect in this state?</source>
+        <translation>Wat zal de robot uit de zwakke simulatie in deze toestand verwachten?</translation>
+    </message>
+    <message>
+        <source>What would have to be true of a task so that Softmax explores where it is dangerous?</source>
+        <translation>Wat zou er van een taak waar moeten zijn, zodat Softmax juist exploreert waar het gevaarlijk is?</translation>
+    </message>
+    <message>
+        <source>What would you measure before you put what it has learned on a real robot?</source>
+        <translation>Wat zou je meten voordat je het geleerde op een echte robot zet?</translation>
+    </message>
+    <message>
+        <source>What would you take for γ if the robot is paid once at the end of a chess game?</source>
+        <translation>Wat zou je voor γ nemen als de robot aan het eind van een schaakpartij één keer wordt beloond?</translation>
+    </message>
+    <message>
+        <source>What ε does to falls, and what the reward of a fall does.</source>
+        <translation>Wat ε met valpartijen doet, en wat de beloning van een val doet.</translation>
+    </message>
+    <message>
+        <source>When a pole falls: which steps were to blame, the last ten or those before?</source>
+        <translation>Als een stok valt: welke stappen waren schuldig, de laatste tien of die ervoor?</translation>
+    </message>
+    <message>
+        <source>When both take an action other than the best equally often, ε-greedy falls {mean(&quot;ε 0.1&quot;)} times, Softmax {mean(&quot;τ 1.5&quot;)} times on average. Greedy, which always takes the best, falls {mean(&quot;greedy&quot;)} times.</source>
+        <translation>Als beide even vaak een andere actie dan de beste nemen, valt ε-greedy gemiddeld {mean(&quot;ε 0.1&quot;)} keer en Softmax {mean(&quot;τ 1.5&quot;)} keer. Greedy, die altijd de beste neemt, valt {mean(&quot;greedy&quot;)} keer.</translation>
+    </message>
+    <message>
+        <source>When is a line worth its trouble?</source>
+        <translation>Wanneer is een lijn de moeite waard?</translation>
+    </message>
+    <message>
+        <source>When is exploring cheap, and what should Softmax be compared with?</source>
+        <translation>Wanneer is exploreren goedkoop, en waarmee moet je Softmax vergelijken?</translation>
+    </message>
+    <message>
+        <source>When it first reaches the goal, which of the steps on its way have a mark?</source>
+        <translation>Als hij het doel voor het eerst bereikt, welke stappen onderweg hebben dan een merkteken?</translation>
+    </message>
+    <message>
+        <source>When would a simulation be too pessimistic to be of use?</source>
+        <translation>Wanneer zou een simulatie te somber zijn om bruikbaar te zijn?</translation>
+    </message>
+    <message>
+        <source>When would a surprise be negative? Find one on the chain.</source>
+        <translation>Wanneer zou een verrassing negatief zijn? Zoek er een in de keten.</translation>
+    </message>
+    <message>
+        <source>When would you use TRL, and when a smaller ε?</source>
+        <translation>Wanneer zou je TRL gebruiken, en wanneer een kleinere ε?</translation>
+    </message>
+    <message>
+        <source>Where all values lie below the line, TRL is ε-greedy; that is where the pole leans far.</source>
+        <translation>Waar alle waarden onder de lijn liggen is TRL gelijk aan ε-greedy; dat is waar de stok ver helt.</translation>
+    </message>
+    <message>
+        <source>Where does it end?</source>
+        <translation>Waar houdt het op?</translation>
+    </message>
+    <message>
+        <source>Where good and bad states lie in the tile of a fall, Q⁻ says the same of all of them.</source>
+        <translation>Waar goede en slechte toestanden in de tegel van een val liggen, zegt Q⁻ van allemaal hetzelfde.</translation>
+    </message>
+    <message>
+        <source>Where must falls not happen, so that this way of learning is ruled out?</source>
+        <translation>Waar mag er niet gevallen worden, zodat deze manier van leren daar is uitgesloten?</translation>
+    </message>
+    <message>
+        <source>Where the pole leans far, no action is worth 100, and it draws among all.</source>
+        <translation>Waar de stok ver helt is geen actie 100 waard, en loot het tussen alle.</translation>
+    </message>
+    <message>
+        <source>Where to put the line before one has tried? A **rule of thumb**: take the worth of a state from which the goal is n* steps away, the length of a successful episode: R times γ to the power of n*. The panel takes the n* of this life. R is 200, γ is 0.98.</source>
+        <translation>Waar leg je de lijn voordat je iets geprobeerd hebt? Een **vuistregel**: neem de waarde van een toestand waarvandaan het doel n* stappen ver is, de lengte van een geslaagde episode: R maal γ tot de macht n*. Het paneel neemt de n* van dit leven. R is 200, γ is 0,98.</translation>
+    </message>
+    <message>
+        <source>Which needs fewer steps, or can one not tell?</source>
+        <translation>Welke heeft minder stappen nodig, of is dat niet te zeggen?</translation>
+    </message>
+    <message>
+        <source>Which of the two falls less in reality?</source>
+        <translation>Welke van de twee valt in de werkelijkheid minder?</translation>
+    </message>
+    <message>
+        <source>Which of the two falls less?</source>
+        <translation>Welke van de twee valt minder?</translation>
+    </message>
+    <message>
+        <source>Which of the two will avoid leaning that far?</source>
+        <translation>Welke van de twee zal vermijden zo ver te hellen?</translation>
+    </message>
+    <message>
+        <source>Which of them falls least in reality?</source>
+        <translation>Welke valt in de werkelijkheid het minst?</translation>
+    </message>
+    <message>
+        <source>Which of them falls less?</source>
+        <translation>Welke van beide valt minder?</translation>
+    </message>
+    <message>
+        <source>Which of your own comparisons, in lessons 5 to 11, were fair?</source>
+        <translation>Welke van je eigen vergelijkingen, in de lessen 5 tot en met 11, waren eerlijk?</translation>
+    </message>
+    <message>
+        <source>Which rewards belong in Q⁻ if every step costs a little energy?</source>
+        <translation>Welke beloningen horen in Q⁻ als elke stap een beetje energie kost?</translation>
+    </message>
+    <message>
+        <source>Which rule would you give a robot near an edge, and when the other one?</source>
+        <translation>Welke regel zou je een robot bij een rand geven, en wanneer de andere?</translation>
+    </message>
+    <message>
+        <source>Which two or three numbers does the robot have to know about the pole, to choose a torque?</source>
+        <translation>Welke twee of drie getallen moet de robot over de stok weten om een koppel te kiezen?</translation>
+    </message>
+    <message>
+        <source>Which value does Q(9, right) approach?</source>
+        <translation>Welke waarde benadert Q(9, rechts)?</translation>
+    </message>
+    <message>
+        <source>Which way will Sarsa take?</source>
+        <translation>Welke weg kiest Sarsa?</translation>
+    </message>
+    <message>
+        <source>While it expects nothing, a fall with reward 0 is no surprise. With −1600 each fall warns of what led to it.</source>
+        <translation>Zolang hij niets verwacht, is een val met beloning 0 geen verrassing. Met −1600 waarschuwt elke val voor wat ernaartoe leidde.</translation>
+    </message>
+    <message>
+        <source>Who should be allowed to explore: the simulation, the robot, or both?</source>
+        <translation>Wie mag er exploreren: de simulatie, de robot, of allebei?</translation>
+    </message>
+    <message>
+        <source>Who should set the weight: who builds the robot, or who pays for it?</source>
+        <translation>Wie hoort het gewicht in te stellen: wie de robot bouwt, of wie hem betaalt?</translation>
+    </message>
+    <message>
+        <source>Whom to blame</source>
+        <translation>Wie krijgt de schuld?</translation>
+    </message>
+    <message>
+        <source>Whose value stands in the formula as Q(S′, A′) when the robot steps right from state 7?</source>
+        <translation>Wiens waarde staat in de formule als Q(S′, A′) als de robot vanuit toestand 7 naar rechts stapt?</translation>
+    </message>
+    <message>
+        <source>Why are the greedy lives all alike?</source>
+        <translation>Waarom zijn de greedy levens allemaal gelijk?</translation>
+    </message>
+    <message>
+        <source>Why did it fall so often?</source>
+        <translation>Waarom viel hij zo vaak?</translation>
+    </message>
+    <message>
+        <source>Why did the beginner fall so often?</source>
+        <translation>Waarom viel de beginner zo vaak?</translation>
+    </message>
+    <message>
+        <source>Why do the 20 values lie closer together with α = 0.02?</source>
+        <translation>Waarom liggen de 20 waarden met α = 0,02 dichter bij elkaar?</translation>
+    </message>
+    <message>
+        <source>Why does a fall that costs nothing not make the robot careless for ever?</source>
+        <translation>Waarom maakt een val die niets kost de robot niet voor altijd onvoorzichtig?</translation>
+    </message>
+    <message>
+        <source>Why does a line at 100 help less than one at 50?</source>
+        <translation>Waarom helpt een lijn op 100 minder dan een op 50?</translation>
+    </message>
+    <message>
+        <source>Why does a value never reach state 5 when γ = 0, however long the robot lives?</source>
+        <translation>Waarom bereikt een waarde toestand 5 nooit als γ = 0, hoe lang de robot ook leeft?</translation>
+    </message>
+    <message>
+        <source>Why does it fall more at first with resolution 4 or 8 than with 1?</source>
+        <translation>Waarom valt hij in het begin meer met resolutie 4 of 8 dan met 1?</translation>
+    </message>
+    <message>
+        <source>Why does it fall most if a fall costs nothing?</source>
+        <translation>Waarom valt hij het meest als een val niets kost?</translation>
+    </message>
+    <message>
+        <source>Why does it fall so much more with 0.1?</source>
+        <translation>Waarom valt hij zoveel meer met 0,1?</translation>
+    </message>
+    <message>
+        <source>Why does it fall?</source>
+        <translation>Waarom valt hij?</translation>
+    </message>
+    <message>
+        <source>Why does it matter that actions are chosen on the sum of both?</source>
+        <translation>Waarom is het belangrijk dat acties naar de som van beide worden gekozen?</translation>
+    </message>
+    <message>
+        <source>Why does it not hurry with γ = 1?</source>
+        <translation>Waarom haast hij zich niet met γ = 1?</translation>
+    </message>
+    <message>
+        <source>Why does it wander on states 3 to 8?</source>
+        <translation>Waarom dwaalt hij op de toestanden 3 tot en met 8?</translation>
+    </message>
+    <message>
+        <source>Why does learning with weak motors help more?</source>
+        <translation>Waarom helpt leren met zwakke motoren meer?</translation>
+    </message>
+    <message>
+        <source>Why does the widest still fall nearly as often as at first?</source>
+        <translation>Waarom valt hij met de breedste nog bijna even vaak als in het begin?</translation>
+    </message>
+    <message>
+        <source>Why is it better not to obey the risk while it learns in the simulation?</source>
+        <translation>Waarom is het beter het risico niet te gehoorzamen terwijl hij in de simulatie leert?</translation>
+    </message>
+    <message>
+        <source>Why is the longer way worth more to Sarsa?</source>
+        <translation>Waarom is de langere weg voor Sarsa meer waard?</translation>
+    </message>
+    <message>
+        <source>Why is “right” from state 2 blamed?</source>
+        <translation>Waarom krijgt “rechts” vanuit toestand 2 schuld?</translation>
+    </message>
+    <message>
+        <source>Why may losses be coarser than gains?</source>
+        <translation>Waarom mag verlies grover zijn dan winst?</translation>
+    </message>
+    <message>
+        <source>Why not always?</source>
+        <translation>Waarom niet altijd?</translation>
+    </message>
+    <message>
+        <source>Wide tiles spread what is learned to many states, so it is learned soon, but they cannot tell apart what needs different actions. Narrow ones can, but they need more falls first. Displaced wide grids do both: they spread, and together they tell apart.</source>
+        <translation>Brede tegels verspreiden wat geleerd is over veel toestanden, zodat het snel geleerd is, maar ze onderscheiden niet wat verschillende acties vraagt. Smalle wel, maar die hebben eerst meer valpartijen nodig. Verschoven brede roosters doen beide: ze verspreiden, en samen onderscheiden ze.</translation>
+    </message>
+    <message>
+        <source>Wider tiles for the losses</source>
+        <translation>Bredere tegels voor het verlies</translation>
+    </message>
+    <message>
+        <source>Will it find its real motors too strong or too weak?</source>
+        <translation>Zal hij zijn echte motoren te sterk of te zwak vinden?</translation>
+    </message>
+    <message>
+        <source>With 0.3 times the torque, can it learn to balance in the simulation at all?</source>
+        <translation>Kan hij met 0,3 keer het koppel in de simulatie eigenlijk wel leren balanceren?</translation>
+    </message>
+    <message>
+        <source>With a fine Q⁻ it fell **{observed(3)} times** while it learned. Now the resolution of Q⁻ is **0.4**: the same seed, the same six minutes.</source>
+        <translation>Met een fijne Q⁻ viel hij **{observed(3)} keer** terwijl hij leerde. Nu is de resolutie van Q⁻ **0,4**: dezelfde seed, dezelfde zes minuten.</translation>
+    </message>
+    <message>
+        <source>With a large α the value is right after few steps, if each step tells the same. Where chance plays a part, a small α averages over many steps and is not led astray by a single one, but learns more slowly.</source>
+        <translation>Met een grote α klopt de waarde al na weinig stappen, als elke stap hetzelfde zegt. Waar toeval meespeelt, middelt een kleine α over veel stappen en laat zich niet door één stap op een dwaalspoor brengen, maar leert trager.</translation>
+    </message>
+    <message>
+        <source>With the line at 80 two actions lie above it. In how many of 100 steps does it take the worse of these two?</source>
+        <translation>Met de lijn op 80 liggen er twee acties boven. In hoeveel van 100 stappen neemt het de slechtste van die twee?</translation>
+    </message>
+    <message>
+        <source>With which thresholds is TRL nothing but ε-greedy?</source>
+        <translation>Met welke drempels is TRL niets anders dan ε-greedy?</translation>
+    </message>
+    <message>
+        <source>With which τ does Softmax take an action other than the best in about 8 of 100 steps?</source>
+        <translation>Met welke τ neemt Softmax in ongeveer 8 van 100 stappen een andere actie dan de beste?</translation>
+    </message>
+    <message>
+        <source>With α = 0.02 fewer steps are taken at random.</source>
+        <translation>Met α = 0,02 worden minder stappen willekeurig gedaan.</translation>
+    </message>
+    <message>
+        <source>With α = 0.02 one step counts little, and chance evens out over many.</source>
+        <translation>Met α = 0,02 telt één stap weinig, en over vele stappen middelt het toeval uit.</translation>
+    </message>
+    <message>
+        <source>With α = 0.02 the values stay near 0.</source>
+        <translation>Met α = 0,02 blijven de waarden bij 0.</translation>
+    </message>
+    <message>
+        <source>With γ = 0 the goal reached one state. With γ = 1 it reached all of them equally, and nothing said which way is shorter. With γ = 0.9 each step towards the goal is worth more than the one before.</source>
+        <translation>Met γ = 0 bereikte het doel één toestand. Met γ = 1 bereikte het ze allemaal even sterk, en niets zei welke weg korter is. Met γ = 0,9 is elke stap naar het doel meer waard dan de vorige.</translation>
+    </message>
+    <message>
+        <source>With γ = 0.9 the robot took {observed(4)} steps per episode. With γ = 0 it takes {steps / episodes}. Let it run. Once it is on state 9 it knows what to do. Before that it wanders.</source>
+        <translation>Met γ = 0,9 deed de robot {observed(4)} stappen per episode. Met γ = 0 doet hij er {steps / episodes}. Laat hem lopen. Staat hij eenmaal op toestand 9, dan weet hij wat hij moet doen. Daarvoor dwaalt hij.</translation>
+    </message>
+    <message>
+        <source>With ε = 0.05 it fell **{observed(1)} times** in 200 episodes. Now it will take one action in four at random, **ε = 0.25**. The same robot, the same beginning, and the same **seed**: the number that all chance comes from.</source>
+        <translation>Met ε = 0,05 viel hij **{observed(1)} keer** in 200 episodes. Nu kiest hij één op de vier acties willekeurig, **ε = 0,25**. Dezelfde robot, hetzelfde begin, en dezelfde **seed**: het getal waar al het toeval uit volgt.</translation>
+    </message>
+    <message>
+        <source>With ε = 0.05 it fell {observed(1)} times in 200 episodes. Now the knob is yours. Choose an ε, start again with the same seed, and let it live 200 episodes. Can you do it with ε at 0.01 or more, so that it still explores?</source>
+        <translation>Met ε = 0,05 viel hij {observed(1)} keer in 200 episodes. Nu is de knop van jou. Kies een ε, begin opnieuw met dezelfde seed, en laat hem 200 episodes leven. Lukt het met een ε van 0,01 of meer, zodat hij nog exploreert?</translation>
+    </message>
+    <message>
+        <source>With ε = 0.1 the robot fell **{observed(3)} times** in 200 episodes. Now Softmax, with **τ = 1.5**: it leaves the best action about as often. The same robot, the same beginning.</source>
+        <translation>Met ε = 0,1 viel de robot **{observed(3)} keer** in 200 episodes. Nu Softmax, met **τ = 1,5**: die wijkt ongeveer even vaak van de beste actie af. Dezelfde robot, hetzelfde begin.</translation>
+    </message>
+    <message>
+        <source>With ε = 0.25 it has learned for 200 episodes. Why does it still fall?</source>
+        <translation>Met ε = 0,25 heeft hij 200 episodes geleerd. Waarom valt hij nog?</translation>
+    </message>
+    <message>
+        <source>With λ = 0 a value learns from the next value only.</source>
+        <translation>Met λ = 0 leert een waarde alleen van de volgende waarde.</translation>
+    </message>
+    <message>
+        <source>With λ = 0 it had to reach the goal **{observed(5)} times** before state 5 knew of it: the news moves back one state at a time. Now **λ = 0.9**, the same seed, from the beginning, until the same two things hold.</source>
+        <translation>Met λ = 0 moest hij het doel **{observed(5)} keer** bereiken voordat toestand 5 ervan wist: het nieuws schuift één toestand tegelijk terug. Nu **λ = 0,9**, dezelfde seed, vanaf het begin, tot dezelfde twee dingen gelden.</translation>
+    </message>
+    <message>
+        <source>With λ = 0.9 state 5 knew after {observed(6)} goals, with λ = 0 after {observed(5)}. But that was one life. Here are ten of each, of the same seeds: the steps of ten episodes. A line joins the lives of one seed. The bar is the 95 % interval of a mean: there the true mean probably lies.</source>
+        <translation>Met λ = 0,9 wist toestand 5 het na {observed(6)} doelen, met λ = 0 na {observed(5)}. Maar dat was één leven. Hier zijn er tien van elk, met dezelfde seeds: de stappen van tien episodes. Een lijn verbindt de levens van één seed. De balk is het 95%-interval van een gemiddelde: daarin ligt waarschijnlijk het echte gemiddelde.</translation>
+    </message>
+    <message>
+        <source>With τ = 1000, about how likely is each of the five actions?</source>
+        <translation>Hoe groot is met τ = 1000 ongeveer de kans op elk van de vijf acties?</translation>
+    </message>
+    <message>
+        <source>Within a pair, which ε falls less, and in how many of the ten?</source>
+        <translation>Welke ε valt binnen een paar minder, en in hoeveel van de tien?</translation>
+    </message>
+    <message>
+        <source>Without a punishment it explores more.</source>
+        <translation>Zonder straf exploreert hij meer.</translation>
+    </message>
+    <message>
+        <source>Without exploring</source>
+        <translation>Zonder exploreren</translation>
+    </message>
+    <message>
+        <source>Work out a worth</source>
+        <translation>Reken een waarde uit</translation>
+    </message>
+    <message>
+        <source>Work out the new value before the robot does.</source>
+        <translation>Reken de nieuwe waarde uit voordat de robot het doet.</translation>
+    </message>
+    <message>
+        <source>Would you let ε shrink while it learns? By what rule?</source>
+        <translation>Zou je ε laten krimpen terwijl hij leert? Volgens welke regel?</translation>
+    </message>
+    <message>
+        <source>Would you rather learn in many simulations, each wrong in another way?</source>
+        <translation>Zou je liever in veel simulaties leren, elk op een andere manier verkeerd?</translation>
+    </message>
+    <message>
+        <source>Would you rather start with wide tiles and cut them later? What would that need?</source>
+        <translation>Zou je liever met brede tegels beginnen en ze later opdelen? Wat zou daarvoor nodig zijn?</translation>
+    </message>
+    <message>
+        <source>You are the referee</source>
+        <translation>Jij bent de beoordelaar</translation>
+    </message>
+    <message>
+        <source>You build a simulation and do not know the torque exactly. What do you choose, and why?</source>
+        <translation>Je bouwt een simulatie en kent het koppel niet precies. Wat kies je, en waarom?</translation>
+    </message>
+    <message>
+        <source>You do not always choose how a simulation is wrong. After the **strong** motors, × 2.5, a robot can bring along more than its values: how likely each action ended in a fall there. Ten lives that obey this risk in reality, and ten that do not. (The next lesson is about this.)</source>
+        <translation>Hoe een simulatie verkeerd is, kies je niet altijd zelf. Na de **sterke** motoren, × 2,5, kan een robot meer meenemen dan zijn waarden: hoe waarschijnlijk elke actie daar in een val eindigde. Tien levens die dit risico in de werkelijkheid gehoorzamen, en tien die dat niet doen. (Daarover gaat de volgende les.)</translation>
+    </message>
+    <message>
+        <source>You have done by hand what the robot does after every step, on the pendulum 200 times a second: see what came, compare it with what was expected, and move the value by a share of the difference.</source>
+        <translation>Je hebt met de hand gedaan wat de robot na elke stap doet, bij de slinger 200 keer per seconde: kijken wat er komt, het vergelijken met wat verwacht werd, en de waarde een deel van het verschil opschuiven.</translation>
+    </message>
+    <message>
+        <source>You have met two settings. Because of ε the robot sometimes does what it does not think best, also when there is little left to learn. The reward of a fall changes how often it falls while it learns. In the next lesson, [The cliff](lesson:the-cliff), two robots treat their own ε differently.</source>
+        <translation>Je hebt twee instellingen leren kennen. Door ε doet de robot soms wat hij niet het beste vindt, ook als er weinig meer te leren is. De beloning van een val verandert hoe vaak hij valt terwijl hij leert. In de volgende les, [De cliff](lesson:the-cliff), gaan twee robots verschillend met hun eigen ε om.</translation>
+    </message>
+    <message>
+        <source>You have one robot that breaks easily. How do you let it learn?</source>
+        <translation>Je hebt één robot die makkelijk stukgaat. Hoe laat je hem leren?</translation>
+    </message>
+    <message>
+        <source>You have seen which direction helps. One life is a matter of chance: try a few values.</source>
+        <translation>Je hebt gezien welke kant helpt. Eén leven is toeval: probeer een paar waarden.</translation>
+    </message>
+    <message>
+        <source>You look for a γ with γ⁷ · 100 between 1 and 5. With γ = 0.7 it is about 8.</source>
+        <translation>Je zoekt een γ waarvoor γ⁷ · 100 tussen 1 en 5 ligt. Met γ = 0,7 is het ongeveer 8.</translation>
+    </message>
+    <message>
+        <source>You try 40 settings that change nothing. About how many look better or worse all the same?</source>
+        <translation>Je probeert 40 instellingen die niets veranderen. Hoeveel lijken er ongeveer toch beter of slechter?</translation>
+    </message>
+    <message>
+        <source>Your rule</source>
+        <translation>Jouw regel</translation>
+    </message>
+    <message>
+        <source>Your rule for a robot near an edge</source>
+        <translation>Jouw regel voor een robot bij een rand</translation>
+    </message>
+    <message>
+        <source>Your rule for ε and for the reward of a fall, for a robot that can break:</source>
+        <translation>Jouw regel voor ε en voor de beloning van een val, voor een robot die stuk kan gaan:</translation>
+    </message>
+    <message>
+        <source>actions</source>
+        <translation>acties</translation>
+    </message>
+    <message>
+        <source>bold</source>
+        <translation>dapper</translation>
+    </message>
+    <message>
+        <source>both coarse</source>
+        <translation>beide grof</translation>
+    </message>
+    <message>
+        <source>careful</source>
+        <translation>voorzichtig</translation>
+    </message>
+    <message>
+        <source>falls</source>
+        <translation>valpartijen</translation>
+    </message>
+    <message>
+        <source>goals, both coarse</source>
+        <translation>doelen, beide grof</translation>
+    </message>
+    <message>
+        <source>goals, only Q⁻ coarse</source>
+        <translation>doelen, alleen Q⁻ grof</translation>
+    </message>
+    <message>
+        <source>greedy</source>
+        <translation>greedy</translation>
+    </message>
+    <message>
+        <source>greedy, five</source>
+        <translation>greedy, vijf</translation>
+    </message>
+    <message>
+        <source>how Softmax chooses, why it falls less than ε-greedy that explores as often, and what else to compare it with.</source>
+        <translation>hoe Softmax kiest, waarom het minder valt dan ε-greedy die even vaak exploreert, en waarmee je het nog moet vergelijken.</translation>
+    </message>
+    <message>
+        <source>how a risk that is learned in simulation avoids falls in reality, and why a larger penalty does less.</source>
+        <translation>hoe een risico dat in de simulatie geleerd is in de werkelijkheid vallen voorkomt, en waarom een zwaardere straf minder doet.</translation>
+    </message>
+    <message>
+        <source>how a robot on two legs learns to walk, what that costs in falls, and which way it fell less on another robot.</source>
+        <translation>hoe een robot op twee benen leert lopen, wat dat aan valpartijen kost, en op welke manier hij op een andere robot minder viel.</translation>
+    </message>
+    <message>
+        <source>how few lives deceive, what an interval promises, what pairs are good for, and whom a new method has to beat.</source>
+        <translation>hoe weinig levens bedriegen, wat een interval belooft, waar paren goed voor zijn, en wie een nieuwe methode moet verslaan.</translation>
+    </message>
+    <message>
+        <source>lives</source>
+        <translation>levens</translation>
+    </message>
+    <message>
+        <source>no line</source>
+        <translation>geen lijn</translation>
+    </message>
+    <message>
+        <source>not obeyed</source>
+        <translation>niet gehoorzaamd</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>niets</translation>
+    </message>
+    <message>
+        <source>one grid of 2</source>
+        <translation>één rooster van 2</translation>
+    </message>
+    <message>
+        <source>only Q⁻ coarse</source>
+        <translation>alleen Q⁻ grof</translation>
+    </message>
+    <message>
+        <source>punished</source>
+        <translation>gestraft</translation>
+    </message>
+    <message>
+        <source>resolution 0.25</source>
+        <translation>resolutie 0,25</translation>
+    </message>
+    <message>
+        <source>resolution 0.25, later</source>
+        <translation>resolutie 0,25, later</translation>
+    </message>
+    <message>
+        <source>resolution 1</source>
+        <translation>resolutie 1</translation>
+    </message>
+    <message>
+        <source>resolution 1, later</source>
+        <translation>resolutie 1, later</translation>
+    </message>
+    <message>
+        <source>resolution 4</source>
+        <translation>resolutie 4</translation>
+    </message>
+    <message>
+        <source>resolution 4, later</source>
+        <translation>resolutie 4, later</translation>
+    </message>
+    <message>
+        <source>resolution 8</source>
+        <translation>resolutie 8</translation>
+    </message>
+    <message>
+        <source>resolution 8, later</source>
+        <translation>resolutie 8, later</translation>
+    </message>
+    <message>
+        <source>reward 0</source>
+        <translation>beloning 0</translation>
+    </message>
+    <message>
+        <source>reward −100</source>
+        <translation>beloning −100</translation>
+    </message>
+    <message>
+        <source>reward −1600</source>
+        <translation>beloning −1600</translation>
+    </message>
+    <message>
+        <source>right, × 1</source>
+        <translation>juist, × 1</translation>
+    </message>
+    <message>
+        <source>risk obeyed</source>
+        <translation>risico gehoorzaamd</translation>
+    </message>
+    <message>
+        <source>settings</source>
+        <translation>instellingen</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>stappen</translation>
+    </message>
+    <message>
+        <source>strong, × 2.5</source>
+        <translation>sterk, × 2,5</translation>
+    </message>
+    <message>
+        <source>the same robot twice, the same seed; only the way to explore differs</source>
+        <translation>dezelfde robot twee keer, dezelfde seed; alleen de manier van exploreren verschilt</translation>
+    </message>
+    <message>
+        <source>times</source>
+        <translation>keer</translation>
+    </message>
+    <message>
+        <source>weak, × 0.5</source>
+        <translation>zwak, × 0,5</translation>
+    </message>
+    <message>
+        <source>what a threshold does to exploring, what makes it too low or too high, and what TRL has to be compared with.</source>
+        <translation>wat een drempel met exploreren doet, wat hem te laag of te hoog maakt, en waarmee je TRL moet vergelijken.</translation>
+    </message>
+    <message>
+        <source>what a trace does: how far back a fall or a goal is felt, and why that is quick but not always just.</source>
+        <translation>wat een trace doet: tot hoe ver terug een val of een doel wordt gevoeld, en waarom dat snel gaat maar niet altijd eerlijk is.</translation>
+    </message>
+    <message>
+        <source>what learning in a wrong simulation saves, and which error of its motors costs less in reality.</source>
+        <translation>wat leren in een verkeerde simulatie bespaart, en welke fout in haar motoren in de werkelijkheid minder kost.</translation>
+    </message>
+    <message>
+        <source>what the robot does with one step: how large its surprise δ is, and that the value moves by the share α of it.</source>
+        <translation>wat de robot met één stap doet: hoe groot zijn verrassing δ is, en dat de waarde met het deel α daarvan opschuift.</translation>
+    </message>
+    <message>
+        <source>what too wide and too narrow tiles do to learning, and why one lays several displaced grids over each other.</source>
+        <translation>wat te brede en te smalle tegels met leren doen, en waarom men meerdere verschoven roosters over elkaar legt.</translation>
+    </message>
+    <message>
+        <source>what γ does: how far ahead a reward counts, and what goes wrong when it counts too little or too long.</source>
+        <translation>wat γ doet: hoe ver vooruit een beloning telt, en wat er misgaat als ze te weinig of te lang telt.</translation>
+    </message>
+    <message>
+        <source>what ε does to falls, why they go on when the robot has learned, and what a harder punishment changes.</source>
+        <translation>wat ε met valpartijen doet, waarom ze doorgaan als de robot het geleerd heeft, en wat een strengere straf verandert.</translation>
+    </message>
+    <message>
+        <source>which of two rules counts its own mistakes, and which one to trust near an edge while it learns.</source>
+        <translation>welke van twee regels zijn eigen fouten meetelt, en welke je vertrouwt bij een rand zolang hij leert.</translation>
+    </message>
+    <message>
+        <source>why a coarse Q-function for the losses saves falls, why one that is too coarse costs them, and why the gains stay fine.</source>
+        <translation>waarom een grove Q-functie voor het verlies valpartijen bespaart, waarom een te grove ze kost, en waarom de winst fijn blijft.</translation>
+    </message>
+    <message>
+        <source>why a robot that learns by itself falls often at first, and what it has to find out in order to fall less.</source>
+        <translation>waarom een robot die zelf leert in het begin vaak valt, en wat hij moet ontdekken om minder te vallen.</translation>
+    </message>
+    <message>
+        <source>{mean(&quot;A&quot;)} and {mean(&quot;B&quot;)} falls in five lives. But A and B are the **same robot**; only chance differed (we looked for such luck in 28 seeds). Thirty lives: {mean(&quot;A, thirty&quot;)} and {mean(&quot;B, thirty&quot;)}. With more lives the interval of the mean shrinks: four times the lives, about half as wide.</source>
+        <translation>{mean(&quot;A&quot;)} en {mean(&quot;B&quot;)} valpartijen in vijf levens. Maar A en B zijn **dezelfde robot**; alleen het toeval verschilde (we zochten zulk geluk in 28 seeds). Dertig levens: {mean(&quot;A, thirty&quot;)} en {mean(&quot;B, thirty&quot;)}. Met meer levens krimpt het interval van het gemiddelde: vier keer zoveel levens, ongeveer half zo breed.</translation>
+    </message>
+    <message>
+        <source>{observed(2)} falls in reality instead of {observed(1)}, and {before.falls} in the simulation. Now the simulation is wrong the other way: its motors have **half** the torque of the real ones. Again ten minutes there, then 200 real episodes.</source>
+        <translation>{observed(2)} valpartijen in de werkelijkheid in plaats van {observed(1)}, en {before.falls} in de simulatie. Nu is de simulatie de andere kant op verkeerd: haar motoren hebben **half** zoveel koppel als de echte. Weer tien minuten daar, dan 200 echte episodes.</translation>
+    </message>
+    <message>
+        <source>{observed(2)} falls instead of {observed(1)}. Ten lives with ε = 0.25 now go on for 100 more episodes: they fall {least(&quot;ε stays 0.25&quot;)} to {most(&quot;ε stays 0.25&quot;)} times. Ten others have learned the same, and then stop exploring: they fall {least(&quot;ε becomes 0&quot;)} to {most(&quot;ε becomes 0&quot;)} times.</source>
+        <translation>{observed(2)} valpartijen in plaats van {observed(1)}. Tien levens met ε = 0,25 gaan nu nog 100 episodes door: ze vallen {least(&quot;ε stays 0.25&quot;)} tot {most(&quot;ε stays 0.25&quot;)} keer. Tien andere hebben hetzelfde geleerd en stoppen dan met exploreren: ze vallen {least(&quot;ε becomes 0&quot;)} tot {most(&quot;ε becomes 0&quot;)} keer.</translation>
+    </message>
+    <message>
+        <source>{observed(2)} falls with the large penalty. Now something else: beside Q the robot learns **ρ**, how likely an action ends in a fall. It learned it in the simulation, and did not use it. The pole leans, and falls on: look at the column *Risk*.</source>
+        <translation>{observed(2)} valpartijen met de zware straf. Nu iets anders: naast Q leert de robot **ρ**, hoe waarschijnlijk een actie in een val eindigt. Hij leerde het in de simulatie, en gebruikte het niet. De stok helt en valt verder: kijk naar de kolom *Risico*.</translation>
+    </message>
+    <message>
+        <source>{observed(3)} falls after the weak motors, {observed(2)} after the strong ones. Why? Here is the first robot again, straight from the **strong** simulation. The pole leans by 29°, at rest. The robot expects {max(q(&quot;1.5&quot;), q(&quot;0.75&quot;), q(&quot;0&quot;), q(&quot;-0.75&quot;), q(&quot;-1.5&quot;))} of its best action; a fall is −100.</source>
+        <translation>{observed(3)} valpartijen na de zwakke motoren, {observed(2)} na de sterke. Waarom? Hier is de eerste robot weer, regelrecht uit de **sterke** simulatie. De stok helt 29°, in rust. De robot verwacht {max(q(&quot;1.5&quot;), q(&quot;0.75&quot;), q(&quot;0&quot;), q(&quot;-0.75&quot;), q(&quot;-1.5&quot;))} van zijn beste actie; een val is −100.</translation>
+    </message>
+    <message>
+        <source>{observed(4)} falls in ten minutes instead of {observed(2)}. Was that learned for this one robot only? What it knows goes to another one: motors of 9.5 Ω in place of 8.6, and a third more dry friction. It goes on learning, with ε = 0.05, for ten minutes.</source>
+        <translation>{observed(4)} valpartijen in tien minuten in plaats van {observed(2)}. Is dat alleen voor deze ene robot geleerd? Wat hij weet gaat naar een andere: motoren van 9,5 Ω in plaats van 8,6, en een derde meer droge wrijving. Hij leert door, met ε = 0,05, tien minuten lang.</translation>
+    </message>
+    <message>
+        <source>{observed(4)} falls instead of {observed(3)}. Ten lives for each threshold, ε = 0.2, fall on average {mean(&quot;no line&quot;)} times with −1000, which forbids nothing, {mean(&quot;TRL 50&quot;)} with 50 and {mean(&quot;TRL 100&quot;)} with 100. The pole leans by 20° now, and the line lies at 100.</source>
+        <translation>{observed(4)} valpartijen in plaats van {observed(3)}. Tien levens per drempel, ε = 0,2, vallen gemiddeld {mean(&quot;no line&quot;)} keer met −1000, die niets verbiedt, {mean(&quot;TRL 50&quot;)} met 50 en {mean(&quot;TRL 100&quot;)} met 100. De stok helt nu 20°, en de lijn ligt op 100.</translation>
+    </message>
+    <message>
+        <source>{observed(4)} falls. One life proves little, and who hardly explores hardly falls. So here are ten lives of each: as bold as in the simulation, greedy, punished with −6400, and careful by the risk.</source>
+        <translation>{observed(4)} valpartijen. Eén leven bewijst weinig, en wie nauwelijks exploreert valt nauwelijks. Daarom van elk tien levens: even dapper als in de simulatie, greedy, gestraft met −6400, en voorzichtig door het risico.</translation>
+    </message>
+    <message>
+        <source>{observed(6)} falls instead of {observed(5)}. Three lives of each, three minutes long: ε-greedy falls {least(&quot;ε-greedy 0.05&quot;)} to {most(&quot;ε-greedy 0.05&quot;)} times. The three greedy lives, with three seeds, all fall {mean(&quot;greedy&quot;)} times.</source>
+        <translation>{observed(6)} valpartijen in plaats van {observed(5)}. Van elk drie levens van drie minuten: ε-greedy valt {least(&quot;ε-greedy 0.05&quot;)} tot {most(&quot;ε-greedy 0.05&quot;)} keer. De drie greedy levens, met drie seeds, vallen allemaal {mean(&quot;greedy&quot;)} keer.</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>× 0.3</source>
+        <translation>× 0,3</translation>
+    </message>
+    <message>
+        <source>× 0.5</source>
+        <translation>× 0,5</translation>
+    </message>
+    <message>
+        <source>× 0.8</source>
+        <translation>× 0,8</translation>
+    </message>
+    <message>
+        <source>× 1.5</source>
+        <translation>× 1,5</translation>
+    </message>
+    <message>
+        <source>× 2</source>
+        <translation>× 2</translation>
+    </message>
+    <message>
+        <source>α 0.02</source>
+        <translation>α 0,02</translation>
+    </message>
+    <message>
+        <source>α 0.5</source>
+        <translation>α 0,5</translation>
+    </message>
+    <message>
+        <source>α = 1 made one step enough. What would α = 2 do?</source>
+        <translation>Met α = 1 was één stap genoeg. Wat zou α = 2 doen?</translation>
+    </message>
+    <message>
+        <source>α is the share of the surprise that is added. Which share is needed to get from 0 to 100 at once?</source>
+        <translation>α is het deel van de verrassing dat erbij komt. Welk deel is nodig om in één keer van 0 naar 100 te gaan?</translation>
+    </message>
+    <message>
+        <source>γ 0</source>
+        <translation>γ 0</translation>
+    </message>
+    <message>
+        <source>γ 0.9</source>
+        <translation>γ 0,9</translation>
+    </message>
+    <message>
+        <source>γ 1</source>
+        <translation>γ 1</translation>
+    </message>
+    <message>
+        <source>γ decides how much a reward counts that comes later. Too small, and states far from the goal hardly know of it. At 1 a late reward is worth as much as an early one, so nothing makes the robot hurry unless steps cost something. Here: something in between, such as 0.9.</source>
+        <translation>γ bepaalt hoeveel een beloning telt die later komt. Te klein, en toestanden ver van het doel weten er nauwelijks van. Bij 1 is een late beloning net zoveel waard als een vroege, zodat de robot zich niet haast, tenzij stappen iets kosten. Hier: iets ertussenin, zoals 0,9.</translation>
+    </message>
+    <message>
+        <source>γ is 0.9 again; the map shows it. Now imagine **γ = 0**: what comes after the next step counts nothing. Only the reward of the very next step counts.</source>
+        <translation>γ is weer 0,9; de kaart laat het zien. Stel je nu **γ = 0** voor: wat na de volgende stap komt, telt niet. Alleen de beloning van de eerstvolgende stap telt.</translation>
+    </message>
+    <message>
+        <source>δ = 0 + 0.8 · 75 − 0. Then take half of it.</source>
+        <translation>δ = 0 + 0,8 · 75 − 0. Neem daar de helft van.</translation>
+    </message>
+    <message>
+        <source>ε 0.05</source>
+        <translation>ε 0,05</translation>
+    </message>
+    <message>
+        <source>ε 0.05, in pairs</source>
+        <translation>ε 0,05, in paren</translation>
+    </message>
+    <message>
+        <source>ε 0.1</source>
+        <translation>ε 0,1</translation>
+    </message>
+    <message>
+        <source>ε 0.1, others</source>
+        <translation>ε 0,1, andere</translation>
+    </message>
+    <message>
+        <source>ε 0.1, the same</source>
+        <translation>ε 0,1, dezelfde</translation>
+    </message>
+    <message>
+        <source>ε = 0.1</source>
+        <translation>ε = 0,1</translation>
+    </message>
+    <message>
+        <source>ε becomes 0</source>
+        <translation>ε wordt 0</translation>
+    </message>
+    <message>
+        <source>ε is 0.05 for all.</source>
+        <translation>ε is voor allemaal 0,05.</translation>
+    </message>
+    <message>
+        <source>ε is 0.05 in all 30 lives.</source>
+        <translation>ε is 0,05 in alle 30 levens.</translation>
+    </message>
+    <message>
+        <source>ε is 0.2 in all of them.</source>
+        <translation>ε is in alle 0,2.</translation>
+    </message>
+    <message>
+        <source>ε stays 0.25</source>
+        <translation>ε blijft 0,25</translation>
+    </message>
+    <message>
+        <source>ε-greedy 0.05</source>
+        <translation>ε-greedy 0,05</translation>
+    </message>
+    <message>
+        <source>ε-greedy also drew the worst of the five. When may TRL do so?</source>
+        <translation>ε-greedy lootte ook de slechtste van de vijf. Wanneer mag TRL dat?</translation>
+    </message>
+    <message>
+        <source>ε-greedy once more</source>
+        <translation>Nog eens ε-greedy</translation>
+    </message>
+    <message>
+        <source>ε-greedy took an action other than the best in 8 of 100 steps. For a fair comparison Softmax must do so as often. The chart shows how often ε-greedy does so, and Softmax with four temperatures, ten lives each. The τ that you look for lies between two of them.</source>
+        <translation>ε-greedy nam in 8 van 100 stappen een andere actie dan de beste. Voor een eerlijke vergelijking moet Softmax dat even vaak doen. De grafiek toont hoe vaak ε-greedy het doet, en Softmax met vier temperaturen, elk tien levens. De τ die je zoekt ligt tussen twee daarvan.</translation>
+    </message>
+    <message>
+        <source>ε-greedy with ε = 0.2</source>
+        <translation>ε-greedy met ε = 0,2</translation>
+    </message>
+    <message>
+        <source>ε-greedy, again thirty</source>
+        <translation>ε-greedy, weer dertig</translation>
+    </message>
+    <message>
+        <source>ε-greedy, ε 0.05</source>
+        <translation>ε-greedy, ε 0,05</translation>
+    </message>
+    <message>
+        <source>ε-greedy: one action in ten</source>
+        <translation>ε-greedy: één actie op de tien</translation>
+    </message>
+    <message>
+        <source>λ 0</source>
+        <translation>λ 0</translation>
+    </message>
+    <message>
+        <source>λ 0.9</source>
+        <translation>λ 0,9</translation>
+    </message>
+    <message>
+        <source>λ decides how much of the blame goes on to the step before. With λ = 0.9 *left* from state 3 lost 40.5. Turn λ, start again with the same seed, and run until the first fall. Then pause, and click state 3 on the map.</source>
+        <translation>λ bepaalt hoeveel van de schuld naar de stap ervoor gaat. Vanuit toestand 3 verloor *links* 40,5 met λ = 0,9. Draai aan λ, begin opnieuw met dezelfde seed, en laat lopen tot de eerste val. Pauzeer dan, en klik op de kaart op toestand 3.</translation>
+    </message>
+    <message>
+        <source>λ says how far back along the way a surprise is felt. With a large λ one fall or goal teaches many steps at once, so that news travels quickly; but steps are judged by when they were taken, and some are blamed or praised wrongly until later walks correct it.</source>
+        <translation>λ zegt tot hoe ver terug langs de weg een verrassing wordt gevoeld. Met een grote λ leert één val of doel veel stappen tegelijk, zodat nieuws snel reist; maar stappen worden beoordeeld naar wanneer ze zijn gedaan, en sommige krijgen ten onrechte schuld of lof, tot latere wandelingen dat rechtzetten.</translation>
+    </message>
+    <message>
+        <source>ρ is 1 for an action that falls, and is passed on to the actions before it, as values are.</source>
+        <translation>ρ is 1 voor een actie die valt, en wordt doorgegeven aan de acties ervoor, net als waarden.</translation>
+    </message>
+    <message>
+        <source>τ 1.5</source>
+        <translation>τ 1,5</translation>
+    </message>
+    <message>
+        <source>τ = 0.5</source>
+        <translation>τ = 0,5</translation>
+    </message>
+    <message>
+        <source>τ = 1</source>
+        <translation>τ = 1</translation>
+    </message>
+    <message>
+        <source>τ = 2</source>
+        <translation>τ = 2</translation>
+    </message>
+    <message>
+        <source>τ = 4</source>
+        <translation>τ = 4</translation>
+    </message>
+    <message>
+        <source>τ is measured in units of Q. What happens to Softmax if all rewards are multiplied by ten?</source>
+        <translation>τ wordt gemeten in eenheden van Q. Wat gebeurt er met Softmax als alle beloningen met tien worden vermenigvuldigd?</translation>
+    </message>
+    <message>
+        <source>… it has to find out by trying which torque is good when, and at first most of its episodes go wrong. With practice it knows more and falls less.</source>
+        <translation>… hij door te proberen moet ontdekken welk koppel wanneer goed is, en de meeste van zijn episodes in het begin mislukken. Met oefening weet hij meer en valt hij minder.</translation>
+    </message>
 </context>
 <context>
     <name>surefoot::AboutDialog</name>
@@ -8605,8 +11840,8 @@ Die van eerder zijn niet in dit venster opgenomen.</translation>
         <translation>die van het systeem</translation>
     </message>
     <message>
-        <source>From the next start on. The handbook, the lessons and sentences about errors are English.</source>
-        <translation>Vanaf de volgende start. Handboek, lessen en zinnen over fouten zijn Engels.</translation>
+        <source>From the next start on. Most sentences about errors are English.</source>
+        <translation>Vanaf de volgende start. De meeste zinnen over fouten zijn Engels.</translation>
     </message>
     <message>
         <source>Text size</source>

@@ -86,8 +86,7 @@ PreferencesDialog::PreferencesDialog(QWidget* parent) : QDialog(parent) {
   for (const Language& one : languages()) language->addItem(one.name, one.code);
   language->setCurrentIndex(std::max(0, language->findData(now.language)));
   grid->addWidget(language, row++, 1, Qt::AlignLeft);
-  auto* later =
-      new QLabel(tr("From the next start on. The handbook, the lessons and sentences about errors are English."));
+  auto* later = new QLabel(tr("From the next start on. Most sentences about errors are English."));
   later->setWordWrap(true);
   grid->addWidget(later, row++, 1);
   connect(language, &QComboBox::activated, this,

@@ -12,6 +12,7 @@
 #include "core/lessons/reading/lesson_reading.h"
 #include "ui/controls/hairline.h"
 #include "ui/controls/text_button.h"
+#include "ui/language/speech.h"
 #include "ui/lessons/lesson_details.h"
 #include "ui/lessons/taking/lesson_view.h"
 #include "ui/session/session.h"
@@ -54,7 +55,7 @@ const std::vector<ShelvedLesson>& LessonsPage::lessons() {
 
 void LessonsPage::read() {
   if (std::exchange(read_, true)) return;
-  lessons_ = lessonsIn(registry_, folder_.toStdString());
+  lessons_ = lessonsIn(registry_, folder_.toStdString(), lessonInLanguage);
   refresh();
   list_->choose(std::max(nextLesson_, 0));
 }
@@ -81,7 +82,7 @@ Status LessonsPage::open(const QString& path) {
 /// The place of a lesson's file in the list, which it is added to.
 Result<int> LessonsPage::addFile(const QString& path) {
   read();
-  auto one = readLessonFile(registry_, path.toStdString());
+  auto one = readLessonFile(registry_, path.toStdString(), lessonInLanguage);
   if (!one) return one.error();
   const auto same = std::find_if(lessons_.begin(), lessons_.end(), [&](const auto& l) { return l.path == one->path; });
   const auto index = static_cast<int>(same - lessons_.begin());

@@ -39,20 +39,20 @@ void checkLinks(ShelvedLesson& shelved, const std::set<std::string>& known) {
 
 }  // namespace
 
-Result<ShelvedLesson> readLessonFile(const Registry& registry, const std::string& path) {
+Result<ShelvedLesson> readLessonFile(const Registry& registry, const std::string& path, const Translate& translate) {
   const auto text = readText(path);
   if (!text) return text.error();
   ShelvedLesson shelved{.path = path};
-  shelved.lesson = readLesson(registry, *text, path, shelved.complaints);
+  shelved.lesson = readLesson(registry, *text, path, shelved.complaints, translate);
   return shelved;
 }
 
-std::vector<ShelvedLesson> lessonsIn(const Registry& registry, const std::string& folder) {
+std::vector<ShelvedLesson> lessonsIn(const Registry& registry, const std::string& folder, const Translate& translate) {
   std::vector<ShelvedLesson> all;
   std::error_code error;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
     if (entry.path().extension() != ".toml") continue;
-    if (auto one = readLessonFile(registry, entry.path().string()))
+    if (auto one = readLessonFile(registry, entry.path().string(), translate))
       all.push_back(std::move(*one));
     else
       all.push_back({entry.path().string(), std::nullopt, {{{}, one.error().message}}});

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/lessons/lesson.h"
+#include "core/text/translate.h"
 
 namespace surefoot {
 
@@ -16,9 +17,11 @@ struct ShelvedLesson {
 };
 
 /// A lesson's file, read and checked; an error only if it cannot be opened.
-Result<ShelvedLesson> readLessonFile(const Registry& registry, const std::string& path);
+Result<ShelvedLesson> readLessonFile(const Registry& registry, const std::string& path,
+                                     const Translate& translate = {});
 
 /// All NAME.toml of a folder. Links and `needs` that lead to no lesson of it are complaints.
-std::vector<ShelvedLesson> lessonsIn(const Registry& registry, const std::string& folder);
+std::vector<ShelvedLesson> lessonsIn(const Registry& registry, const std::string& folder,
+                                     const Translate& translate = {});
 
 }  // namespace surefoot

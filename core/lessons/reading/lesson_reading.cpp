@@ -92,13 +92,13 @@ void readStart(const Registry& registry, TomlReader& root, const std::string& fi
   checkRanges(lesson, table ? table->at : TextPlace{}, complaints);
 }
 
-void readKiosk(TomlReader& root, Lesson& lesson, std::vector<Complaint>& complaints) {
+void readKiosk(TomlReader& root, Lesson& lesson, std::vector<Complaint>& complaints, const Translate& translate) {
   const TomlNode* table = root.table("kiosk");
   if (!table) return;
   TomlReader reader(*table, complaints);
-  lesson.kiosk = LessonKiosk{.question = reader.neededText("question"),
-                             .note = reader.text("note"),
-                             .explain = reader.neededText("explain"),
+  lesson.kiosk = LessonKiosk{.question = translated(translate, reader.neededText("question")),
+                             .note = translated(translate, reader.text("note")),
+                             .explain = translated(translate, reader.neededText("explain")),
                              .word = reader.text("word", lesson.name),
                              .share = reader.number("share", 0, 0.5, 0.1),
                              .episodes = reader.whole("episodes", 10, 100'000, 300)};
@@ -149,26 +149,28 @@ std::string complaintText(const std::string& file, const Complaint& complaint) {
   return fmt::format("{}, line {}, column {}: {}", name, complaint.at.line, complaint.at.column, complaint.sentence);
 }
 
-std::optional<Lesson> readLesson(const Registry& registry, std::string_view text, const std::string& name,
-                                 std::vector<Complaint>& complaints) {
+std::optional<Lesson> readLesson(const Registry& registry, std::string_view toml, const std::string& name,
+                                 std::vector<Complaint>& complaints, const Translate& given) {
   complaints.clear();
-  if (text.size() > kLongestLesson) {
+  if (toml.size() > kLongestLesson) {
     complaints.push_back({{}, fmt::format("a lesson has at most {} kB.", kLongestLesson / 1024)});
     return std::nullopt;
   }
-  const auto tree = parseToml(text, complaints);
+  const auto tree = parseToml(toml, complaints);
   if (!tree) return std::nullopt;
   TomlReader root(*tree, complaints);
   Lesson lesson{.name = plainName(name), .number = numberOf(name)};
   Hash64 hash;
-  hash.add(text);
+  hash.add(toml);
   lesson.hash = hash.value();
-  lesson.title = root.neededText("title");
-  lesson.goal = root.neededText("goal");
-  lesson.line = root.text("line", lesson.goal);
-  lesson.about = root.text("about");
-  lesson.chapter = root.text("chapter");
   lesson.language = root.text("language", "en");
+  const Translate translate = lesson.language == "en" ? given : Translate();
+  const auto text = [&](const char* key) { return translated(translate, root.text(key)); };
+  lesson.title = translated(translate, root.neededText("title"));
+  lesson.goal = translated(translate, root.neededText("goal"));
+  lesson.line = root.find("line") ? text("line") : lesson.goal;
+  lesson.about = text("about");
+  lesson.chapter = text("chapter");
   lesson.minutes = root.number("minutes", 1, 180, 10);
   lesson.level = static_cast<int>(root.whole("level", 1, 3, 1));
   lesson.needs = root.texts("needs");
@@ -176,17 +178,18 @@ std::optional<Lesson> readLesson(const Registry& registry, std::string_view text
   readStart(registry, root, name, lesson, show, complaints);
   if (const TomlNode* teacher = root.table("teacher")) {
     TomlReader reader(*teacher, complaints);
-    lesson.notes = reader.text("notes");
+    lesson.notes = translated(translate, reader.text("notes"));
     lesson.discuss = reader.texts("discuss");
+    for (std::string& one : lesson.discuss) one = translated(translate, one);
     reader.end();
   }
-  readKiosk(root, lesson, complaints);
+  readKiosk(root, lesson, complaints, translate);
   const auto steps = root.tables("step");
   root.end();
   if (steps.empty() || steps.size() > kMostSteps)
     complaints.push_back({{}, fmt::format("a lesson has 1 to {} steps: [[step]].", kMostSteps)});
   if (!complaints.empty()) return std::nullopt;  // conditions can be checked only if the life can be lived
-  readSteps(registry, steps, show, lesson, complaints);
+  readSteps(registry, steps, show, lesson, complaints, translate);
   return complaints.empty() ? std::optional(std::move(lesson)) : std::nullopt;
 }
 

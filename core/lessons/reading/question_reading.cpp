@@ -24,7 +24,7 @@ class QuestionReader {
   std::optional<LessonQuestion> read() {
     const std::string kind = reader_.neededText("kind");
     if (kind.empty()) return std::nullopt;
-    question_ = reader_.neededText("question");
+    question_ = parts_.neededSaid(reader_, "question");
     auto question = ofKind(kind);
     if (question) reader_.end();
     return question;
@@ -36,7 +36,7 @@ class QuestionReader {
     if (kind == "choice" || kind == "mistake") return choice(kind == "mistake");
     if (kind == "order") return order();
     if (kind == "point") return point();
-    if (kind == "words") return WordsQuestion{question_, reader_.neededText("model")};
+    if (kind == "words") return WordsQuestion{question_, parts_.neededSaid(reader_, "model")};
     if (kind == "compare") return CompareQuestion{question_};
     reader_.complain("kind", fmt::format("there is no \"{}\"; it takes number, choice, order, point, mistake, compare "
                                          "or words.",
@@ -48,14 +48,14 @@ class QuestionReader {
     NumberQuestion q{.question = question_,
                      .answer = {},
                      .tolerance = reader_.number("tolerance", 0, 1e12, 0),
-                     .unit = reader_.text("unit")};
+                     .unit = parts_.said(reader_, "unit")};
     if (reader_.need("answer"))
       if (auto answer = parts_.condition(reader_, table_, "answer", ValueKind::Number)) q.answer = std::move(*answer);
     return q;
   }
 
   std::vector<std::string> options() {
-    std::vector<std::string> all = reader_.texts("options");
+    std::vector<std::string> all = parts_.allSaid(reader_, "options");
     if (all.size() < 2 || all.size() > kMostOptions)
       reader_.complain("options", fmt::format("there are 2 to {} options.", kMostOptions));
     return all;
@@ -64,9 +64,9 @@ class QuestionReader {
   LessonQuestion choice(bool mistake) {
     ChoiceQuestion q{.question = question_,
                      .options = options(),
-                     .remarks = reader_.texts("remarks"),
+                     .remarks = parts_.allSaid(reader_, "remarks"),
                      .answer = 0,
-                     .why = reader_.text("why"),
+                     .why = parts_.said(reader_, "why"),
                      .because = reader_.flag("because"),
                      .mistake = mistake};
     if (!q.remarks.empty() && q.remarks.size() != q.options.size())

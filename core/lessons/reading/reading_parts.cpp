@@ -66,11 +66,21 @@ std::vector<LessonCondition> ReadingParts::conditions(TomlReader& reader, const 
   return all;
 }
 
+std::string ReadingParts::neededSaid(TomlReader& reader, std::string_view key) {
+  return translated(translate_, reader.neededText(key));
+}
+
+std::vector<std::string> ReadingParts::allSaid(TomlReader& reader, std::string_view key) {
+  std::vector<std::string> all = reader.texts(key);
+  for (std::string& one : all) one = translated(translate_, one);
+  return all;
+}
+
 LessonText ReadingParts::text(TomlReader& reader, const TomlNode& table, std::string_view key) {
-  const std::string markdown = reader.neededText(key);
+  const std::string written = reader.neededText(key), markdown = translated(translate_, written);
   LessonText text;
   if (markdown.empty()) return text;
-  std::istringstream in(markdown);
+  std::istringstream in(written);
   int words = 0;
   for (std::string word; in >> word;) ++words;
   if (words > kMostWords)

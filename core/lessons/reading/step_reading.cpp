@@ -28,14 +28,14 @@ class StepReader {
     LessonWords::Known& known = parts_.words().known();
     known.predicts.push_back(table_.find("predict") != nullptr);
     known.observes.push_back(known.predicts.back() || table_.find("observe") != nullptr);
-    step.title = reader_.neededText("title");
+    step.title = parts_.neededSaid(reader_, "title");
     step.show = reader_.texts("show");
     checkShown(step.show);
     step.minutes = reader_.number("minutes", 0, 180, 0);
     step.begin = parts_.actions(reader_, "begin");
     step.lives = lives();
     step.say = parts_.text(reader_, table_, "say");
-    step.hint = reader_.text("hint");
+    step.hint = parts_.said(reader_, "hint");
     step.predict = prediction();
     step.run = run();
     step.ask = readQuestion(parts_, reader_);
@@ -54,7 +54,7 @@ class StepReader {
   void readTask(LessonStep& step) {
     step.done = parts_.condition(reader_, table_, "done", ValueKind::Condition);
     step.par = parts_.condition(reader_, table_, "par", ValueKind::Condition);
-    step.task = reader_.text("task");
+    step.task = parts_.said(reader_, "task");
     step.attempt = parts_.amount(reader_, "attempt");
     if (step.attempt && !step.done)
       reader_.complain("attempt", "an attempt belongs to a task, which has done = \"…\".");
@@ -85,8 +85,8 @@ class StepReader {
     TomlReader reader(*table, parts_.complaints());
     if (const std::string kind = reader.neededText("kind"); !kind.empty() && kind != "number")
       reader.complain("kind", "what is predicted is a number: kind = \"number\".");
-    LessonPrediction p{.question = reader.neededText("question"),
-                       .unit = reader.text("unit"),
+    LessonPrediction p{.question = parts_.neededSaid(reader, "question"),
+                       .unit = parts_.said(reader, "unit"),
                        .low = reader.number("low", -1e12, 1e12, 0),
                        .high = reader.number("high", -1e12, 1e12, 100),
                        .of = {},
@@ -119,7 +119,7 @@ class StepReader {
     if (!table) return std::nullopt;
     TomlReader reader(*table, parts_.complaints());
     LessonLives lives{.count = static_cast<int>(reader.whole("count", 2, 50, 10)),
-                      .title = reader.text("title"),
+                      .title = parts_.said(reader, "title"),
                       .of = {},
                       .after = {}};
     if (reader.need("of"))
@@ -128,8 +128,11 @@ class StepReader {
       if (const auto after = parts_.amount(reader, "after")) lives.after = *after;
     for (const TomlNode* way : reader.tables("ways")) {
       TomlReader one(*way, parts_.complaints());
-      lives.ways.push_back(
-          {.label = one.neededText("label"), .first = parts_.actions(one, "first"), .place = lesson_.ways++});
+      const std::string label = one.neededText("label");
+      lives.ways.push_back({.label = label,
+                            .title = parts_.said(one, "label"),
+                            .first = parts_.actions(one, "first"),
+                            .place = lesson_.ways++});
       auto& labels = parts_.words().known().ways;
       if (std::find(labels.begin(), labels.end(), lives.ways.back().label) != labels.end())
         one.complain("label", "another way of this lesson has this label.");
@@ -162,11 +165,12 @@ const std::vector<std::string>& lessonControls() {
 }
 
 void readSteps(const Registry& registry, const std::vector<const TomlNode*>& steps,
-               const std::vector<std::string>& show, Lesson& lesson, std::vector<Complaint>& complaints) {
+               const std::vector<std::string>& show, Lesson& lesson, std::vector<Complaint>& complaints,
+               const Translate& translate) {
   const auto environment = makeEnvironment(registry, lesson.start);
   if (!environment) return complaints.push_back({{}, environment.error().message});
   LessonWords words((*environment)->task(), lesson.start.parameters);
-  ReadingParts parts(registry, lesson, (*environment)->task(), words, complaints);
+  ReadingParts parts(registry, lesson, (*environment)->task(), words, complaints, translate);
   for (const TomlNode* table : steps) lesson.steps.push_back(StepReader(parts, *table, lesson).read());
   if (lesson.steps[0].show.empty()) lesson.steps[0].show = show;
   for (std::size_t i = 1; i < lesson.steps.size(); ++i)

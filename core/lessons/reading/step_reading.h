@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/lessons/lesson.h"
+#include "core/text/translate.h"
 
 namespace surefoot {
 
@@ -13,6 +14,7 @@ const std::vector<std::string>& lessonControls();
 
 /// `show`: the panels and knobs that the start of the lesson names.
 void readSteps(const Registry& registry, const std::vector<const TomlNode*>& steps,
-               const std::vector<std::string>& show, Lesson& lesson, std::vector<Complaint>& complaints);
+               const std::vector<std::string>& show, Lesson& lesson, std::vector<Complaint>& complaints,
+               const Translate& translate);
 
 }  // namespace surefoot

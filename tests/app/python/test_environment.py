@@ -274,7 +274,7 @@ class Interface(support.Folder):
         with unittest.mock.patch("surefoot._kinds.gymnasium", known):
             with surefoot.make("pendulum", preset="lab") as env:
                 self.assertEqual(env.spec.kwargs, {"name": "pendulum", "preset": "lab"})
-        self.assertEqual(registered.kwargs, {"name": "pendulum"}, "else every later one is of the lab")
+        self.assertEqual(registered.kwargs, {"name": "pendulum"}, "else all are of the lab")
 
     def test_no_copies(self):
         import copy

@@ -7,12 +7,14 @@
 #include <algorithm>
 #include <set>
 
+#include "core/files/whole_file.h"
 #include "core/handbook/declared_pages.h"
 #include "core/handbook/html.h"
 #include "core/handbook/html_links.h"
 #include "core/handbook/search.h"
 #include "core/handbook/written_pages.h"
 #include "core/lessons/reading/step_reading.h"
+#include "tests/folder.h"
 #include "tests/full_registry.h"
 
 namespace surefoot {
@@ -111,6 +113,41 @@ TEST(Handbook, APageThatIsNoneIsRefusedWithItsFile) {
   ASSERT_FALSE(other);
   EXPECT_NE(other.error().message.find("no-such.md"), std::string::npos) << "what it includes is not there";
   EXPECT_FALSE(makeHandbook(fullRegistry(), "/no/such/folder", {}));
+}
+
+TEST(Handbook, IsMadeInALanguage) {
+  HandbookSpeech speech;
+  speech.code = "xx";  // no such folder: the pages stay as they are
+  speech.declared = [](const std::string& text) { return "«" + text + "»"; };
+  speech.source = [](const std::string& text) { return "from " + text; };
+  const auto pages = makeHandbook(fullRegistry(), kPages, kCommand, speech);
+  ASSERT_TRUE(pages) << pages.error().message;
+  ASSERT_EQ(pages->size(), handbook().size());
+  for (std::size_t i = 0; i < pages->size(); ++i) {
+    const HandbookPage &page = (*pages)[i], &english = handbook()[i];
+    EXPECT_EQ(page.name, english.name);
+    EXPECT_EQ(page.section, "«" + english.section + "»");
+  }
+  const HandbookPage* trl = pageNamed(*pages, "method-trl");
+  EXPECT_TRUE(trl->title.starts_with("«"));
+  EXPECT_NE(trl->text.find("«Source: from thesis"), std::string::npos) << trl->text;
+  EXPECT_EQ(brokenLinks(*pages, kPictures), brokenLinks(handbook(), kPictures)) << "but one command is given here";
+  EXPECT_EQ(pageNamed(*pages, "command-train")->text, pageNamed(handbook(), "command-train")->text);
+}
+
+TEST(Handbook, PagesOfALanguageStandInTheirOwnFolder) {
+  const Folder folder;
+  std::filesystem::create_directory(folder.file("nl"));
+  const std::string first = "<!-- section: Files -->\n";
+  ASSERT_TRUE(writeWhole("page", folder.file("1-one.md"), first + "# One\n"));
+  ASSERT_TRUE(writeWhole("page", folder.file("2-two.md"), first + "# Two\n"));
+  ASSERT_TRUE(writeWhole("page", folder.file("nl/2-two.md"), first + "# Twee\n"));
+  const auto pages = writtenPages(folder.file(""), "nl");
+  ASSERT_TRUE(pages) << pages.error().message;
+  ASSERT_EQ(pages->size(), 2u);
+  EXPECT_EQ((*pages)[0].title, "One");
+  EXPECT_EQ((*pages)[1].title, "Twee");
+  EXPECT_EQ((*pages)[1].name, "two");
 }
 
 TEST(Handbook, SearchingFindsTitlesFirstAndAllWords) {

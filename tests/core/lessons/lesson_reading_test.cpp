@@ -85,6 +85,41 @@ std::string complaintsOf(std::string text, const std::string& from = "", const s
 
 }  // namespace
 
+// Its texts are translated whole; what is computed, compared and kept is the same in every language.
+TEST(Lesson, IsReadInALanguage) {
+  const std::string text =
+      kGood + std::string(
+                  "\n[[step]]\ntitle = \"Lives\"\nsay = \"{least(\\\"a way\\\")}\"\n[step.lives]\nof = \"falls\"\n"
+                  "after = \"5 episodes\"\nways = [{label = \"a way\"}]\n");
+  std::vector<Complaint> complaints;
+  const auto english = readLesson(registry(), text, "05-x.toml", complaints);
+  ASSERT_TRUE(english) << complaintText("", complaints.at(0));
+  const Translate marked = [](const std::string& of) { return "«" + of + "»"; };
+  const auto lesson = readLesson(registry(), text, "05-x.toml", complaints, marked);
+  ASSERT_TRUE(lesson) << complaintText("", complaints.at(0));
+  EXPECT_EQ(lesson->title, "«Exploring costs falls»");
+  EXPECT_EQ(lesson->line, lesson->goal) << "once, not twice";
+  EXPECT_EQ(lesson->chapter, "«Falling less»");
+  EXPECT_EQ(lesson->notes, "«Let them vote.»");
+  EXPECT_EQ(lesson->discuss, std::vector<std::string>{"«Why?»"});
+  const LessonStep& third = lesson->steps[2];
+  EXPECT_EQ(third.say.between, (std::vector<std::string>{"«It fell ", " times. Make it fall twice as often.»"}));
+  EXPECT_EQ(third.say.numbers[0].text, "observed(1)");
+  EXPECT_EQ(third.task, "«Twice as often.»");
+  EXPECT_EQ(lesson->steps[0].predict->unit, "«falls»");
+  const auto& choice = std::get<ChoiceQuestion>(*lesson->steps[1].ask);
+  EXPECT_EQ(choice.options[1], "«By one action.»");
+  EXPECT_EQ(choice.remarks, std::get<ChoiceQuestion>(*english->steps[1].ask).remarks);
+  const LessonLives::Way& way = lesson->steps.back().lives->ways[0];
+  EXPECT_EQ(way.label, "a way") << "as expressions and kept answers have it";
+  EXPECT_EQ(way.title, "«a way»");
+  EXPECT_EQ(lesson->hash, english->hash);
+
+  const auto own = readLesson(registry(), "language = \"nl\"\n" + text, "05-x.toml", complaints, marked);
+  ASSERT_TRUE(own);
+  EXPECT_EQ(own->title, "Exploring costs falls") << "it is in a language of its own";
+}
+
 TEST(Lesson, IsReadAsItIsWritten) {
   std::vector<Complaint> complaints;
   const auto lesson = readLesson(registry(), kGood, "05-exploring-costs-falls.toml", complaints);

@@ -9,12 +9,14 @@
 #include <QUrl>
 
 #include "core/handbook/handbook.h"
+#include "tests/ui/language/spoken.h"
 #include "tests/ui/window/size_setup.h"
 #include "ui/controls/header_button.h"
 #include "ui/controls/message_bar.h"
 #include "ui/controls/panel.h"
 #include "ui/handbook/handbook_browser.h"
 #include "ui/handbook/handbook_contents.h"
+#include "ui/language/speech.h"
 #include "ui/live/live_page.h"
 #include "ui/support/help.h"
 
@@ -27,7 +29,8 @@ struct Reader {
   Reader() {
     WindowSetup setup;
     setup.handbook = [this] {
-      return makeHandbook(registry, SUREFOOT_SOURCE "/resources/handbook", {{.name = "train", .summary = "learn"}});
+      return makeHandbook(registry, SUREFOOT_SOURCE "/resources/handbook", {{.name = "train", .summary = "learn"}},
+                          handbookInLanguage());
     };
     setup.pictures = QStringLiteral(SUREFOOT_SOURCE "/resources/screenshots");
     setup.lessons = QStringLiteral(SUREFOOT_SOURCE "/resources/lessons");
@@ -208,6 +211,23 @@ TEST(HandbookWindow, ItsTextSizeIsTheProgramsAndStaysAtItsPlace) {
   QTest::qWait(50);
   EXPECT_NEAR(inSight(), before, 150) << "letters: about a line";
   EXPECT_EQ(r.page(), "plans");
+}
+
+TEST(HandbookWindow, IsInTheLanguageOfTheWindow) {
+  const Spoken spoken("nl");
+  Reader r;
+  r.read("panel-maps");
+  EXPECT_TRUE(r.browser().toPlainText().startsWith("Waardekaarten"))
+      << r.browser().toPlainText().left(60).toStdString();
+  const auto* list = r.contents().findChild<QTreeWidget*>();
+  EXPECT_EQ(list->topLevelItem(0)->text(0), "Eerste stappen");
+  r.contents().search("bubblewrap kooi");
+  EXPECT_EQ(r.contents().listed(), QStringList{"robot-programs"});
+  r.read("parameters-policy#policy.epsilon");
+  const QString parameters = r.browser().toPlainText();
+  EXPECT_TRUE(parameters.contains("standaard 0,05")) << "with the language's numbers";
+  EXPECT_TRUE(parameters.contains("Geldt meteen."));
+  EXPECT_FALSE(parameters.contains("default"));
 }
 
 TEST(HandbookWindow, WithoutOneItIsSaid) {

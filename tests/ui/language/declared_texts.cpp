@@ -11,6 +11,8 @@
 #include "core/findings/evidence.h"
 #include "core/formulas.h"
 #include "core/glossary.h"
+#include "core/handbook/declared_pages.h"
+#include "core/lessons/reading/lesson_library.h"
 #include "core/life/life_measures.h"
 #include "core/life/rule_of_thumb.h"
 #include "core/signals/signal_table.h"
@@ -21,7 +23,8 @@ namespace {
 
 /// What stands in no list of the core: labels in pictures, axes of figures, kinds of a lesson's steps, what an
 /// inspection says of a robot, why there is no rule of thumb.
-constexpr const char* kOthers[] = {"fall",
+constexpr const char* kOthers[] = {"Handbook",
+                                   "fall",
                                    "start",
                                    "goal",
                                    "cliff",
@@ -149,9 +152,19 @@ std::set<std::string> declaredTexts(const Registry& given, const std::string& ro
   }
   const Parameters parameters = everyParameter(registry);
   for (const auto& one : parameters.all()) all.add(one.parameter);
+  const HandbookSpeech recording = {.declared = [&](const std::string& text) { return all.add(text), text; },
+                                    .formula = [&](const std::string& text) { return all.addFormula(text), text; }};
+  for (const char* section : handbookSections()) all.add(section);
+  for (const auto& pages : {methodPages, worldPages, parameterPages}) static_cast<void>(pages(registry, recording));
   const std::vector<Evidence> none;
   for (const std::string& name : measureNames(std::vector<TaskMeasure>())) all.add(measureTitle(name, none));
   return all.texts;
+}
+
+std::set<std::string> lessonTexts(const Registry& registry, const std::string& lessons) {
+  std::set<std::string> all;
+  static_cast<void>(lessonsIn(registry, lessons, [&](const std::string& text) { return all.insert(text), text; }));
+  return all;
 }
 
 }  // namespace surefoot

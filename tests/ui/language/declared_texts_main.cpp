@@ -10,7 +10,12 @@
 
 int main() {
   using namespace surefoot;
-  for (const std::string& text : declaredTexts(fullRegistry(), SUREFOOT_SOURCE "/resources/robots"))
-    fmt::print("QT_TRANSLATE_NOOP(\"core\", {})\n", nlohmann::json(text).dump());
+  const auto print = [](const char* context, const std::set<std::string>& texts) {
+    for (const std::string& text : texts)
+      fmt::print("QT_TRANSLATE_NOOP(\"{}\", {})\n", context, nlohmann::json(text).dump());
+  };
+  const Registry registry = fullRegistry();
+  print("core", declaredTexts(registry, SUREFOOT_SOURCE "/resources/robots"));
+  print("lessons", lessonTexts(registry, SUREFOOT_SOURCE "/resources/lessons"));
   return 0;
 }

@@ -10,10 +10,12 @@
 #include <map>
 
 #include "app/requests/open_line.h"
+#include "core/lessons/reading/lesson_library.h"
 #include "tests/full_registry.h"
 #include "tests/ui/language/declared_texts.h"
 #include "tests/ui/language/spoken.h"
 #include "ui/language/from_core.h"
+#include "ui/language/speech.h"
 #include "ui/support/counted.h"
 
 namespace surefoot {
@@ -50,9 +52,9 @@ std::vector<Message> messagesOf(const QString& code) {
   return all;
 }
 
-/// %1, %2, %n and tags, sorted.
+/// %1, %2, %n, tags, what is computed in braces, and links of lessons, sorted.
 QStringList placesIn(const QString& text) {
-  static const QRegularExpression kPlace(QStringLiteral("%L?[0-9n]|</?[a-z]+>"));
+  static const QRegularExpression kPlace(QStringLiteral("%L?[0-9n]|</?[a-z]+>|\\{[^}:]*\\}|\\*\\*|\\]\\([^)]*\\)"));
   QStringList places;
   for (auto found = kPlace.globalMatch(text); found.hasNext();) places << found.next().captured();
   places.sort();
@@ -104,6 +106,24 @@ TEST_P(LanguageFile, HasEveryTextThatIsDeclared) {
     if (m.context == QStringLiteral("core")) there.insert(m.source.toStdString());
   for (const std::string& text : declaredTexts(fullRegistry(), SUREFOOT_SOURCE "/resources/robots"))
     EXPECT_TRUE(there.contains(text)) << text << ": `ninja -C build/release languages` puts it there";
+}
+
+TEST_P(LanguageFile, HasEveryTextOfTheLessons) {
+  const Registry registry = fullRegistry();
+  const Spoken spoken(GetParam());
+  const auto all = lessonsIn(registry, SUREFOOT_SOURCE "/resources/lessons", lessonInLanguage);
+  const auto english = lessonsIn(registry, SUREFOOT_SOURCE "/resources/lessons");
+  ASSERT_GT(all.size(), 10u);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    ASSERT_TRUE(all[i].lesson && all[i].complaints.empty()) << all[i].path;
+    EXPECT_NE(all[i].lesson->title, english[i].lesson->title);
+    for (std::size_t s = 0; s < all[i].lesson->steps.size(); ++s)
+      EXPECT_NE(all[i].lesson->steps[s].say.between, english[i].lesson->steps[s].say.between) << all[i].path << s + 1;
+  }
+  std::set<std::string> there;
+  for (const Message& m : messagesOf(GetParam()))
+    if (m.context == QStringLiteral("lessons")) there.insert(m.source.toStdString());
+  EXPECT_EQ(there, lessonTexts(registry, SUREFOOT_SOURCE "/resources/lessons"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, LanguageFile, testing::Values("nl", "de"));

@@ -133,7 +133,7 @@ TEST(LearningCharts, TheCursorReadsTheCurveUnderIt) {
   Lived w(1500);
   w.span().showWholeLife();
   LearningChart& chart = w.falls();
-  const CurvePoint& p = w.session->life().curves().live().points[700];
+  const CurvePoint p = w.session->life().curves().live().points[700];  // more points move them
   const double x = w.span().timeOf(p);
   const int pixel = static_cast<int>(chart.plot().left() + x / w.span().to() * chart.plot().width());
   QTest::mouseMove(chart.viewport(), {pixel, 60});

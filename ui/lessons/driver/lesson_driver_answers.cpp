@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "ui/language/speech.h"
 #include "ui/lessons/driver/lesson_driver.h"
 
 namespace surefoot {
@@ -21,11 +22,12 @@ void LessonDriver::mark(LessonMark mark) {
 
 void LessonDriver::renderText() {
   auto text = std::make_shared<std::string>();
-  visit([text, say = step().say](const Life& life, Knowledge& k) { *text = k.values.text(say, life); },
-        [this, text] {
-          text_ = QString::fromStdString(*text);
-          Q_EMIT textChanged();
-        });
+  visit(
+      [text, say = step().say](const Life& life, Knowledge& k) { *text = k.values.text(say, life, numbersInLanguage); },
+      [this, text] {
+        text_ = QString::fromStdString(*text);
+        Q_EMIT textChanged();
+      });
 }
 
 /// The prediction is locked; what it is about is done and lived, and the next step shows what came out.

@@ -81,7 +81,7 @@ CompareBox::CompareBox(LessonDriver& driver, const CompareQuestion& question, QW
     : OptionsBox(driver, tr("Compare"), parent) {
   addQuestion(toText(question.question));
   const LessonLives& lives = *driver.step().lives;
-  addOptions({toText(lives.ways.at(0).label), toText(lives.ways.at(1).label), tr("One cannot tell from these lives")});
+  addOptions({toText(lives.ways.at(0).title), toText(lives.ways.at(1).title), tr("One cannot tell from these lives")});
   const auto& names = LessonDriver::kComparedNames;
   choose(static_cast<int>(std::find(names.begin(), names.end(), driver.draft().answer) - names.begin()));
   keepWhenChosen([this] {

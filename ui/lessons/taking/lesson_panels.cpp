@@ -164,7 +164,7 @@ LessonPanels::Part LessonPanels::make(const std::string& name) {
 
 QWidget* LessonPanels::makeLives(const LessonLives& lives) {
   QStringList labels;
-  for (const LessonLives::Way& way : lives.ways) labels << toText(way.label);
+  for (const LessonLives::Way& way : lives.ways) labels << toText(way.title);
   const QString title = toText(lives.title);
   const bool otherSeeds = std::any_of(lives.ways.begin(), lives.ways.end(), [](const LessonLives::Way& way) {
     return std::any_of(way.first.begin(), way.first.end(),
