@@ -100,7 +100,7 @@ QString allowedText(const Parameter& p) {
 
 QString valueText(const Parameter& parameter, double value) {
   const std::string text = formatValue(parameter, value);
-  return parameter.kind == Kind::Choice ? fromCore(text) : localNumbers(text);
+  return parameter.kind == Kind::Choice ? fromCore(text) : localNumbers(text).replace('-', QChar(0x2212));
 }
 
 }  // namespace surefoot

@@ -168,6 +168,7 @@ TEST(FromCore, WritesWhatAParameterTakes) {
   EXPECT_EQ(allowedValues(choice), "one of one, two or three");
   const Spoken spoken("de");
   EXPECT_EQ(valueText(number, 0.75).toStdString(), "0,75");
+  EXPECT_EQ(valueText(number, -1.5).toStdString(), "−1,5");
 }
 
 TEST(Spoken, QtsOwnWordsAreTranslatedToo) {
