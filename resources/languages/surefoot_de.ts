@@ -9500,6 +9500,34 @@ Frühere wurden in diesem Fenster nicht aufgezeichnet.</translation>
         <source>The Live page, as the lesson begins</source>
         <translation>Die Seite Live im Anfangszustand der Lektion</translation>
     </message>
+    <message>
+        <source>world</source>
+        <translation>Welt</translation>
+    </message>
+    <message>
+        <source>parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>signals</source>
+        <translation>Signale</translation>
+    </message>
+    <message>
+        <source>phase portrait</source>
+        <translation>Phasenporträt</translation>
+    </message>
+    <message>
+        <source>strides</source>
+        <translation>Doppelschritte</translation>
+    </message>
+    <message>
+        <source>policy</source>
+        <translation>Policy</translation>
+    </message>
+    <message>
+        <source>scenario</source>
+        <translation>Szenario</translation>
+    </message>
 </context>
 <context>
     <name>surefoot::LessonDriver</name>

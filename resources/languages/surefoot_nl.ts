@@ -9500,6 +9500,34 @@ Die van eerder zijn niet in dit venster opgenomen.</translation>
         <source>The Live page, as the lesson begins</source>
         <translation>De pagina Live, zoals de les begint</translation>
     </message>
+    <message>
+        <source>world</source>
+        <translation>wereld</translation>
+    </message>
+    <message>
+        <source>parameters</source>
+        <translation>parameters</translation>
+    </message>
+    <message>
+        <source>signals</source>
+        <translation>signalen</translation>
+    </message>
+    <message>
+        <source>phase portrait</source>
+        <translation>faseportret</translation>
+    </message>
+    <message>
+        <source>strides</source>
+        <translation>schreden</translation>
+    </message>
+    <message>
+        <source>policy</source>
+        <translation>policy</translation>
+    </message>
+    <message>
+        <source>scenario</source>
+        <translation>scenario</translation>
+    </message>
 </context>
 <context>
     <name>surefoot::LessonDriver</name>

@@ -51,6 +51,21 @@ const ShelvedLesson* named(const std::vector<ListedLesson>& all, const std::stri
   return nullptr;
 }
 
+/// A panel or a choice that a step shows, in a word or two.
+QString wordOfShown(const std::string& name) {
+  const std::pair<const char*, QString> words[] = {
+      {"world", LessonDetails::tr("world")},           {"parameters", LessonDetails::tr("parameters")},
+      {"actions", LessonDetails::tr("actions")},       {"maps", LessonDetails::tr("Q on a map")},
+      {"reward", LessonDetails::tr("average reward")}, {"step", LessonDetails::tr("one step")},
+      {"rule", LessonDetails::tr("rule of thumb")},    {"list", LessonDetails::tr("list of falls")},
+      {"signals", LessonDetails::tr("signals")},       {"portrait", LessonDetails::tr("phase portrait")},
+      {"strides", LessonDetails::tr("strides")},       {"agent", LessonDetails::tr("the learning rule")},
+      {"policy", LessonDetails::tr("policy")},         {"scenario", LessonDetails::tr("scenario")}};
+  for (const auto& [key, word] : words)
+    if (name == key) return word;
+  return fromCore(name);
+}
+
 }  // namespace
 
 LessonDetails::LessonDetails(const Registry& registry, QWidget* parent)
@@ -151,14 +166,7 @@ void LessonDetails::addFacts(const Lesson& lesson, const std::vector<ListedLesso
       const bool panel = std::find(names.begin(), names.end(), name) != names.end();
       const QString word =
           entry ? fromCore(entry->parameter.symbol.empty() ? entry->parameter.title : entry->parameter.symbol)
-          : name == "maps"    ? tr("Q on a map")
-          : name == "actions" ? tr("actions")
-          : name == "step"    ? tr("one step")
-          : name == "rule"    ? tr("rule of thumb")
-          : name == "reward"  ? tr("average reward")
-          : name == "list"    ? tr("list of falls")
-          : name == "agent"   ? tr("the learning rule")
-                              : fromCore(name);
+                : wordOfShown(name);
       if (panel && !panels.contains(word)) panels << word;
       const bool choice = name == "policy" || name == "agent" || name == "scenario";
       if ((entry || choice) && !knobs.contains(word)) knobs << word;

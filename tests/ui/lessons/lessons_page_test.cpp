@@ -2,8 +2,10 @@
 #include "ui/lessons/lessons_page.h"
 
 #include <QFile>
+#include <QLabel>
 #include <QPlainTextEdit>
 
+#include "tests/ui/language/spoken.h"
 #include "tests/ui/lessons/lessons_setup.h"
 #include "ui/lessons/questions/option_button.h"
 #include "ui/lessons/writing/lesson_editor.h"
@@ -25,6 +27,20 @@ TEST(LessonsPage, ListsTheLessonsInTheirChapters) {
   EXPECT_EQ(l.page().list().chosen(), 1);
   const QString spoken = l.page().list().currentIndex().data(Qt::AccessibleTextRole).toString();
   EXPECT_EQ(spoken, "Lesson 2 of 13, What is a state worth?, 10 minutes, level 1 of 3, not begun");
+}
+
+TEST(LessonsPage, IsInTheLanguageOfTheWindow) {
+  const Spoken spoken("nl");
+  Lessons l;
+  QStringList words;
+  for (int i = 0; i < 14; ++i) {
+    l.page().list().choose(i);
+    for (const QLabel* label : l.page().findChildren<QLabel*>()) words += label->text().split(", ");
+  }
+  EXPECT_TRUE(words.contains("Waarom valt hij?") || words.contains("1  Waarom valt hij?"));
+  EXPECT_TRUE(words.contains("wereld"));
+  for (const char* english : {"world", "actions", "list of falls", "the learning rule", "signals"})
+    EXPECT_FALSE(words.contains(english)) << english;
 }
 
 TEST(LessonsPage, ALessonIsTakenByKeysAlone) {
